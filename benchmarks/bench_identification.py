@@ -18,12 +18,12 @@ import numpy as np
 from pipeline.fitting.regression import pseudo_inverse_fit, triangular_factor
 from pipeline.models.paper.model import identify_rbf_paper
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.log import Log
 
 SPAN = 37.5  # s
 
 
-def motion(samples: int) -> Trajectory:
+def motion(samples: int) -> Log:
     t = np.linspace(0.0, SPAN, samples)
     rng = np.random.default_rng(1)
     frequencies, phases = rng.uniform(0.2, 4.0, 12), rng.uniform(0.0, 6.3, 12)
@@ -31,7 +31,7 @@ def motion(samples: int) -> Trajectory:
     qdot = np.gradient(q, t)
     v = 3000.0 * (np.sin(2 * np.pi * np.outer(t, [0.4, 0.31])) > 0.3)
     qddot: FloatArray = np.gradient(qdot, t)
-    return Trajectory(t, q, qdot, qddot, v.astype(np.float64))
+    return Log(t, q, qdot, qddot, v.astype(np.float64))
 
 
 def best_of(work: Callable[[], object], repeats: int) -> float:

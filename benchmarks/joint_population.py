@@ -27,7 +27,7 @@ from pipeline.models.rbf.problem import JointProblem
 from pipeline.models.rbf.start import starting_joint
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import load_prototype
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard
 from pipeline.workflow.logs import load_logs, training
@@ -45,7 +45,7 @@ def usual() -> Candidate:
     return candidate(structure, SYMMETRIES[0])
 
 
-def records(folder: Path) -> tuple[Record, ...]:
+def records(folder: Path) -> tuple[Log, ...]:
     """Both logs of a joint, brought to 10 ms, with their derivatives."""
     plain = (folder / f"{folder.name}.toml").read_text(encoding="utf-8").partition("[plant]")[0]
     settings = folder / "both.toml"

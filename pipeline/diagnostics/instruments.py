@@ -30,9 +30,9 @@ from ..fitting.posterior import GROUPS, robust_spread, whiteness
 from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.metrics import rms
 from ..signals.corrections import Corrections, corrected, exchanged, mirrored
+from ..signals.inputs import MOST_SAMPLES
 from ..signals.log import Log, within
 from ..signals.noise import noise_std
-from ..signals.trajectory import MOST_SAMPLES
 
 SIGNIFICANCE = 4.0
 """Standard errors beyond which an error counts: one false alarm in 16,000 quantities of normal errors."""

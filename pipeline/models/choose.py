@@ -17,7 +17,7 @@ from ..numerics.arrays import FloatArray
 from ..scoring.cross_validation import free_run_error
 from ..scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 from ..scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
-from ..signals.trajectory import Record
+from ..signals.log import Log
 from ..units.units import HORIZONS, of_joint
 from .base import predictor
 from .kind import StoredModel, Training, fitted_samples
@@ -80,7 +80,7 @@ class Choice:
     other: StoredModel | None = None
 
     def to_json(self) -> dict[str, Any]:
-        """Record of the choice.
+        """Log of the choice.
 
         ``ablation`` holds errors in free run over the last quarters of the training logs, shares of the operating
         range, as far as they were needed.
@@ -186,7 +186,7 @@ def _network_errors(training: Training, rbf: Fit, rival: float) -> tuple[FloatAr
     return errors, fitted
 
 
-def _first_parts(training: Training) -> tuple[Record, ...]:
+def _first_parts(training: Training) -> tuple[Log, ...]:
     """First part of each log: candidates are fitted to it and judged on the rest."""
     return tuple(record.part(0, fitted_samples(len(record.t))) for record in training.records)
 
@@ -208,7 +208,7 @@ def _rms(errors: FloatArray) -> float:
     return float(np.sqrt(np.nanmean(errors**2)))
 
 
-def _errors(model: StoredModel, records: Sequence[Record], *, held_out: bool = True) -> FloatArray:
+def _errors(model: StoredModel, records: Sequence[Log], *, held_out: bool = True) -> FloatArray:
     """Errors of q in free runs from the start, over the operating range; those behind what candidates are fitted to.
 
     NaN where masked; at most `DIVERGED_ERROR`, as where the run diverged.
@@ -276,7 +276,7 @@ def _times(errors: list[HorizonError]) -> str:
     return " and ".join(f"{horizon:g} s" for horizon in sorted({round(error.horizon_s, 3) for error in errors}))
 
 
-def _lost(model: StoredModel, record: Record) -> float:
+def _lost(model: StoredModel, record: Log) -> float:
     """Error of a free run over the range of q in its log, at most 1: that of one that diverged."""
     v = record.drive if model.fine_voltages else record.v
     run = model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))

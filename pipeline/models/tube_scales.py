@@ -8,7 +8,8 @@ import numpy as np
 from pydantic import Field
 
 from ..scoring.tubes import TubeScale, tube_scale
-from ..signals.trajectory import MOST_SAMPLES, Record, operating_range, within
+from ..signals.inputs import MOST_SAMPLES
+from ..signals.log import Log, operating_range, within
 from .base import DrawnModel
 from .model_file import FilePart, Unit
 
@@ -30,14 +31,12 @@ class TubePart(FilePart):
         return TubeScale(**dict(self))
 
 
-def scale_on(
-    records: Sequence[Record], model: DrawnModel, floor: float, margin: float, least: float = 0.0
-) -> TubeScale:
+def scale_on(records: Sequence[Log], model: DrawnModel, floor: float, margin: float, least: float = 0.0) -> TubeScale:
     """Scale of the tubes, from the errors on the training logs. Cost: 33 runs of each log.
 
     Parameters
     ----------
-    records : sequence of Record
+    records : sequence of Log
         The training logs.
     model : DrawnModel
         What was fitted to them.

@@ -10,7 +10,7 @@ import scipy.special
 
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..numerics.metrics import rmse
-from ..signals.trajectory import Trajectory
+from ..signals.log import Log
 from .intervals import LEVEL, Interval
 from .wells import NoWells, Wells, in_same_well
 
@@ -104,7 +104,7 @@ def kept_segments(segment: IntArray, keep: BoolArray) -> IntArray:
 
 
 def fold_score(
-    model: Simulator, held_out: Sequence[Trajectory], ranges: Mapping[str, float], wells: Wells | NoWells
+    model: Simulator, held_out: Sequence[Log], ranges: Mapping[str, float], wells: Wells | NoWells
 ) -> FoldScore:
     """Free runs over the held-out stretches, each from its own measured first state.
 
@@ -114,7 +114,7 @@ def fold_score(
     ----------
     model : Simulator
         Fitted without these stretches.
-    held_out : sequence of Trajectory
+    held_out : sequence of Log
         The stretches of one fold, at least one.
     ranges : mapping of signal to float
         The signals that are judged: `signal_ranges` of all data, so that a fold that stays in one well is not judged
@@ -136,7 +136,7 @@ def fold_score(
     return FoldScore(nrmse, agreeing / samples if isinstance(wells, Wells) else None, samples, diverged)
 
 
-def signal_ranges(trajectories: Sequence[Trajectory]) -> dict[str, float]:
+def signal_ranges(trajectories: Sequence[Log]) -> dict[str, float]:
     """Range of q, q̇ and q̈ over all data."""
     joined = {signal: np.concatenate([getattr(x, signal) for x in trajectories]) for signal in NRMSE_COLUMNS.values()}
     return {signal: float(np.ptp(values)) for signal, values in joined.items()}
@@ -192,7 +192,7 @@ class HeldOutBlock:
     fold: int
 
 
-def held_out_blocks(trajectories: Sequence[Trajectory]) -> list[HeldOutBlock]:
+def held_out_blocks(trajectories: Sequence[Log]) -> list[HeldOutBlock]:
     """Blocks of about a quarter of all samples, dealt to `FOLDS` folds in turn; no block crosses a gap.
 
     A trajectory shorter than that is one block. With a single trajectory every fold holds one block.

@@ -7,11 +7,11 @@ import numpy as np
 
 from ..errors import DebistError
 from ..numerics.arrays import FloatArray
-from ..signals.trajectory import Trajectory, operating_range
+from ..signals.log import Log, operating_range
 from .cross_validation import Simulator, fold_score
 from .wells import NoWells
 
-Identify = Callable[[Sequence[Trajectory]], Simulator]
+Identify = Callable[[Sequence[Log]], Simulator]
 Differentiate = Callable[[FloatArray, float], tuple[FloatArray, FloatArray, FloatArray]]
 """``(samples, interval) -> (q, qdot, qddot)``: the smoothed signal and its derivatives."""
 
@@ -42,8 +42,8 @@ class StudyPoint:
 
 
 def amount_study(
-    training: Sequence[Trajectory],
-    held_out: Sequence[Trajectory],
+    training: Sequence[Log],
+    held_out: Sequence[Log],
     identify: Identify,
     amounts: Sequence[int],
     *,
@@ -57,7 +57,7 @@ def amount_study(
 
     Parameters
     ----------
-    training, held_out : sequence of Trajectory
+    training, held_out : sequence of Log
         What may be fitted, and what is predicted freely.
     identify : callable
         The method.
@@ -78,8 +78,8 @@ def amount_study(
 
 
 def noise_study(
-    training: Sequence[Trajectory],
-    held_out: Sequence[Trajectory],
+    training: Sequence[Log],
+    held_out: Sequence[Log],
     identify: Identify,
     differentiate: Differentiate,
     levels: Sequence[float],
@@ -91,7 +91,7 @@ def noise_study(
 
     Parameters
     ----------
-    training, held_out : sequence of Trajectory
+    training, held_out : sequence of Log
         What is corrupted and fitted, and what is predicted freely and left as it is.
     identify : callable
         The method.
@@ -113,9 +113,7 @@ def noise_study(
     return tuple(points)
 
 
-def _point(
-    level: float, draws: Sequence[Sequence[Trajectory]], held_out: Sequence[Trajectory], identify: Identify
-) -> StudyPoint:
+def _point(level: float, draws: Sequence[Sequence[Log]], held_out: Sequence[Log], identify: Identify) -> StudyPoint:
     errors, refused = [], 0
     for draw in draws:
         try:
@@ -127,13 +125,13 @@ def _point(
     return StudyPoint(level, tuple(errors), refused)
 
 
-def held_out_error(model: Simulator, held_out: Sequence[Trajectory]) -> float:
+def held_out_error(model: Simulator, held_out: Sequence[Log]) -> float:
     """Free-run NRMSE of q over all stretches, each from its own first state, at most 1; weighted by their length."""
     low, high = operating_range(held_out)
     return fold_score(model, held_out, {"q": high - low}, NoWells("")).nrmse["q"]
 
 
-def _stretch(training: Sequence[Trajectory], start: int, amount: int) -> list[Trajectory]:
+def _stretch(training: Sequence[Log], start: int, amount: int) -> list[Log]:
     """`amount` consecutive samples from row `start` of the joined training data, wrapping at its end."""
     offsets = np.cumsum([0, *(len(x.t) for x in training)])
     total, taken = int(offsets[-1]), []
@@ -141,10 +139,10 @@ def _stretch(training: Sequence[Trajectory], start: int, amount: int) -> list[Tr
         for x, offset in zip(training, offsets, strict=False):
             a, b = max(low - int(offset), 0), min(high - int(offset), len(x.t))
             if b - a >= 2:
-                taken.append(Trajectory(x.t[a:b], x.q[a:b], x.qdot[a:b], x.qddot[a:b], x.v[a:b]))
+                taken.append(Log(x.t[a:b], x.q[a:b], x.qdot[a:b], x.qddot[a:b], x.v[a:b]))
     return taken
 
 
-def _corrupted(x: Trajectory, level: float, differentiate: Differentiate, rng: np.random.Generator) -> Trajectory:
+def _corrupted(x: Log, level: float, differentiate: Differentiate, rng: np.random.Generator) -> Log:
     q, qdot, qddot = differentiate(x.q + level * rng.normal(size=len(x.t)), x.interval)
-    return Trajectory(x.t, q, qdot, qddot, x.v)
+    return Log(x.t, q, qdot, qddot, x.v)

@@ -12,7 +12,7 @@ from ..device.device import device
 from ..diagnostics.gates import accepted_settings, judge
 from ..errors import InputError
 from ..settings.prototype import CheckGate, Prototype
-from ..signals.trajectory import voltages
+from ..signals.log import voltages
 from ..store import layout
 from ..store.run_folder import RunFolder, Written
 from ..store.tables import Table

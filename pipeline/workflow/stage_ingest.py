@@ -16,7 +16,7 @@ from ..numerics.arrays import FloatArray
 from ..settings.logs import Role
 from ..settings.prototype import Ingest, LogGate, Prototype
 from ..signals.corrections import Corrections
-from ..signals.trajectory import LONGEST_BRIDGE, UNKNOWN
+from ..signals.inputs import LONGEST_BRIDGE, UNKNOWN
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
 from ..system.names import log_title, true_name

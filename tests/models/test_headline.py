@@ -9,12 +9,12 @@ from pipeline.models.base import FreeRun
 from pipeline.models.choose import headline
 from pipeline.models.kind import Training
 from pipeline.settings.prototype import Identify
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 
 T = 0.01 * np.arange(6000)
 Q = np.sin(3.0 * T) + 0.5 * np.sin(7.7 * T)
 STILL = np.zeros_like(T)
-LOG = Record(T, Q, np.gradient(Q, T), STILL, STILL[:, None], np.ones(T.size, dtype=bool))
+LOG = Log(T, Q, np.gradient(Q, T), STILL, STILL[:, None], np.ones(T.size, dtype=bool))
 TRAINING = Training((), (LOG,), ("m", "V"), "linear", None, None, None, Identify())
 
 

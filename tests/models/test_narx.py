@@ -6,7 +6,7 @@ import pytest
 from pipeline.models.narx.model import NARX, NarxModel, identify_narx
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.log import Log
 from tests.file_columns import unknown_entries
 
 DT = 0.01
@@ -32,12 +32,12 @@ def pulses(samples: int, seed: int) -> FloatArray:
     return v
 
 
-def motion(seed: int, samples: int = 2000) -> Trajectory:
+def motion(seed: int, samples: int = 2000) -> Log:
     v = pulses(samples, seed)
     q, reached = TRUTH.run(v, -0.01, 0.0)
     assert reached == samples
     qdot = np.gradient(q, DT)
-    return Trajectory(DT * np.arange(samples), q, qdot, np.gradient(qdot, DT), v)
+    return Log(DT * np.arange(samples), q, qdot, np.gradient(qdot, DT), v)
 
 
 @pytest.fixture(scope="module")

@@ -27,7 +27,7 @@ from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, v
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.reporting.short_tables import headline_table
 from pipeline.scoring.wells import NoWells
-from pipeline.signals.trajectory import voltages
+from pipeline.signals.log import voltages
 from pipeline.units.quantity import axis_scale, quantity
 from tests.reporting.synthetic import HOSTILE, figures_of_one_log, run_data, run_figures, run_sheet, without_models
 

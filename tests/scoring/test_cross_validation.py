@@ -19,7 +19,7 @@ from pipeline.scoring.cross_validation import (
     simplest_within_one_standard_error,
 )
 from pipeline.scoring.wells import NoWells, Wells
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.log import Log
 
 WELLS = Wells(-1.0, 1.0, 0.0)
 
@@ -43,19 +43,19 @@ class Memory:
         return Run(q, q, q)
 
 
-def remember(data: Sequence[Trajectory]) -> Memory:
+def remember(data: Sequence[Log]) -> Memory:
     return Memory({float(t): float(q) for x in data for t, q in zip(x.t, x.q, strict=True)})
 
 
-def square(samples: int, start: float = 0.0) -> Trajectory:
+def square(samples: int, start: float = 0.0) -> Log:
     t = start + 0.01 * np.arange(samples)
     q = np.where(np.arange(samples) % 2 == 0, 1.0, -1.0)
-    return Trajectory(t, q, q, q, np.zeros((samples, 1)))
+    return Log(t, q, q, q, np.zeros((samples, 1)))
 
 
-def stretches(x: Trajectory, segment: IntArray) -> list[Trajectory]:
+def stretches(x: Log, segment: IntArray) -> list[Log]:
     rows = [np.flatnonzero(segment == k) for k in range(segment.max() + 1)]
-    return [Trajectory(x.t[r], x.q[r], x.qdot[r], x.qddot[r], x.v[r]) for r in rows]
+    return [Log(x.t[r], x.q[r], x.qdot[r], x.qddot[r], x.v[r]) for r in rows]
 
 
 @pytest.mark.parametrize("deal", [block_folds, log_folds])

@@ -8,7 +8,7 @@ import pytest
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.data_study import amount_study, noise_study
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.log import Log
 
 
 @dataclass(frozen=True)
@@ -27,15 +27,15 @@ class Offset:
         return Run(np.sin(t) + self.error)
 
 
-def sine(samples: int, start: float = 0.0) -> Trajectory:
+def sine(samples: int, start: float = 0.0) -> Log:
     t = start + 0.01 * np.arange(samples)
-    return Trajectory(t, np.sin(t), np.cos(t), -np.sin(t), np.zeros((samples, 1)))
+    return Log(t, np.sin(t), np.cos(t), -np.sin(t), np.zeros((samples, 1)))
 
 
 def test_the_error_is_that_of_the_method_at_each_amount() -> None:
     seen: list[int] = []
 
-    def identify(data: Sequence[Trajectory]) -> Offset:
+    def identify(data: Sequence[Log]) -> Offset:
         samples = sum(len(x.t) for x in data)
         seen.append(samples)
         return Offset(2.0 / samples)
@@ -54,7 +54,7 @@ def test_stretches_differ_between_repeats_and_repeat_with_the_seed() -> None:
     def starts(seed: int) -> list[float]:
         found: list[float] = []
 
-        def identify(data: Sequence[Trajectory]) -> Offset:
+        def identify(data: Sequence[Log]) -> Offset:
             found.append(float(data[0].t[0]))
             return Offset(0.0)
 
@@ -66,7 +66,7 @@ def test_stretches_differ_between_repeats_and_repeat_with_the_seed() -> None:
 
 
 def test_noise_is_added_before_differentiation_and_only_to_training_data() -> None:
-    def identify(data: Sequence[Trajectory]) -> Offset:
+    def identify(data: Sequence[Log]) -> Offset:
         return Offset(float(np.std(data[0].q - np.sin(data[0].t))))
 
     def keep(q: FloatArray, interval: float) -> tuple[FloatArray, FloatArray, FloatArray]:

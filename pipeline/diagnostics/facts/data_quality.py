@@ -7,9 +7,9 @@ import numpy as np
 from ...fitting.coverage import coverage
 from ...numerics.arrays import FloatArray, sample_interval
 from ...scoring.wells import NoWells, Wells, snaps
+from ...signals.log import voltages
 from ...signals.noise import below_resolution, noise_std, rounding
 from ...signals.signal_quality import examine_signal
-from ...signals.trajectory import voltages
 from ..findings import Finding, Number
 from ..sentences import MASKS
 from .grades import Check, graded, of_finding

@@ -10,7 +10,7 @@ from ...models.base import DynamicModel
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90
 from ...scoring.wells import NoWells, Wells
-from ...signals.trajectory import voltages
+from ...signals.log import voltages
 from ...store.columns import FACT_COLUMNS, STABLE
 from ..findings import Finding, Number
 from .characteristics import (

@@ -7,7 +7,8 @@ import numpy as np
 
 from ...models.base import DynamicModel, SimulatesMany
 from ...numerics.arrays import FloatArray, runs_of
-from ...signals.trajectory import peaks, voltages
+from ...signals.inputs import peaks
+from ...signals.log import voltages
 from .run_data import LogData, RunData
 
 BASIN_COLUMNS, BASIN_ROWS = 81, 57

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...numerics.arrays import FloatArray, longest_run, samples_of
 from ...numerics.metrics import NORMAL_99
-from ...signals.trajectory import voltages
+from ...signals.log import voltages
 from .run_data import LogData, RunData
 
 LONGEST_LAG, FEWEST_LAGS, SHARE = 1.0, 50, 8

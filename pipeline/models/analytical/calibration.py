@@ -15,7 +15,8 @@ import numpy as np
 from ...device.parameters import JointParameters
 from ...numerics.arrays import BoolArray, FloatArray, IntArray
 from ...numerics.metrics import rms
-from ...signals.trajectory import MOST_SAMPLES, Trajectory, within
+from ...signals.inputs import MOST_SAMPLES
+from ...signals.log import Log, within
 from .calibration_problem import (
     LOSS_SCALE,
     RESOLUTION,
@@ -97,7 +98,7 @@ MOST_EVALUATIONS = 60
 
 
 def calibrate(
-    motions: Sequence[Trajectory],
+    motions: Sequence[Log],
     start: JointParameters,
     rng: np.random.Generator,
     *,
@@ -110,7 +111,7 @@ def calibrate(
 
     Parameters
     ----------
-    motions : sequence of Trajectory
+    motions : sequence of Log
         Gap-free measured motions with both voltages, of which `MOST_SAMPLES` are taken at most.
     start : JointParameters
         The designer's set: first start, centre of the prior, and value of everything that is not fitted.

@@ -11,7 +11,7 @@ from ...device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParamet
 from ...errors import InputError
 from ...numerics.arrays import FloatArray
 from ...numerics.stiff import STATES
-from ...signals.trajectory import Trajectory
+from ...signals.log import Log
 from ..base import FreeRun, checked
 from ..kind import Kind, Training
 from ..model_file import JointValues, ModelFile
@@ -104,7 +104,7 @@ class AnalyticalModel(ModelFile):
         return super().to_tree() | {"parameters": {name: self.parameters.value(name) for name in VECTOR_NAMES}}
 
 
-def calibrate_analytical(data: Sequence[Trajectory], start: JointParameters) -> AnalyticalModel:
+def calibrate_analytical(data: Sequence[Log], start: JointParameters) -> AnalyticalModel:
     """`analytical-calibrated`: the designer's set fitted to the training stretches (§ 3.3).
 
     Fits the paper's seven parameters, the asymmetries that its analytical model lacks, and friction.

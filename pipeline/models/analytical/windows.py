@@ -20,7 +20,7 @@ import numpy as np
 from ...device.parameters import JointParameters
 from ...errors import InputError
 from ...numerics.arrays import BoolArray, FloatArray, IntArray
-from ...signals.trajectory import Trajectory
+from ...signals.log import Log
 from .full_order import REACH, Inputs, integrate, no_solution, rest_states, state_scale
 from .reduced_order import friction_state, maxwell_strains
 from .sensitivity import state_sensitivities
@@ -82,7 +82,7 @@ class Window(NamedTuple):
 class Windows:
     """Measured motions, the first and last sample of each window (W, 3): motion, begin, end, and what lies between."""
 
-    motions: tuple[Trajectory, ...]
+    motions: tuple[Log, ...]
     spans: IntArray
     parts: tuple[Window, ...]
 
@@ -110,7 +110,7 @@ class Windows:
         return np.repeat(np.arange(len(self.spans)), self.spans[:, 2] - self.spans[:, 1])
 
 
-def cut_windows(motions: Sequence[Trajectory], duration: float) -> Windows:
+def cut_windows(motions: Sequence[Log], duration: float) -> Windows:
     """Cut motions into windows of about `duration` [s]; a motion shorter than that is one window.
 
     A cut is put where the joint is slowest within a third of a window, because the unmeasured shape is known best
@@ -135,13 +135,13 @@ def cut_windows(motions: Sequence[Trajectory], duration: float) -> Windows:
     return _windows(motions, spans)
 
 
-def _windows(motions: Sequence[Trajectory], spans: Sequence[tuple[int, int, int]]) -> Windows:
+def _windows(motions: Sequence[Log], spans: Sequence[tuple[int, int, int]]) -> Windows:
     drives = [voltage_knots(motion.t, motion.drive) for motion in motions]
     parts = tuple(_window(motions[index], drives[index], begin, end) for index, begin, end in spans)
     return Windows(tuple(motions), np.array(spans, dtype=np.int64).reshape(-1, 3), parts)
 
 
-def _window(motion: Trajectory, drive: VoltageKnots, begin: int, end: int) -> Window:
+def _window(motion: Log, drive: VoltageKnots, begin: int, end: int) -> Window:
     """Samples `begin` to `end`, both included."""
     rows = drive.rows[begin : end + 1]
     knots = slice(rows[0], rows[-1] + 1)
@@ -149,7 +149,7 @@ def _window(motion: Trajectory, drive: VoltageKnots, begin: int, end: int) -> Wi
     return Window(motion.q[begin : end + 1], float(motion.qdot[begin]), part)
 
 
-def _unrest(motion: Trajectory) -> FloatArray:
+def _unrest(motion: Log) -> FloatArray:
     """Speed [m/s], with the acceleration weighed in as what it becomes within the shape's 10 ms relaxation."""
     return np.hypot(motion.qdot, 0.01 * motion.qddot)
 
@@ -293,7 +293,7 @@ def start_states(parameters: JointParameters, windows: Windows) -> FloatArray:
     path = unactuated_path(parameters, float(reach), 1 + 2 * round(reach / NODE))
     rates = np.array([side.relaxation for side in (parameters.left, parameters.right)])
 
-    def internal(motion: Trajectory) -> FloatArray:
+    def internal(motion: Log) -> FloatArray:
         stretch = np.stack([np.interp(motion.q, path.q, path.stretch[:, side]) for side in range(2)], axis=1)
         strains = maxwell_strains(stretch**-0.5, motion.interval, rates)
         return np.column_stack([strains, friction_state(motion.q, parameters.s_c)])

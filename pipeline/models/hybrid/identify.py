@@ -15,7 +15,8 @@ from ...fitting.posterior import posterior_factor, robust_spread, whiteness
 from ...fitting.regression import basis_centres, basis_width
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
-from ...signals.trajectory import MOST_SAMPLES, Record, operating_range, within
+from ...signals.inputs import MOST_SAMPLES
+from ...signals.log import Log, operating_range, within
 from ..kind import Kind, Training, fitted_samples
 from ..tube_scales import scale_on
 from . import parameters as condensed_parameters
@@ -78,7 +79,7 @@ ALONE, WITH_RBF = "equations_alone", "equations_with_rbf"
 
 
 def identify_hybrid(
-    records: Sequence[Record],
+    records: Sequence[Log],
     parameters: JointParameters,
     *,
     similarity: Similarity = SAME,
@@ -93,7 +94,7 @@ def identify_hybrid(
 
     Parameters
     ----------
-    records : sequence of Record
+    records : sequence of Log
         Training logs, each from rest; gaps and outliers masked.
     parameters : JointParameters
         The parameter set: the prior mean.
@@ -246,7 +247,7 @@ class _HeldOut(NamedTuple):
 class _Search:
     """Training logs in the units of the set's joint, and what siblings teach."""
 
-    records: tuple[Record, ...]
+    records: tuple[Log, ...]
     siblings: NormalPopulation | None = None
 
     @property

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...numerics.arrays import FloatArray
-from ...signals.trajectory import Record
+from ...signals.log import Log
 from .model import HybridModel
 from .problem import LOST_ERROR_SHARE, CondensedProblem
 
@@ -28,7 +28,7 @@ def slopes(model: HybridModel, t: FloatArray, v: FloatArray, start: float) -> Fl
     run = model.simulate(t, v, start, 0.0)
     if run.status != "ok":
         return None
-    record = Record(t, run.q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
+    record = Log(t, run.q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
     return CondensedProblem(model.joint, [record]).jacobian(model.theta, 0.0)[1]
 
 

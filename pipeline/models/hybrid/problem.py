@@ -14,7 +14,7 @@ from ...device.parameters import JointParameters
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import BoolArray, FloatArray, samples_of
 from ...signals.decimation_kernel import sharpened
-from ...signals.trajectory import Record
+from ...signals.log import Log
 from . import parameters as condensed_parameters
 from .columns import INSTRUMENTS
 from .driving_voltages import DrivingVoltages
@@ -193,7 +193,7 @@ class CondensedProblem:
     Parameters
     ----------
     joint : CondensedJoint
-    records : sequence of Record
+    records : sequence of Log
         Training logs.
     fitted : callable
         How many of a log's samples are compared; the rest is held out.
@@ -204,7 +204,7 @@ class CondensedProblem:
     def __init__(
         self,
         joint: CondensedJoint,
-        records: Sequence[Record],
+        records: Sequence[Log],
         fitted: Callable[[int], int] = lambda samples: samples,
         *,
         from_start: bool = False,
@@ -277,7 +277,7 @@ class CondensedProblem:
 class _Log:
     """One record, with its voltages and a spline of the displacement that the observer follows."""
 
-    def __init__(self, record: Record, stop: int, settling: int) -> None:
+    def __init__(self, record: Log, stop: int, settling: int) -> None:
         self.dt, self.t = record.interval, record.t - record.t[0]
         behind = np.arange(len(self.t)) >= stop
         self.settling = np.arange(len(self.t)) < settling
@@ -378,7 +378,7 @@ def age_at(t: FloatArray) -> float:
     return first if 0.0 < first <= LONGEST_RECORDING else 0.0
 
 
-def _settling(record: Record) -> int:
+def _settling(record: Log) -> int:
     """Samples of a record until its state is known, none where it begins at rest."""
     begin = slice(0, samples_of(BEGINNING, record.interval) + 1)
     moves = np.ptp(record.q[begin][record.valid[begin]]) > MOVING * np.ptp(record.known_q)

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOP_ELEMENTS, TIP_CONSTANTS
 from ...numerics.arrays import FloatArray
-from ...signals.trajectory import Record
+from ...signals.log import Log
 from ...units.units import POWERS
 
 _UNITS = {
@@ -75,7 +75,7 @@ class Similarity:
         factors: FloatArray = np.prod(self._units**_WEIGHTS, axis=1)
         return factors
 
-    def in_reference_units(self, record: Record) -> Record:
+    def in_reference_units(self, record: Log) -> Log:
         """A log of the device as one of the set's joint."""
         speed = self.length / self.time
         return replace(

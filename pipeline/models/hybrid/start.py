@@ -18,7 +18,7 @@ from ...device.parameters import JointParameters
 from ...fitting.population import NormalPopulation
 from ...numerics.arrays import FloatArray, IntArray
 from ...scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
-from ...signals.trajectory import Record
+from ...signals.log import Log
 from . import parameters as condensed_parameters
 from .kernels import CURVES, INDEX
 from .parameters import NAMES
@@ -60,13 +60,13 @@ class _SmallMotion:
 
 
 def similar_joint(
-    records: Sequence[Record], parameters: JointParameters, mass: float | None = None
+    records: Sequence[Log], parameters: JointParameters, mass: float | None = None
 ) -> Similarity | NoJoint:
     """The device of the training logs in units of a parameter set's joint.
 
     Parameters
     ----------
-    records : sequence of Record
+    records : sequence of Log
         Training logs with two voltages, q in metres.
     parameters : JointParameters
         The set.
@@ -98,13 +98,13 @@ def similar_joint(
     return Similarity(length, time, voltage, mass_factor(parameters, mass), _shift(wells))
 
 
-def shift_of(records: Sequence[Record]) -> float:
+def shift_of(records: Sequence[Log]) -> float:
     """Reading [m] in the middle of the wells where that is far from zero, else 0; also where no wells are seen."""
     wells = _wells(records)
     return _shift(wells) if isinstance(wells, Wells) else 0.0
 
 
-def _wells(records: Sequence[Record]) -> Wells | NoWells:
+def _wells(records: Sequence[Log]) -> Wells | NoWells:
     logs = [(np.where(r.valid, r.q, np.nan), r.v, r.interval) for r in records]
     wells = find_wells(logs, joint=True)
     return wells if isinstance(wells, Wells) else find_wells(logs, SHORT_PAUSE, joint=True)
@@ -121,7 +121,7 @@ def mass_factor(parameters: JointParameters, mass: float | None) -> float:
     return (1.0 if mass is None else mass) / condensed_parameters.moving_mass(parameters, ratio)
 
 
-def _measured(records: Sequence[Record], place: float, reach: float) -> _SmallMotion | None:
+def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotion | None:
     """Regression of the acceleration near a well on displacement, velocity and squared voltages."""
     rows, targets = [], []
     for record in records:

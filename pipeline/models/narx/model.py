@@ -24,7 +24,7 @@ from ...numerics.arrays import FloatArray, IntArray
 from ...numerics.compiled import compiled
 from ...numerics.fixed_step import escape_bounds
 from ...scoring.cross_validation import free_run_error, held_out_blocks, simplest_within_one_standard_error
-from ...signals.trajectory import Trajectory, operating_range
+from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked
 from ..difference_equation import check_interval, sampled_run
 from ..kind import Kind
@@ -230,13 +230,13 @@ class NarxModel(ModelFile):
 
 
 def identify_narx(
-    trajectories: Sequence[Trajectory], *, inputs: Literal["squared", "linear"] = "squared", most: int | None = None
+    trajectories: Sequence[Log], *, inputs: Literal["squared", "linear"] = "squared", most: int | None = None
 ) -> NarxModel:
     """Choose lags, degree and number of terms by free runs over held-out blocks of the training data.
 
     Parameters
     ----------
-    trajectories : sequence of Trajectory
+    trajectories : sequence of Log
         Gap-free stretches of the training logs, all of one sample interval; only q and v are used.
     inputs : {"squared", "linear"}
         Whether v² or v enters.
@@ -278,7 +278,7 @@ def identify_narx(
     return fitted[shape][terms].model_copy(update={"diagnostics": diagnostics})
 
 
-def _library(shape: Shape, trajectories: Sequence[Trajectory], inputs: Literal["squared", "linear"]) -> NarxModel:
+def _library(shape: Shape, trajectories: Sequence[Log], inputs: Literal["squared", "linear"]) -> NarxModel:
     """All terms poly_degree(q_n, δ_n), poly3(q_n)⊗(older δ), poly3(q_n)⊗(inputs), without weights.
 
     Variables are scaled by their largest magnitudes.
@@ -301,7 +301,7 @@ def _library(shape: Shape, trajectories: Sequence[Trajectory], inputs: Literal["
     )
 
 
-def _gram(library: NarxModel, x: Trajectory) -> FloatArray:
+def _gram(library: NarxModel, x: Log) -> FloatArray:
     theta, target, _ = library.regression(x.q, x.v)
     rows = np.column_stack([theta, target])
     return rows.T @ rows
@@ -330,7 +330,7 @@ def _pursuit(library: NarxModel, grams: Sequence[FloatArray]) -> dict[int, NarxM
     }
 
 
-def _error(model: NarxModel, x: Trajectory, span: float) -> float:
+def _error(model: NarxModel, x: Log, span: float) -> float:
     q, _ = model.run(x.v, float(x.q[0]), float(x.qdot[0]))
     return free_run_error(x.q, q, span)
 

@@ -31,7 +31,7 @@ from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import escape_bounds, run_status, steps_per_sample
 from ...numerics.linear_filters import first_order_lag
 from ...settings.models import CENTRES, LAG_START, SMOOTHING
-from ...signals.trajectory import Trajectory, operating_range
+from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked
 from ..kind import Kind, Training
 from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
@@ -151,7 +151,7 @@ class RbfPaperModel(ModelFile):
             result |= {f"dC{k}_dq": 2.0 * gain} if self.inputs == "squared" else {f"g{k}": gain}
         return result
 
-    def regressors(self, motion: Trajectory) -> FloatArray:
+    def regressors(self, motion: Log) -> FloatArray:
         """Rows of eq. 40 along a measured motion, shape (N, (2 + K)·M), the lag being known."""
         z, _ = first_order_lag(np.ascontiguousarray(motion.qdot), motion.interval, self.lag_s)
         signals = curve_signals(motion.q, z, input_signal(motion.v, self.inputs))
@@ -180,7 +180,7 @@ class RbfPaperModel(ModelFile):
 
 
 def identify_rbf_paper(
-    trajectories: Sequence[Trajectory],
+    trajectories: Sequence[Log],
     *,
     basis_functions: int = CENTRES,
     smoothing: float = SMOOTHING,
@@ -191,7 +191,7 @@ def identify_rbf_paper(
 
     Parameters
     ----------
-    trajectories : sequence of Trajectory
+    trajectories : sequence of Log
         The friction state starts anew, z = q̇, in each of them.
     basis_functions : int
         M.
@@ -229,7 +229,7 @@ def identify_rbf_paper(
     )
 
 
-def _stretch(x: Trajectory, basis: FloatArray, mass: float, inputs: InputLaw) -> LagStretch:
+def _stretch(x: Log, basis: FloatArray, mass: float, inputs: InputLaw) -> LagStretch:
     signals = curve_signals(x.q, np.zeros_like(x.q), input_signal(x.v, inputs))
     return LagStretch(basis, signals, mass * x.qddot, np.ascontiguousarray(x.qdot), x.interval)
 
@@ -249,7 +249,7 @@ def _correlation_time(stretches: Sequence[LagStretch], weights: FloatArray) -> f
     return whiteness(x.target - np.einsum("ij,ij->i", curves, x.signals)).integrated_correlation_time
 
 
-def _visits(centres: FloatArray, trajectories: Sequence[Trajectory]) -> dict[str, Any]:
+def _visits(centres: FloatArray, trajectories: Sequence[Log]) -> dict[str, Any]:
     covered = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
     return {"visits_per_centre": covered.visits, "driven_visits_per_centre": covered.driven}
 

@@ -15,7 +15,7 @@ import numpy as np
 from ...fitting.homotopy import GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
 from ...fitting.posterior import log_evidence
 from ...numerics.metrics import rms
-from ...signals.trajectory import Record
+from ...signals.log import Log
 from .candidates import Candidate, Offer
 from .problem import JointProblem
 from .structure_search import Begun, Setting, excerpts
@@ -58,7 +58,7 @@ class Trial:
 
 
 def search_by_evidence(
-    records: Sequence[Record], setting: Setting, first: Candidate, offers: Sequence[Offer]
+    records: Sequence[Log], setting: Setting, first: Candidate, offers: Sequence[Offer]
 ) -> tuple[Trial, dict[str, Trial]]:
     """The best candidate, and all that were tried by their labels.
 
@@ -67,7 +67,7 @@ def search_by_evidence(
 
     Parameters
     ----------
-    records : sequence of Record
+    records : sequence of Log
         Training logs.
     setting : Setting
         What all candidates share; nothing more is offered once its effort is spent.
@@ -91,7 +91,7 @@ def search_by_evidence(
     return best, tried
 
 
-def _trial(records: Sequence[Record], setting: Setting, option: Candidate, near: Trial | None) -> Trial:
+def _trial(records: Sequence[Log], setting: Setting, option: Candidate, near: Trial | None) -> Trial:
     """A candidate fitted at the first observer gain, from the fit of another prior where that has its structure."""
     p, start, prior = setting.begin(records, option)
     if near is not None and near.begun[0] == p:

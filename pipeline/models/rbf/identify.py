@@ -19,7 +19,7 @@ from ...fitting.regression import InputLaw
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90, rms
 from ...settings.models import RBF_TIME_LIMIT
-from ...signals.trajectory import Record, operating_range
+from ...signals.log import Log, operating_range
 from ...system.progress import OnProgress, silent
 from ..kind import Kind, KnownCurves, Training
 from ..tube_scales import scale_on
@@ -58,7 +58,7 @@ ITERATIONS = 15
 
 
 def identify_rbf(
-    records: Sequence[Record],
+    records: Sequence[Log],
     *,
     mass: float = 1.0,
     inputs: InputLaw = "squared",
@@ -73,7 +73,7 @@ def identify_rbf(
 
     Parameters
     ----------
-    records : sequence of Record
+    records : sequence of Log
         Training logs, gaps and outliers masked.
     mass : float
         Moving mass [kg]; 1 if unknown.
@@ -135,12 +135,12 @@ def identify_rbf(
     return replace(model, tube=scale_on(records, model, fitted.rms, TUBE_MARGIN, TUBE_LEAST))
 
 
-def _search_limit(limit: float, records: Sequence[Record]) -> float:
+def _search_limit(limit: float, records: Sequence[Log]) -> float:
     """The time limit of a structure search, longer on many samples."""
     return limit * max(1.0, sum(len(record.t) for record in records) / SAMPLES_OF_LIMIT)
 
 
-def _begins_driven(records: Sequence[Record]) -> bool:
+def _begins_driven(records: Sequence[Log]) -> bool:
     """Whether an input of any log is more than next to nothing at its first sample."""
     return any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
 
@@ -169,7 +169,7 @@ class _Fitted:
 
 
 def _fit_joint(
-    records: Sequence[Record], setting: Setting, choice: RbfChoice, first: Candidate, *, angle: bool
+    records: Sequence[Log], setting: Setting, choice: RbfChoice, first: Candidate, *, angle: bool
 ) -> tuple[_Fitted, dict[str, float]]:
     """A bistable joint of the elements and the prior that its logs show; and the residual of each that was tried.
 
@@ -188,7 +188,7 @@ def _fit_joint(
 
 
 def _fit_to_all(
-    records: Sequence[Record], setting: Setting, option: Candidate, begun: Begun, levels: Sequence[float] = GAINS,
+    records: Sequence[Log], setting: Setting, option: Candidate, begun: Begun, levels: Sequence[float] = GAINS,
     tolerance: float = Schedule.tolerance,
 ) -> _Fitted:  # fmt: skip
     """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
@@ -206,7 +206,7 @@ def _fit_to_all(
             ),
         )  # fmt: skip
 
-    def within(logs: Sequence[Record], theta: FloatArray, jacobians: int) -> JointProblem:
+    def within(logs: Sequence[Log], theta: FloatArray, jacobians: int) -> JointProblem:
         """The logs, or so much of them that a time limit holds so many Jacobians."""
         problem = JointProblem(p, logs, effort=setting.effort)
         affordable = setting.effort.limit / (jacobians * problem.jacobian_effort(theta))
@@ -224,7 +224,7 @@ def _fit_to_all(
     )
 
 
-def _diagnostics(records: Sequence[Record], fitted: _Fitted, tried: dict[str, float]) -> dict[str, object]:
+def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float]) -> dict[str, object]:
     p, fit, white, scales = fitted.parameters, fitted.fit, whiteness(fitted.errors), fitted.parameters.scales
     visited = coverage(
         scales.middle + scales.half * p.centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records]

@@ -15,8 +15,8 @@ from scipy.interpolate import CubicSpline
 
 from ...errors import InputError
 from ...numerics.arrays import BoolArray, FloatArray, bridged
+from ...signals.log import Log
 from ...signals.noise import noise_std
-from ...signals.trajectory import Record
 from .coefficients import basis_rows, no_sensitivities
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
@@ -191,7 +191,7 @@ class JointProblem:
     ----------
     parameters : ParameterLayout
         The structure.
-    records : sequence of Record
+    records : sequence of Log
         Training logs.
     free_after : float, optional
         Share of each log after which the observer is off whatever its gain: what lies behind is held out of the
@@ -208,7 +208,7 @@ class JointProblem:
     def __init__(
         self,
         parameters: ParameterLayout,
-        records: Sequence[Record],
+        records: Sequence[Log],
         free_after: float | None = None,
         *,
         step: float = STEP,
@@ -302,7 +302,7 @@ class JointProblem:
         return observed_run(p.coefficients(theta), drive, coupling, start, log.interval, steps, wrt)
 
 
-def _log(p: ParameterLayout, record: Record, free_after: float | None, step: float, thinning: int) -> _Log:
+def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float, thinning: int) -> _Log:
     s, hold, past = p.scales, p.structure.hold, 0
     every = min(thinning, max(1, int(step / (s.frequency * record.interval))))
     observe = record.valid[::every].astype(np.float64)
@@ -323,7 +323,7 @@ def _log(p: ParameterLayout, record: Record, free_after: float | None, step: flo
     )
 
 
-def _travel(p: ParameterLayout, record: Record, every: int) -> tuple[FloatArray | None, float]:
+def _travel(p: ParameterLayout, record: Log, every: int) -> tuple[FloatArray | None, float]:
     """Mean measured velocity [1/s] over each simulated interval, NaN where it is not known; and its weight [s].
 
     It is the integral of the cubic with the measured velocity and its slope at the samples. The weight makes errors of

@@ -15,7 +15,7 @@ from ...fitting.regression import InputLaw, input_signal
 from ...generated.terms import BELL, STOP_FORCE
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
-from ...signals.trajectory import Record, operating_range
+from ...signals.log import Log, operating_range
 from .coefficients import FORCE, POLYNOMIALS, basis_rows
 from .dynamics import slid
 from .parameter_layout import ParameterLayout
@@ -41,13 +41,13 @@ PLACES = 201  # where the sign of the force is looked at
 
 
 def data_scales(
-    records: Sequence[Record], *, centred: bool, reach: tuple[float, float] = (np.inf, -np.inf)
+    records: Sequence[Log], *, centred: bool, reach: tuple[float, float] = (np.inf, -np.inf)
 ) -> JointScales:
     """Units of the dimensionless joint.
 
     Parameters
     ----------
-    records : sequence of Record
+    records : sequence of Log
         The training logs.
     centred : bool
         Whether x = 0 is q = 0 (a symmetric device) instead of the middle of the data.
@@ -74,7 +74,7 @@ def data_scales(
 
 
 def starting_joint(
-    records: Sequence[Record],
+    records: Sequence[Log],
     structure: JointStructure,
     law: InputLaw,
     *,
@@ -125,7 +125,7 @@ def starting_joint(
     return parameters, start
 
 
-def is_bistable_pair(records: Sequence[Record], law: InputLaw) -> bool:
+def is_bistable_pair(records: Sequence[Log], law: InputLaw) -> bool:
     """Whether two squared inputs pull opposite ways at a device with two wells, as the membranes of a joint do.
 
     The convex fit of the accelerations shows: without inputs its force must cross zero rising, near the middle of the
@@ -150,7 +150,7 @@ def is_bistable_pair(records: Sequence[Record], law: InputLaw) -> bool:
     return bool(saddle < min(left, right))
 
 
-def looks_overdamped(records: Sequence[Record], law: InputLaw) -> bool:
+def looks_overdamped(records: Sequence[Log], law: InputLaw) -> bool:
     """Whether displacement and inputs tell more of the velocity than they and the velocity tell of the acceleration.
 
     Shares of the mean squares that a convex fit explains are compared. Cost: two of them, 2 ms for 4,000 samples.
@@ -178,7 +178,7 @@ def _undriven(p: ParameterLayout) -> FloatArray:
 
 
 def _best_timing(
-    records: Sequence[Record], p: ParameterLayout, motion: list[FloatArray], target: FloatArray
+    records: Sequence[Log], p: ParameterLayout, motion: list[FloatArray], target: FloatArray
 ) -> FloatArray:
     """A parameter vector with the lag and the delay at which the accelerations are fitted best, all else zero.
 
@@ -211,7 +211,7 @@ def _best_timing(
 
 
 def _best_slips(
-    records: Sequence[Record], scales: JointScales, columns: list[FloatArray], target: FloatArray, count: int
+    records: Sequence[Log], scales: JointScales, columns: list[FloatArray], target: FloatArray, count: int
 ) -> tuple[FloatArray, FloatArray]:
     """Forces [1/s²] and rising lengths of `count` friction states to start from, each of shape (count,).
 
@@ -244,7 +244,7 @@ def _best_slips(
 
 
 def _best_stops(
-    records: Sequence[Record], scales: JointScales, columns: list[FloatArray], target: FloatArray
+    records: Sequence[Log], scales: JointScales, columns: list[FloatArray], target: FloatArray
 ) -> FloatArray:
     """Places of two end stops, and logarithms of stiffness [1/s²] and resistance [1/s], to start from, shape (4,).
 
@@ -270,7 +270,7 @@ def _best_stops(
     return np.array([*places, np.log(max(stiffness, least[0])), np.log(max(resistance, least[1]))])
 
 
-def _driven(records: Sequence[Record], p: ParameterLayout, timing: FloatArray) -> FloatArray:
+def _driven(records: Sequence[Log], p: ParameterLayout, timing: FloatArray) -> FloatArray:
     """Inputs behind lag and delay at the valid samples, shape (N, K)."""
     if not (p.structure.input_lag or p.structure.input_delay):
         return np.concatenate([input_signal(r.v[r.valid] / p.scales.volts, p.law) for r in records])
@@ -281,7 +281,7 @@ def _driven(records: Sequence[Record], p: ParameterLayout, timing: FloatArray) -
     return np.concatenate(parts)
 
 
-def _motion(records: Sequence[Record], p: ParameterLayout) -> tuple[list[FloatArray], FloatArray]:
+def _motion(records: Sequence[Log], p: ParameterLayout) -> tuple[list[FloatArray], FloatArray]:
     """Columns of F, of d and of the gains before they act on inputs, each (N, functions), and the accelerations.
 
     An overdamped device has no measurable acceleration: the force that balances its damping stands in its place.

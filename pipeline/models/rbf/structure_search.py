@@ -11,7 +11,7 @@ from ...fitting.posterior import surely_smaller
 from ...fitting.regression import InputLaw
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
-from ...signals.trajectory import Record
+from ...signals.log import Log
 from ...system.progress import OnProgress, silent
 from ..kind import KnownCurves
 from .candidates import Candidate, Offer
@@ -121,7 +121,7 @@ class Setting:
     thinning: int = 1
     coupled: float = 0.0
 
-    def begin(self, records: Sequence[Record], option: Candidate, like: Fit | None = None) -> Begun:
+    def begin(self, records: Sequence[Log], option: Candidate, like: Fit | None = None) -> Begun:
         """Parameterisation, start and prior of a candidate; lag and delay start as in another fit of it."""
         structure = option.structure
         if self.measured:
@@ -155,7 +155,7 @@ class Setting:
 
 
 def search(
-    records: Sequence[Record],
+    records: Sequence[Log],
     setting: Setting,
     first: Candidate,
     once: Sequence[Offer],
@@ -266,7 +266,7 @@ def _in_equal_units(new: _Judged, old: _Judged, kind: int) -> tuple[FloatArray, 
     return np.concatenate(first), np.concatenate(second)
 
 
-def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
+def _coupled(records: Sequence[Log], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
     """The setting with the observer gain at which candidates are compared, and the first one judged at it.
 
     Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps them
@@ -279,7 +279,7 @@ def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> t
     return setting, {first.label: judgement}
 
 
-def excerpts(records: Sequence[Record]) -> list[Record]:
+def excerpts(records: Sequence[Log]) -> list[Log]:
     """The logs, cut where together they take more than `EXCERPT` coarse steps."""
     step = COARSE_STEP / data_scales(records, centred=False).frequency
     total = sum(len(r.t) * max(1, np.ceil(r.interval / step)) for r in records)
@@ -287,13 +287,13 @@ def excerpts(records: Sequence[Record]) -> list[Record]:
     return cut(records, EXCERPT * max(1.0, min(thinning, min(step / r.interval for r in records))) / total)
 
 
-def cut(records: Sequence[Record], share: float) -> list[Record]:
+def cut(records: Sequence[Log], share: float) -> list[Log]:
     """The logs, each cut to its most moving excerpt of a share below 1, but to `SHORTEST` at least."""
     lengths = [max(int(share * len(r.t)), SHORTEST) for r in records]
     return [r if length >= len(r.t) else _excerpt(r, length) for r, length in zip(records, lengths, strict=True)]
 
 
-def _excerpt(record: Record, length: int) -> Record:
+def _excerpt(record: Log, length: int) -> Log:
     """The stretch of so many samples in which q ranges furthest; it begins with a valid sample."""
     q = np.where(record.valid, record.q, np.nan)
     starts = range(0, len(q) - length + 1, max(1, length // 4))
@@ -303,7 +303,7 @@ def _excerpt(record: Record, length: int) -> Record:
     return record.part(start, start + length)
 
 
-def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], float]]:
+def _folds(records: Sequence[Log]) -> list[tuple[list[Log], list[Log], float]]:
     """Parts of the logs that are fitted and judged, and the share after which judging begins.
 
     Fitted on the first part of every log and judged on the rest. Then, with several logs, fitted on all but some and
@@ -321,7 +321,7 @@ def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], 
     return folds + [([r for other in groups if other is not group for r in other], group, 0.0) for group in groups]
 
 
-def _judge(records: Sequence[Record], setting: Setting, option: Candidate, near: _Judged | None) -> _Judged:
+def _judge(records: Sequence[Log], setting: Setting, option: Candidate, near: _Judged | None) -> _Judged:
     """Errors of a candidate over data of the training logs that its fit has not seen.
 
     Samples of a run that is lost count `DIVERGED_ERROR_HALF_RANGES`. The fits start from those of a candidate `near`
@@ -359,7 +359,7 @@ def _idle(fits: Sequence[Fit], interval: float) -> tuple[str, ...]:
 
 
 def _quick_fit(
-    p: ParameterLayout, records: Sequence[Record], start: FloatArray, prior: Prior, setting: Setting, option: Candidate,
+    p: ParameterLayout, records: Sequence[Log], start: FloatArray, prior: Prior, setting: Setting, option: Candidate,
     near: Fit | None,
 ) -> HomotopyFit:  # fmt: skip
     """A fit that is good enough to compare: from one near by in few levels, or else from the start in all."""

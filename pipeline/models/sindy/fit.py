@@ -15,7 +15,7 @@ from ...fitting.regression import triangular_factor
 from ...numerics.arrays import FloatArray
 from ...numerics.fixed_step import escape_bounds
 from ...scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error
-from ...signals.trajectory import Trajectory, operating_range
+from ...signals.log import Log, operating_range
 from ..polynomial_dynamics import FIRST_INPUT, QDOT, PolynomialDynamics, Q, free_run
 from .weak_form import LAG_SETS, Library, Problem, prepare_problem, seeded
 
@@ -87,7 +87,7 @@ class _LimitReachedError(Exception):
 
 
 def fit_sindy(
-    trajectories: Sequence[Trajectory], *, squared: bool = True, angle: bool = False, most: int | None = None
+    trajectories: Sequence[Log], *, squared: bool = True, angle: bool = False, most: int | None = None
 ) -> SindyFit:
     """Fit the acceleration by pysindy's weak form, treated as held-out parts of the training data decide.
 
@@ -97,7 +97,7 @@ def fit_sindy(
 
     Parameters
     ----------
-    trajectories : sequence of Trajectory
+    trajectories : sequence of Log
         Gap-free training stretches, all with the same inputs; voltages as finely as they are known.
     squared : bool
         Inputs v² (electrostatic) or v.
@@ -236,7 +236,7 @@ MILLI, KILO = 1e-3, 1e3
 
 
 def fit_default_sindy(
-    trajectories: Sequence[Trajectory], *, squared: bool = True, units: tuple[float, float] = (MILLI, KILO)
+    trajectories: Sequence[Log], *, squared: bool = True, units: tuple[float, float] = (MILLI, KILO)
 ) -> PolynomialDynamics:
     """``pysindy.SINDy().fit(x, t=…, u=…)`` with x = [q, q̇] and u = v² (or v), everything else left alone.
 
@@ -247,7 +247,7 @@ def fit_default_sindy(
 
     Parameters
     ----------
-    trajectories : sequence of Trajectory
+    trajectories : sequence of Log
         Gap-free training stretches; velocities are used, accelerations are not.
     squared : bool
         Inputs v² or v.

@@ -12,7 +12,7 @@ from ...fitting.regression import InputLaw
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
 from ...scoring.cross_validation import mean_over_folds
-from ...signals.trajectory import Trajectory
+from ...signals.log import Log
 from ...units.units import DISPLACEMENT, INPUT
 from ..base import FreeRun, checked
 from ..kind import Kind
@@ -267,7 +267,7 @@ def _unit(powers: Any, row: int, units: Units, squared: bool) -> str:
 
 
 def identify_sindy(
-    trajectories: Sequence[Trajectory],
+    trajectories: Sequence[Log],
     *,
     inputs: InputLaw = "squared",
     mass: float = 1.0,
@@ -278,7 +278,7 @@ def identify_sindy(
 
     Parameters
     ----------
-    trajectories : sequence of Trajectory
+    trajectories : sequence of Log
         Gap-free stretches of the training logs, voltages as finely as they are known.
     inputs : {"squared", "linear"}
         Whether v² or v enters the equation.
@@ -324,7 +324,7 @@ def identify_sindy(
 
 
 def identify_default_sindy(
-    trajectories: Sequence[Trajectory],
+    trajectories: Sequence[Log],
     *,
     inputs: InputLaw = "squared",
     mass: float = 1.0,

@@ -24,7 +24,7 @@ from ...numerics.arrays import FloatArray, IntArray
 from ...numerics.fixed_step import escape_bounds
 from ...numerics.metrics import rms
 from ...scoring.cross_validation import HeldOutBlock, held_out_blocks
-from ...signals.trajectory import Trajectory, operating_range
+from ...signals.log import Log, operating_range
 from ..polynomial_dynamics import (
     COSINE,
     FIRST_INPUT,
@@ -216,7 +216,7 @@ class Problem:
 
     Attributes
     ----------
-    trajectories : sequence of Trajectory
+    trajectories : sequence of Log
         Gap-free stretches.
     blocks : list of HeldOutBlock
         Their parts; `rows` and `targets` have an entry for each, of shapes (K, P) and (K,).
@@ -226,7 +226,7 @@ class Problem:
         Scales, all lags and bounds, without terms.
     """
 
-    trajectories: Sequence[Trajectory]
+    trajectories: Sequence[Log]
     blocks: list[HeldOutBlock]
     rows: list[FloatArray]
     targets: list[FloatArray]
@@ -252,7 +252,7 @@ class Problem:
         return np.concatenate([self.rows[i] for i in used]), np.concatenate([self.targets[i] for i in used])
 
 
-def prepare_problem(trajectories: Sequence[Trajectory], squared: bool, angle: bool) -> Problem:
+def prepare_problem(trajectories: Sequence[Log], squared: bool, angle: bool) -> Problem:
     """Every candidate term in weak form.
 
     Raises
@@ -285,7 +285,7 @@ def prepare_problem(trajectories: Sequence[Trajectory], squared: bool, angle: bo
     )  # fmt: skip
 
 
-def _half_width(trajectories: Sequence[Trajectory], blocks: Sequence[HeldOutBlock], time_scale: float) -> float:
+def _half_width(trajectories: Sequence[Log], blocks: Sequence[HeldOutBlock], time_scale: float) -> float:
     """Half width [s] of the test functions: the time scale of the motion, some samples, no more than a block holds.
 
     Raises
@@ -302,7 +302,7 @@ def _half_width(trajectories: Sequence[Trajectory], blocks: Sequence[HeldOutBloc
 
 
 def _weak_block(
-    trajectories: Sequence[Trajectory], block: HeldOutBlock, empty: PolynomialDynamics, half_width: float, angle: bool
+    trajectories: Sequence[Log], block: HeldOutBlock, empty: PolynomialDynamics, half_width: float, angle: bool
 ) -> tuple[IntArray, FloatArray, FloatArray]:
     """The block's rows on a grid at least as fine as its voltages; no terms where it is shorter than a test function.
 

@@ -11,16 +11,16 @@ from pipeline.models.analytical.full_order import rest_state, simulate
 from pipeline.models.analytical.reduced_order import pulse_sequence
 from pipeline.models.analytical.statics import equilibria
 from pipeline.models.analytical.windows import cut_windows, error_derivatives, simulate_windows
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.log import Log
 
 
-def log_of(joint: JointParameters, noise: float = 0.0, seed: int = 0, count: int = 6, dt: float = 0.01) -> Trajectory:
+def log_of(joint: JointParameters, noise: float = 0.0, seed: int = 0, count: int = 6, dt: float = 0.01) -> Log:
     """A simulated log of pulses of both sides and of both together."""
     t, v = pulse_sequence(count=count, dt=dt)
     v[750:] = np.maximum(v[750:], 0.6 * v[750:, ::-1])
     run = simulate(joint, t, v, rest_state(joint, equilibria(joint, v[0])[0].q, 0.0, v[0]), tolerance=1e-6)
     measured = run.q + noise * np.random.default_rng(seed).standard_normal(t.size)
-    return Trajectory(t, measured, run.q_dot, run.q_ddot, v)
+    return Log(t, measured, run.q_dot, run.q_ddot, v)
 
 
 def test_true_parameters_leave_no_error() -> None:
@@ -74,7 +74,7 @@ def test_planted_parameters_come_back() -> None:
 def test_what_a_log_does_not_tell_stays_where_it_was() -> None:
     t = np.arange(0.0, 2.0, 0.01)
     still = equilibria(NOMINAL, np.zeros(2))[0].q
-    rest = Trajectory(t, np.full(t.size, still), np.zeros(t.size), np.zeros(t.size), np.zeros((t.size, 2)))
+    rest = Log(t, np.full(t.size, still), np.zeros(t.size), np.zeros(t.size), np.zeros((t.size, 2)))
     fit = calibrate([rest], NOMINAL, np.random.default_rng(0), names=("eta", "E"), starts=1)
     assert fit.values[0] == pytest.approx(NOMINAL.eta, rel=1e-3)
     # Its uncertainty is the prior's, a factor of two; that of the modulus is far below its prior's.
@@ -89,4 +89,4 @@ def test_names_that_cannot_be_calibrated_are_refused() -> None:
     with pytest.raises(InputError, match="did you mean"):
         prior_of("left.Z")
     with pytest.raises(InputError, match="both voltages"):
-        cut_windows([Trajectory(*(np.arange(5.0) for _ in range(4)), np.zeros((5, 1)))], 1.0)
+        cut_windows([Log(*(np.arange(5.0) for _ in range(4)), np.zeros((5, 1)))], 1.0)

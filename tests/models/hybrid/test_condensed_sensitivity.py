@@ -8,7 +8,7 @@ from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 
 STEP = 3e-6  # widths
 ROUNDING = 1e-6  # mm in a width, of the differences
@@ -26,7 +26,7 @@ def problem(centres: int, similarity: Similarity, *, fine: bool, seed: int) -> t
     v = similarity.voltage * np.column_stack(drives).reshape(len(t), 5, 2)
     q = similarity.origin + similarity.length * (0.0115 + 0.002 * np.sin(9.0 * np.maximum(t - 0.1, 0.0)))
     valid = (t < 0.3) | (t > 0.38)
-    log = Record(12.0 + t, q, np.zeros(len(t)), np.zeros(len(t)), v[:, 0], valid, v if fine else None)
+    log = Log(12.0 + t, q, np.zeros(len(t)), np.zeros(len(t)), v[:, 0], valid, v if fine else None)
     basis = similarity.length * np.array([-0.02, 0.04 / max(centres - 1, 1), 0.008])
     ratio = condensed_parameters.static_slope_ratio(NOMINAL)
     joint = CondensedJoint(NOMINAL, basis, centres, 3000.0 * similarity.voltage, ratio, similarity)

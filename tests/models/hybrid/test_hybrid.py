@@ -18,7 +18,7 @@ from pipeline.models.hybrid.start import prior_root
 from pipeline.models.kind import Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import Identify
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 from tests.export.joints import hybrid
 
 PLANTED = {
@@ -54,14 +54,14 @@ def pulses(seed: int, seconds: float) -> tuple[FloatArray, FloatArray]:
     return t, v
 
 
-def log(model: HybridModel, seed: int, seconds: float = 9.0) -> Record:
+def log(model: HybridModel, seed: int, seconds: float = 9.0) -> Log:
     t, v = pulses(seed, seconds)
     run = model.simulate(t, v, -0.0105, 0.0)
     noise = 2e-6 * np.random.default_rng(seed + 100).standard_normal(len(t))
-    return Record(t, run.q + noise, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
+    return Log(t, run.q + noise, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
 
 
-def gapped(record: Record) -> Record:
+def gapped(record: Log) -> Log:
     """The log with 0.4 s of its displacement lost in the middle and nonsense in its place."""
     valid, q = record.valid.copy(), record.q.copy()
     middle = slice(len(q) // 2, len(q) // 2 + 40)
@@ -225,7 +225,7 @@ WRONG = {"left.log C0": 5.0, "log E": 5.0}
 """So far off that the joint no longer follows a log of the drawing."""
 
 
-def given(*records: Record) -> Training:
+def given(*records: Log) -> Training:
     return Training((), records, ("m", "V"), "squared", None, NOMINAL, None, Identify())
 
 

@@ -7,17 +7,17 @@ from pipeline.device.parameters import NOMINAL
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.start import NoJoint, similar_joint
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 from tests.models.hybrid.test_hybrid import PLANTED, joint, log
 
 UNITS = [Similarity(0.4, 1.6, 2.5, 1.0, 3e-3), Similarity(2.2, 0.6, 0.35), Similarity()]
 
 
-def device(units: Similarity) -> Record:
+def device(units: Similarity) -> Log:
     """A log of the planted joint as that of a device in other units."""
     inverse = Similarity(1.0 / units.length, 1.0 / units.time, 1.0 / units.voltage)
     scaled = inverse.in_reference_units(log(joint(PLANTED), 1, 20.0))
-    return Record(scaled.t, scaled.q + units.origin, scaled.qdot, scaled.qddot, scaled.v, scaled.valid)
+    return Log(scaled.t, scaled.q + units.origin, scaled.qdot, scaled.qddot, scaled.v, scaled.valid)
 
 
 @pytest.mark.parametrize("units", UNITS)
@@ -34,7 +34,7 @@ def test_a_well_that_was_hardly_visited_does_not_decide() -> None:
     record = device(Similarity())
     kept = record.q < 0.0
     kept[np.flatnonzero(~kept)[:: len(kept) // 60]] = True
-    few = Record(record.t, record.q, record.qdot, record.qddot, record.v, kept)
+    few = Log(record.t, record.q, record.qdot, record.qddot, record.v, kept)
     few.qddot[record.q > 0.0] *= 1.0 + 40.0 * np.random.default_rng(2).standard_normal(np.count_nonzero(record.q > 0.0))
     one, other = similar_joint([record], NOMINAL), similar_joint([few], NOMINAL)
     assert isinstance(one, Similarity) and isinstance(other, Similarity)
@@ -51,15 +51,15 @@ def test_scaling_a_log_scales_what_is_found_and_nothing_else() -> None:
     assert one.voltage / other.voltage == pytest.approx(0.35, rel=0.02)
 
 
-def _exchanged(record: Record) -> FloatArray:
+def _exchanged(record: Log) -> FloatArray:
     return np.ascontiguousarray(record.v[:, ::-1])
 
 
 def test_exchanged_sides_and_a_single_well_are_no_joint() -> None:
     record = device(Similarity())
-    swapped = Record(record.t, record.q, record.qdot, record.qddot, _exchanged(record), record.valid)
+    swapped = Log(record.t, record.q, record.qdot, record.qddot, _exchanged(record), record.valid)
     found = similar_joint([swapped], NOMINAL)
     assert isinstance(found, NoJoint) and "exchanged" in found.reason
-    still = Record(record.t, np.abs(record.q), record.qdot, record.qddot, record.v, record.valid)
+    still = Log(record.t, np.abs(record.q), record.qdot, record.qddot, record.v, record.valid)
     found = similar_joint([still], NOMINAL)
     assert isinstance(found, NoJoint) and "no two wells" in found.reason

@@ -13,7 +13,7 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.problem import DEVIATION_COUNT, CondensedJoint
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 
 UNITS = Similarity(length=0.4, time=1.6, voltage=2.5, mass=3.0, origin=4e-3)
 
@@ -57,7 +57,7 @@ def test_free_runs_and_curves_scale() -> None:
     t = 0.01 * np.arange(400)
     v = np.column_stack([2900.0 * (np.sin(2.0 * t) > 0.5), 2900.0 * (np.sin(2.0 * t) < -0.5)])
     run = ours.simulate(t, v, 0.0, 0.05)
-    record = Record(
+    record = Log(
         UNITS.time * t, UNITS.origin + UNITS.length * run.q, UNITS.length / UNITS.time * run.qdot,
         UNITS.length / UNITS.time**2 * run.qddot, UNITS.voltage * v, np.ones(len(t), dtype=bool),
     )  # fmt: skip

@@ -4,7 +4,7 @@ from scipy.integrate import solve_ivp
 
 from pipeline.fitting.regression import basis_centres
 from pipeline.models.paper.model import RbfPaperModel, identify_rbf_paper
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.log import Log
 
 MASS = 0.04
 
@@ -45,7 +45,7 @@ def log():
     t = 5.0 + 0.01 * np.arange(2200)
     v = pulses(t - 5.0, np.random.default_rng(5))
     run = model.simulate(t, v, 0.0121, 0.0)
-    return Trajectory(t, run.q, run.qdot, run.qddot, v)
+    return Log(t, run.q, run.qdot, run.qddot, v)
 
 
 def test_free_run_agrees_with_an_adaptive_integrator(log):
@@ -70,7 +70,7 @@ def test_bands_of_the_curves_cover_what_noise_does_to_them(log):
     model, curves, part = None, [], slice(0, 800)
     for _ in range(12):
         qddot = log.qddot[part] + 0.3 * rng.standard_normal(800)
-        noisy = Trajectory(log.t[part], log.q[part], log.qdot[part], qddot, log.v[part])
+        noisy = Log(log.t[part], log.q[part], log.qdot[part], qddot, log.v[part])
         model = identify_rbf_paper([noisy], basis_functions=12, smoothing=1.0, mass=MASS)
         curves.append(model.curves(q)["F"])
     claimed = model.curve_ensemble(q, 300)["F"].std(axis=0)

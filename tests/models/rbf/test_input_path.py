@@ -6,7 +6,7 @@ from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import JointProblem
 from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 
 INTERVAL = 0.1
 
@@ -82,7 +82,7 @@ def test_an_effect_behind_a_lag_moves_a_mass_as_an_integrator_says():
 def test_a_thinned_drive_neither_leads_nor_lags(every):
     """A ramp stays itself under a centred average; a delay shifts it whether it is thinned or not."""
     t = 0.01 * np.arange(400)
-    log = Record(t, np.sin(t), np.cos(t), -np.sin(t), t[:, None], np.ones(len(t), dtype=bool))
+    log = Log(t, np.sin(t), np.cos(t), -np.sin(t), t[:, None], np.ones(len(t), dtype=bool))
     for model, delay in ((mass(), 0.0), (mass(input_delay=True), 0.05)):
         (seen,) = JointProblem(model.parameters, [log], thinning=every).logs
         assert seen.every == every
@@ -98,7 +98,7 @@ def test_the_measured_velocity_is_part_of_the_residual_and_vanishes_for_the_trut
     valid = np.ones(len(t), dtype=bool)
     valid[100:110] = False
     coarse = run.q + 0.02 * rng.standard_normal(len(t))
-    log = Record(t, coarse, run.qdot, run.qddot, v, valid, velocity=np.where(valid, run.qdot, np.nan))
+    log = Log(t, coarse, run.qdot, run.qddot, v, valid, velocity=np.where(valid, run.qdot, np.nan))
     problem = JointProblem(model.parameters, [log])
     error, rows = problem.residual(model.theta, 0.0), problem.of_displacement
     assert (np.count_nonzero(rows), np.count_nonzero(~rows)) == (290, 299 - 11)

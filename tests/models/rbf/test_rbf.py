@@ -11,7 +11,7 @@ from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped
 from pipeline.models.rbf.structure import JointScales, JointStructure
 from pipeline.scoring.tubes import tubes
 from pipeline.signals.differentiate import differentiate
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 
 STRUCTURE = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1)
 INTERVAL = 0.01
@@ -47,7 +47,7 @@ def log(model, seed, n=1000, noise=5e-6):
     t, v = INTERVAL * np.arange(n), pulses(n, rng)
     run = model.simulate(t, v, -0.012, 0.0)
     assert run.status == "ok"
-    return Record(t, run.q + noise * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
+    return Log(t, run.q + noise * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
 
 
 @pytest.fixture(scope="module")
@@ -77,7 +77,7 @@ def test_two_logs_and_a_masked_span_identify_as_well(identified):
     first, second = log(planted(), 11, n=600), log(planted(), 13, n=500)
     valid = first.valid.copy()
     valid[400:430] = False
-    masked = Record(first.t, np.where(valid, first.q, np.nan), first.qdot, first.qddot, first.v, valid)
+    masked = Log(first.t, np.where(valid, first.q, np.nan), first.qdot, first.qddot, first.v, valid)
     model = identify_rbf([masked, second], mass=0.04, candidates=[Candidate("free", STRUCTURE, 1.0)])
     fresh = log(planted(), 12)
     run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
@@ -115,10 +115,10 @@ def test_tubes_hold_nine_tenths_of_another_log_of_the_same_device_and_stand_in_t
 def test_constant_and_undriven_logs_are_refused():
     n = 100
     t, wave = INTERVAL * np.arange(n), np.sin(np.arange(n))
-    flat = Record(t, 0 * t, 0 * t, 0 * t, np.ones((n, 2)), np.ones(n, dtype=bool))
+    flat = Log(t, 0 * t, 0 * t, 0 * t, np.ones((n, 2)), np.ones(n, dtype=bool))
     with pytest.raises(InputError, match="constant"):
         identify_rbf([flat])
-    undriven = Record(t, wave, wave, wave, np.zeros((n, 2)), np.ones(n, dtype=bool))
+    undriven = Log(t, wave, wave, wave, np.zeros((n, 2)), np.ones(n, dtype=bool))
     with pytest.raises(InputError, match="never driven"):
         identify_rbf([undriven])
 
@@ -136,7 +136,7 @@ def arm(seed, *, n=700, interval=0.03):
     v = np.repeat(rng.uniform(20.0, 42.0, n // 70), 70)[:, None]
     run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, 0.6, 0.0)
     assert run.status == "ok"
-    return Record(t, run.q + 1e-4 * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
+    return Log(t, run.q + 1e-4 * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
 
 
 def test_measured_curves_are_kept_and_friction_is_learned_from_a_short_log():
@@ -172,7 +172,7 @@ def test_bands_with_one_input_hold_the_truth_and_are_narrow():
         v = np.sum(heights * np.sin(2.0 * np.pi * tones * t + phases), axis=0)[:, None]
         run = truth.simulate(t, v, 0.0, 0.0)
         seen = run.q + 1e-5 * random.standard_normal(len(t))
-        record = Record(t, seen, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
+        record = Log(t, seen, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
         model = identify_rbf([record], mass=0.04, inputs="linear", candidates=[Candidate("free", structure)])
         q = np.linspace(*np.percentile(run.q, [1.0, 99.0]), 33)
         low, high = np.percentile(model.curve_ensemble(q, 200)["F"], [2.5, 97.5], axis=0)
@@ -210,7 +210,7 @@ def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0, drag=0.0
     run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v[:, None], 0.0, 0.0)
     assert run.status == "ok"
     noisy = run.q + 2e-6 * rng.standard_normal(n)
-    return Record(t, noisy, run.qdot, run.qddot, v[:, None], np.ones(n, dtype=bool))
+    return Log(t, noisy, run.qdot, run.qddot, v[:, None], np.ones(n, dtype=bool))
 
 
 def test_the_hold_of_the_input_is_found_and_makes_the_free_run_exact():
@@ -304,7 +304,7 @@ def oscillator(seed, amplitude, *, n=1500, interval=0.01, step=1.0, gyro=None):
     velocity = None if gyro is None else size / unit * states[:, 1] + gyro * rng.standard_normal(n)
     seen = differentiate(q, interval) if velocity is None else differentiate(velocity, interval, order=2)
     qdot, qddot = (seen.qdot, seen.qddot) if velocity is None else (seen.q_smooth, seen.qdot)
-    return Record(t, q, qdot, qddot, base[:, None], np.ones(n, dtype=bool), velocity=velocity)
+    return Log(t, q, qdot, qddot, base[:, None], np.ones(n, dtype=bool), velocity=velocity)
 
 
 WELL = Candidate("well", JointStructure(
@@ -365,7 +365,7 @@ def seen(seed, *, bend=0.0, shift=0.0, weaker=1.0, n=1000):
     bend /= joint.parameters.scales.half
     slope, noise = 1.0 + 2.0 * bend * true.q, 5e-6 * np.random.default_rng(seed).standard_normal(n)
     q, qddot = true.q + bend * true.q**2 + shift + noise, true.qddot * slope + 2.0 * bend * true.qdot**2
-    return Record(true.t, q, true.qdot * slope, qddot, true.v, true.valid)
+    return Log(true.t, q, true.qdot * slope, qddot, true.v, true.valid)
 
 
 def test_a_bistable_joint_is_fitted_while_it_is_tied_to_its_log():
@@ -395,7 +395,7 @@ def seesaw(seed, *, n=900, interval=0.04, signs=(1, -1)):
     v = np.column_stack([np.repeat(rng.uniform(0.0, 1.0, n // m + 1), m)[:n] for m in (25, 35)])
     run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, 0.1, 0.0)
     assert run.status == "ok"
-    return Record(t, run.q + 1e-4 * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
+    return Log(t, run.q + 1e-4 * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
 
 
 def test_heat_that_follows_the_square_of_an_input_is_told_from_an_input_that_lags():
@@ -413,7 +413,7 @@ def test_heat_that_follows_the_square_of_an_input_is_told_from_an_input_that_lag
     run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, -0.2, 0.0)
     assert run.status == "ok"
     q = run.q + 1e-4 * rng.standard_normal(700)
-    log = Record(t, q, run.qdot, run.qddot, v, np.ones(700, dtype=bool))
+    log = Log(t, q, run.qdot, run.qddot, v, np.ones(700, dtype=bool))
     model = identify_rbf(
         [log], choice=RbfChoice("viscous", force="polynomial", damping="constant", gain="constant", effect="plain")
     )
@@ -450,7 +450,7 @@ def level(seed, *, n=1500, interval=0.01, noise=1e-5, speed=2.0):
         q[i] = decay * q[i - 1] + 0.01 * (1.0 - decay) * v[i - 1]
     q += noise * rng.standard_normal(n)
     kinematics = differentiate(q, interval)
-    return Record(t, q, kinematics.qdot, kinematics.qddot, v[:, None], np.ones(n, dtype=bool))
+    return Log(t, q, kinematics.qdot, kinematics.qddot, v[:, None], np.ones(n, dtype=bool))
 
 
 def test_what_has_no_inertia_looks_overdamped_and_what_swings_does_not():

@@ -11,7 +11,7 @@ from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import JointProblem
 from pipeline.models.rbf.structure import JointScales, JointStructure
 from pipeline.numerics.arrays import bridged
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 
 SCALES = JointScales(middle=0.0, half=0.02, volts=3000.0, stiffness=50.0)
 
@@ -58,7 +58,7 @@ def record(p, theta, n=700, interval=0.01, seed=1):
     states, _, valid = observed_run(p.coefficients(theta), drive, free, (0.6, 0.0), interval, 1, no_sensitivities())
     assert valid == n
     q, qdot, qddot = (SCALES.half * states[:, i] for i in range(3))
-    return Record(interval * np.arange(n), q, qdot, qddot, v, np.ones(n, dtype=bool))
+    return Log(interval * np.arange(n), q, qdot, qddot, v, np.ones(n, dtype=bool))
 
 
 @pytest.mark.parametrize("changes", [{}, {"turning_arm": True, "drag": True}, {"stops": True}], ids=str)
@@ -164,7 +164,7 @@ def test_a_gap_is_bridged_and_left_out_of_the_residual():
     log = record(p, theta, n=200)
     valid = log.valid.copy()
     valid[80:95] = False
-    broken = Record(log.t, np.where(valid, log.q, np.nan), log.qdot, log.qddot, log.v, valid)
+    broken = Log(log.t, np.where(valid, log.q, np.nan), log.qdot, log.qddot, log.v, valid)
     residual = JointProblem(p, [broken]).residual(theta, 1.0)
     assert len(residual) == 185
     assert np.isfinite(residual).all()

@@ -7,7 +7,7 @@ from pipeline.models.polynomial_dynamics import PolynomialDynamics, free_run
 from pipeline.models.sindy.model import SINDY, SindyModel, identify_default_sindy, identify_sindy
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.log import Log
 
 STIFFNESS, HARDENING, DAMPING, GAIN = 300.0, 2.0e6, 1.5, 1.0e-6
 TRUTH = PolynomialDynamics(
@@ -37,11 +37,11 @@ def pulses(samples: int, seed: int) -> FloatArray:
     return v
 
 
-def motion(samples: int = 2000, seed: int = 1) -> Trajectory:
+def motion(samples: int = 2000, seed: int = 1) -> Log:
     v, t = pulses(samples, seed), 0.01 * np.arange(samples)
     path, reached = free_run(TRUTH, v, 0.01, -np.sqrt(STIFFNESS / HARDENING), 0.0)
     assert reached == samples
-    return Trajectory(t, *path.T, v)
+    return Log(t, *path.T, v)
 
 
 @pytest.fixture(scope="module")
@@ -114,7 +114,7 @@ def test_the_default_finds_a_linear_oscillator_and_no_well() -> None:
         1.0,
     )
     v, t = pulses(2000, 1), 0.01 * np.arange(2000)
-    data = Trajectory(t, *free_run(linear, v, 0.01, 0.01, 0.0)[0].T, v)
+    data = Log(t, *free_run(linear, v, 0.01, 0.01, 0.0)[0].T, v)
     model = identify_default_sindy([data])
     assert model.name == "sindy-default"
     assert nrmse(data.q, model.simulate(t, v, 0.01, 0.0).q) < 0.05
@@ -139,7 +139,7 @@ def test_a_pendulum_is_found_in_sines() -> None:
     )
     rng = np.random.default_rng(2)
     v, t = np.repeat(rng.uniform(0.0, 0.8, 40), 75)[:, None], 0.01 * np.arange(3000)
-    data = Trajectory(t, *free_run(pendulum, v, 0.01, 0.0, 0.0)[0].T, v)
+    data = Log(t, *free_run(pendulum, v, 0.01, 0.0, 0.0)[0].T, v)
     model = identify_sindy([data], units=("rad", "1"))
     assert "sin q" in model.diagnostics["library"]
     acceleration = SINDY.read(model.to_tree()).equations()[1]

@@ -3,26 +3,10 @@
 import numpy as np
 
 from ..numerics.arrays import FloatArray
-from .log import Log, operating_range, unknown_rows, voltages, within
-
-__all__ = [
-    "MOST_SAMPLES",
-    "UNKNOWN",
-    "Record",
-    "Trajectory",
-    "operating_range",
-    "peaks",
-    "unknown_rows",
-    "voltages",
-    "within",
-]
 
 MOST_SAMPLES = 12_000
 """Samples of all logs together that a fit of the joint's equations takes: beyond, every log is cut after as large a
 share. It bounds the work, whatever is given: at 10 ms these are 120 s of motion, three logs as the paper's."""
-
-Record = Log
-Trajectory = Log
 
 LONGEST_BRIDGE = 10.0
 """Sample intervals without inputs up to which a straight line stands for them."""
