@@ -133,8 +133,8 @@ def _check_units(heads: Mapping[str, Rows]) -> None:
     for before, behind in pairwise(read):
         if read[before][0] == read[behind][0] and read[before][1] != read[behind][1]:
             raise UnreadableLogError(
-                f"the sheets {before!r} and {behind!r} hold the same columns in other units: save each as a file of its "
-                "own, or write both in one unit"
+                f"the sheets {before!r} and {behind!r} hold the same columns in other units: save each as a file of "
+                "its own, or write both in one unit"
             )
 
 
