@@ -122,7 +122,7 @@ def _one_table(starts: dict[str, Rows], sheets: dict[str, Any]) -> list[str]:
     heads = {name: _heading(rows) for name, rows in starts.items()}
     alike = [name for name in sheets if heads[name] is not None and sheets[name].width == sheets[main].width]
     named = next((heads[name] for name in alike if heads[name]), [])
-    _check_units({name: heads[name] for name in alike if heads[name]})
+    _check_units({name: rows for name in alike if (rows := heads[name])})
     of_table = [name for name in alike if heads[name] in ([], named)]
     return of_table if named and main in of_table else [main]
 
