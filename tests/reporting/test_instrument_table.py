@@ -22,7 +22,7 @@ def _rows(*beyond: str, **other: Any) -> list[dict[str, Any]]:
 
 
 def test_the_entry_is_a_line_of_settings_with_these_corrections() -> None:
-    part = LogPart.model_validate({"file": 'data\\long "2".mat', "stop": "9 s", "gain": {"v2": 1.02}, "delay": "1 ms"})
+    part = LogPart.model_validate({"file": '2"/long.mat', "stop": "9 s", "gain": {"v2": 1.02}, "delay": "1 ms"})
     log = tomllib.loads(f"log = {entry(part, _rows(*VALUES), 'm')}")["log"]
     channels = {name: {"channel": name, "unit": "mm" if name == "q" else "kV"} for name in ("q", "v1", "v2")}
     document = {"name": "P", "logs": {"train": ["train.mat"], "validation": [log]}, "channels": channels}
