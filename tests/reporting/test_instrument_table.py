@@ -22,14 +22,14 @@ def _rows(*beyond: str, **other: Any) -> list[dict[str, Any]]:
 
 
 def test_the_entry_is_a_line_of_settings_with_these_corrections() -> None:
-    part = LogPart.model_validate({"file": "long.mat", "stop": "9 s", "gain": {"v2": 1.02}, "delay": "1 ms"})
+    part = LogPart.model_validate({"file": 'data\\long "2".mat', "stop": "9 s", "gain": {"v2": 1.02}, "delay": "1 ms"})
     log = tomllib.loads(f"log = {entry(part, _rows(*VALUES), 'm')}")["log"]
     channels = {name: {"channel": name, "unit": "mm" if name == "q" else "kV"} for name in ("q", "v1", "v2")}
     document = {"name": "P", "logs": {"train": ["train.mat"], "validation": [log]}, "channels": channels}
     by = list(corrections(parse_prototype(document, "P.toml")).values())[1]
     assert by.gains == (1.053, 1.02)
     assert (by.zero, by.gain_q, by.delay, by.clock) == pytest.approx((-3.2e-4, 0.98042, -2.54e-3, 0.99003))
-    assert log["stop"] == "9 s"
+    assert (log["file"], log["stop"]) == (part.file, "9 s")
 
 
 def test_what_is_not_beyond_its_limit_stays_as_it_stands() -> None:
