@@ -199,9 +199,7 @@ def test_an_angle_is_in_radians_and_curves_without_a_mass_have_no_unit(log):
         (lambda c: c | {"v1": None, "v2": None}, "v1 is missing"),
         (lambda c: c | {"model": "hibrid"}, "hybrid"),
         (lambda c: c | {"t": c["t"][::-1].copy()}, "time|t "),
-        (lambda c: c | {"settings": {"identify": {"basis": 3}}}, "basis"),
         (lambda c: c | {"v1": c["v1"] / 1e3, "v2": c["v2"] / 1e3}, "give SI units, or if they are, accept it"),
-        (lambda c: c | {"model": "rbf", "settings": {"plant": {"curves": "none.csv"}}}, "none.csv: cannot be read"),
         (lambda c: c | {"settings": {"identify": {"models": ["rbf"]}}}, "the argument `model` names the model"),
     ],
 )

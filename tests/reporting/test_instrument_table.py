@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from pipeline.reporting.instrument_table import entry, instrument_table, instruments_figure
+from pipeline.reporting.instrument_table import entry, instrument_table
 from pipeline.settings.logs import LogPart
 from pipeline.settings.prototype import parse_prototype
 from pipeline.workflow.corrections import corrections
@@ -50,11 +50,3 @@ def test_only_what_is_off_has_a_line(rows: list[dict[str, Any]], words: list[tup
     table = instrument_table(rows, {("validation", "long"): LogPart(file="long.mat")}, "m")
     assert [line[1:2] for line in table.rows] == words
     assert table.explanation.startswith("Errors are relative" if words else "Instruments: no reading is off")
-
-
-def test_the_figure_has_a_mark_for_every_reading() -> None:
-    figure = instruments_figure(_rows("clock"))
-    assert figure is not None
-    (panel,) = figure.panels
-    assert sum(len(points.x) for points in panel.points) == len(VALUES)
-    assert instruments_figure([]) is None

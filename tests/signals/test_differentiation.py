@@ -3,7 +3,6 @@
 import differentiation_signals as signals
 import numpy as np
 import pytest
-from scipy.stats import genhyperbolic
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
@@ -12,7 +11,7 @@ from pipeline.numerics.tv_chain import effective_parameters
 from pipeline.numerics.tvregdiff import tvregdiff
 from pipeline.signals.differentiate import Kinematics, alpha_study, differentiate
 from pipeline.signals.noise import noise_std
-from pipeline.signals.smoothing_parameter import SHAPE, increment_scale, smoothing_parameter
+from pipeline.signals.smoothing_parameter import smoothing_parameter
 
 METHODS = [
     {"order": 1},
@@ -174,14 +173,6 @@ def test_noise_of_a_moving_record() -> None:
     for noise in (3e-4, 3e-3, 1e-2):
         _, samples = noisy_ring_down(noise)
         assert noise_std(samples) == pytest.approx(noise, rel=0.07)
-
-
-def test_scale_of_hyperbolic_increments_is_recovered() -> None:
-    """The moment equation with share 1 is the likelihood equation of the hyperbolic law, SciPy's with p = 1."""
-    rng = np.random.default_rng(0)
-    for scale in (1e-6, 3.0):
-        increments = scale * genhyperbolic.rvs(1.0, SHAPE, 0.0, size=40_000, random_state=rng)
-        assert increment_scale(increments, 1.0, SHAPE, np.ones(increments.size)) == pytest.approx(scale, rel=0.05)
 
 
 @pytest.mark.parametrize("order", [1, 2, 3, 4])

@@ -67,15 +67,6 @@ def test_straight_lines_are_exact_up_to_the_ends_at_any_spacing():
     np.testing.assert_allclose(value[1], 7.0, atol=1e-12)
 
 
-def test_aliases_are_suppressed():
-    """90 Hz at 100 Hz output would be read as 10 Hz of full amplitude without the filter."""
-    raw = np.arange(0.0, 4.0, 1 / 10_000.0)
-    t = uniform_grid(0.0, raw[-1], T)
-    for f, decibel in ((90.0, -18.5), (150.0, -40.0), (1033.0, -60.0)):
-        value = decimate(raw, [np.sin(2 * np.pi * f * raw)], t, T)[0][5:-5]
-        assert 20 * np.log10(np.sqrt(2.0) * np.std(value)) < decibel
-
-
 def test_white_noise_is_reduced_as_documented():
     rng = np.random.default_rng(2)
     raw = np.arange(300_000) / 30_000.0

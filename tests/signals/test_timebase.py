@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pipeline.errors import DataRefusedError
-from pipeline.signals.timebase import advancing, default_gap_limit, examine, is_uniform, nominal_step, segments
+from pipeline.signals.timebase import advancing, default_gap_limit, examine, nominal_step, segments
 
 
 def test_clean_time_base():
@@ -86,11 +86,3 @@ def test_advancing_keeps_exactly_the_records(stamps):
 def test_one_stretch_without_gaps():
     assert segments(np.arange(5.0), 1.0).tolist() == [[0, 5]]
     assert segments(np.array([2.0]), 1.0).tolist() == [[0, 1]]
-
-
-@pytest.mark.parametrize(("share", "uniform"), [(0.9e-3, True), (1.1e-3, False)])
-@pytest.mark.parametrize("step", [1e-4, 0.01, 100.0])
-def test_steps_may_differ_by_a_thousandth_of_one(share, uniform, step):
-    t = step * np.arange(50)
-    t[25] += 0.5 * share * step  # one step longer, the next one shorter
-    assert is_uniform(t) is uniform

@@ -11,10 +11,6 @@ from pipeline.signals.log import Log
 INTERVAL = 0.1
 
 
-def wave(t):
-    return np.column_stack([np.sin(3.0 * t), np.cos(2.0 * t)])
-
-
 @pytest.mark.parametrize("squared", [False, True])
 @pytest.mark.parametrize("steps", [1, 3])
 def test_steps_lose_nothing_of_the_finer_record_wherever_a_pulse_begins(steps, squared):
