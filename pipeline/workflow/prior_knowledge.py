@@ -119,7 +119,7 @@ def read_siblings(path: Path) -> dict[str, Any]:
         tree = read_tree(path)
         from_tree(tree)
     except CorruptArtifactError as error:
-        raise InputError(f"{path}: is no file of siblings ({error})") from error
+        raise InputError(f"{path}: is no whole file of siblings; `debist fleet learn` writes one") from error
     return tree
 
 
