@@ -37,7 +37,8 @@ fuzz: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -m long tests/fuzz/test_model_files.py
 
 faults: $(VENV)/.dev-ready
-	$(BIN)/python -m tests.faults
+	$(BIN)/python -m pytest -m "long or not long" tests/faults tests/runs tests/batch/test_hostile_places.py \
+	    tests/rig_logs/test_hostile.py tests/test_units.py
 
 # Statements and branches that the default tests reach, by room; children and copies of processes count
 coverage: $(VENV)/.dev-ready

@@ -99,6 +99,8 @@ def test_masked_samples_are_gaps_as_in_a_log_and_complex_ones_are_refused(log):
     assert not any("start anew" in text for text in of_table.notes["warnings"])
     with pytest.raises(debist.DebistError, match="q holds no finite sample at all"):
         debist.identify(log.assign(q_m=np.nan), mass=0.04, model="rbf-paper")
+    with pytest.raises(debist.DebistError, match=r"ingest\.sample_rate, but t has the time of each sample"):
+        debist.identify(log, mass=0.04, model="rbf-paper", settings={"ingest": {"sample_rate": 100.0}})
     with pytest.raises(debist.DebistError, match="t is not finite at sample 5"):
         debist.identify(log.assign(t_s=log.t_s.where(log.index != 5)), mass=0.04, model="rbf-paper")
     with pytest.raises(debist.DebistError, match="v1 does not consist of numbers"):
@@ -197,9 +199,7 @@ def test_an_angle_is_in_radians_and_curves_without_a_mass_have_no_unit(log):
         (lambda c: c | {"v1": None, "v2": None}, "v1 is missing"),
         (lambda c: c | {"model": "hibrid"}, "hybrid"),
         (lambda c: c | {"t": c["t"][::-1].copy()}, "time|t "),
-        (lambda c: c | {"settings": {"identify": {"basis": 3}}}, "basis"),
         (lambda c: c | {"v1": c["v1"] / 1e3, "v2": c["v2"] / 1e3}, "give SI units, or if they are, accept it"),
-        (lambda c: c | {"model": "rbf", "settings": {"plant": {"curves": "none.csv"}}}, "none.csv: cannot be read"),
         (lambda c: c | {"settings": {"identify": {"models": ["rbf"]}}}, "the argument `model` names the model"),
     ],
 )

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel
 
 from pipeline.errors import InputError
 from pipeline.settings import logs as settings_logs
@@ -31,29 +31,22 @@ def _changed(change: Callable[[dict[str, Any]], Any]) -> dict[str, Any]:
     ("change", "words"),
     [
         (lambda d: d.update(identfy={}), ["'identfy'", "did you mean 'identify'"]),
-        (lambda d: d.update(ingest={"csv": {"delimeter": ";"}}), ["'ingest.csv.delimeter'", "'delimiter'"]),
         (lambda d: d.update(ingest={"zzz": 1}), ["'ingest.zzz'", "known here", "sample_interval"]),
         (lambda d: d.update(ingest={"record_interval": 0.02}), ["record_interval is 0.02 s"]),
         (lambda d: d["channels"]["q"].pop("unit"), ["'channels.q.unit' is missing"]),
         (lambda d: d["logs"].update(train=[]), ["logs.train"]),
-        (lambda d: d["logs"].update(train="train.mat"), ["logs.train: must be a list"]),
         (lambda d: d["logs"].update(train=["a.mat", "b/a.csv"]), ["logs.train", "'a'"]),
         (lambda d: d["logs"].update(train=[{"file": "a.mat", "stop": 5}]), ["logs.train.0.stop", "needs its unit"]),
         (lambda d: d["channels"].update(v1=d["channels"]["q"]), ["v1 and q are the same channel"]),
         (lambda d: d.update(name="../x"), ["name", "'../x'"]),
-        (lambda d: d.update(name="con"), ["keep it for a device"]),
         (lambda d: d.update(ingest={"sample_interval": 5e-7}), ["(got 5e-07)", "scale = 1e4"]),
         (lambda d: d.update(ingest={"sample_rate": "30 kHz"}), ["(got '30 kHz')", "a number in Hz"]),
-        (lambda d: d.update(plant={"mass": 0.05}), ["plant.mass: must be a table"]),
-        (lambda d: d.update(quality={"accept": ["side"]}), ["did you mean 'sides'?"]),
         (lambda d: d.update(identify={"basis_functions": 2.5}), ["identify.basis_functions", "2.5"]),
-        (lambda d: d.update(identify={"models": ["hybird"]}), ["identify.models", "did you mean 'hybrid'?"]),
         (lambda d: d.update(identify={"models": ["hybrid"]}), ["identify.models", "two squared inputs"]),
         (lambda d: d.update(compare={"models": ["rbf"]}), ["compare.models", "no model 'rbf' here", "sindy"]),
         (lambda d: d.update(identify={"models": ["rbf-paper"], "time_limit": 5}), ["identify.time_limit", '"rbf"']),
         (lambda d: d.update(identify={"friction": "lag"}), ["[identify.structure]"]),
         (lambda d: d.update(identify={"rbf_prior": "smooth"}), ["identify.rbf_prior is gone"]),
-        (lambda d: d.update(differentiate={"method": "rts"}), ["method is gone"]),
     ],
 )
 def test_a_mistake_is_one_line_that_names_the_key(change: Callable[[dict[str, Any]], Any], words: list[str]) -> None:
@@ -102,12 +95,6 @@ def test_a_name_of_any_script_has_a_safe_folder(name: str, folder: str) -> None:
     prototype = parse_prototype(document, "P1.toml")
     assert (prototype.name, prototype.folder) == (name, folder)
     assert layout.logs(prototype) == [("train", folder, f"{name}.mat")]
-
-
-def test_settings_are_frozen() -> None:
-    prototype = parse_prototype(GOOD, "P1.toml")
-    with pytest.raises(ValidationError):
-        prototype.name = "P2"  # type: ignore[misc]
 
 
 def test_the_stored_form_reads_back_equal() -> None:

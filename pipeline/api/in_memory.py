@@ -103,6 +103,8 @@ def settings(
     prototype = parse_prototype(document, "debist.identify")
     if prototype.compare.curves is not None:
         raise InputError("settings has compare.curves, which only the report of a run draws; leave it out")
+    if prototype.ingest.sample_rate is not None:
+        raise InputError("settings has ingest.sample_rate, but t has the time of each sample; leave it out")
     for key in ("curves", "siblings") if model in names("compare") else ():
         if getattr(prototype.plant, key) is not None:
             raise InputError(f"settings has plant.{key}, which the model {model!r} does not take; leave it out")

@@ -1,5 +1,6 @@
 """What the instruments of the logs read, for people: a table of what is beyond its limit, and a figure of all."""
 
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -115,7 +116,8 @@ def entry(part: LogPart, rows: Sequence[Row], displacement: str) -> str:
             stated[key] = f'"{texts.get(name, getattr(part, key))}"'
     if "clock" in texts or part.clock != 1.0:
         stated["clock"] = texts.get("clock", f"{part.clock:g}")
-    return f'{{ file = "{part.file}", {", ".join(f"{key} = {text}" for key, text in stated.items())} }}'
+    stated = {"file": json.dumps(part.file, ensure_ascii=False)} | stated
+    return f"{{ {', '.join(f'{key} = {text}' for key, text in stated.items())} }}"
 
 
 def instruments_figure(rows: Sequence[Row]) -> Figure | None:

@@ -10,7 +10,7 @@ import io
 import math
 import re
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import date, datetime, time, timedelta
 from itertools import pairwise
@@ -20,6 +20,7 @@ from typing import Any
 from python_calamine import CalamineError, CalamineWorkbook
 
 from .csv import CsvSource
+from .csv_heading import names_and_units
 from .source import CsvOptions, UnreadableLogError, View, temporary_path
 
 _STYLES, _NO_STYLES = b"xl/styles.xml", b"xl/unread.xml"
@@ -121,8 +122,20 @@ def _one_table(starts: dict[str, Rows], sheets: dict[str, Any]) -> list[str]:
     heads = {name: _heading(rows) for name, rows in starts.items()}
     alike = [name for name in sheets if heads[name] is not None and sheets[name].width == sheets[main].width]
     named = next((heads[name] for name in alike if heads[name]), [])
+    _check_units({name: rows for name in alike if (rows := heads[name])})
     of_table = [name for name in alike if heads[name] in ([], named)]
     return of_table if named and main in of_table else [main]
+
+
+def _check_units(heads: Mapping[str, Rows]) -> None:
+    """Refuse headings of the same names with other units: the table goes on, but its numbers do not."""
+    read = {name: names_and_units(tuple(map(str, rows[-1])), (), len(rows[-1])) for name, rows in heads.items()}
+    for before, behind in pairwise(read):
+        if read[before][0] == read[behind][0] and read[before][1] != read[behind][1]:
+            raise UnreadableLogError(
+                f"the sheets {before!r} and {behind!r} hold the same columns in other units: save each as a file of "
+                "its own, or write both in one unit"
+            )
 
 
 def _heading(rows: Rows) -> Rows | None:

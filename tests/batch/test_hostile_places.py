@@ -18,7 +18,7 @@ from pipeline.workflow.fleet import write_fleet_tables
 from pipeline.workflow.members import FLEET_CSV, members, prototype_files
 from pipeline.workflow.progress import fleet_progress, is_fleet
 from pipeline.workflow.run import run_prototype
-from pipeline.workflow.worker import Outcome, Worker, reason_of
+from pipeline.workflow.worker import Outcome, Worker
 from tests.prototypes import Silent
 
 CHANNELS = """
@@ -127,11 +127,6 @@ def test_a_worker_is_stopped_after_its_time_limit_and_says_so(tmp_path):
         outcome = worker.outcome()
     assert outcome.exit_code == -signal.SIGKILL and outcome.seconds < 50.0
     assert outcome.reason == "stopped after the time limit of 0.3 s; raise --time-limit, the same command goes on"
-
-
-def test_the_reason_names_every_mistake():
-    words = "debist: early\ndebist: P.toml: 2 mistakes\n  unknown key 'a'\n  'b' is missing\n"
-    assert reason_of(2, words) == "P.toml: 2 mistakes: unknown key 'a'; 'b' is missing"
 
 
 @pytest.mark.parametrize(

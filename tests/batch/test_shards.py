@@ -2,7 +2,6 @@
 
 import json
 import os
-from datetime import datetime
 from pathlib import Path
 
 import pyarrow.parquet as pq
@@ -10,7 +9,6 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.commands.outcome import BatchProgress
 from pipeline.errors import InputError
 from pipeline.store.lock import run_lock
 from pipeline.store.manifest import MANIFEST
@@ -18,7 +16,6 @@ from pipeline.workflow.failures import failure, keep_failure
 from pipeline.workflow.fleet import collect_batch
 from pipeline.workflow.members import Member, Shard
 from pipeline.workflow.progress import fleet_progress
-from pipeline.workflow.worker import Outcome
 
 RUNNER = CliRunner()
 NAMES = [f"P{number}" for number in range(60)]
@@ -92,14 +89,3 @@ def test_a_failure_that_was_mended_since_is_none(tmp_path: Path) -> None:
     os.utime(tmp_path / "failed/a.txt", (1.0, 1.0))
     assert failure(tmp_path, "a") is None
     assert collect_batch([Member("a", tmp_path / "a.toml")], tmp_path)[0].reason != "x"
-
-
-def test_each_line_of_a_log_has_time_name_and_state(capsys: pytest.CaptureFixture[str]) -> None:
-    with BatchProgress(2) as progress:
-        for name, code, reason in (("a", 0, ""), ("b", 3, "no wells")):
-            progress.started(name)
-            progress.finished(Outcome(name, Path("x.toml"), code, reason, 1.5, 1.0))
-    first, second = capsys.readouterr().err.splitlines()
-    stamp, rest = first.split(" ", 1)
-    assert datetime.fromisoformat(stamp).tzinfo is not None and rest.startswith("[1/2] a: done (1.5 s)")
-    assert "[2/2] b: failed: no wells (1.5 s)" in second

@@ -33,11 +33,3 @@ def test_the_window_is_named_and_taken(prototype: Path) -> None:
     assert taken.exit_code == 0, taken.stderr
     assert "(!)" not in taken.stdout
     assert "q: 80 ms averaged by its sensor: half of it is taken off its time" in taken.stderr
-
-
-def test_only_the_sensor_of_q_averages(prototype: Path) -> None:
-    text = settings().replace('"v1", unit = "kV"', '"v1", unit = "kV", average = 0.1')
-    other = prototype.parent / "other.toml"
-    other.write_text(text, encoding="utf-8")
-    result = CliRunner().invoke(app, ["check", str(other), "-q"])
-    assert result.exit_code == 2 and "v1 has no average" in result.stderr

@@ -8,13 +8,9 @@ import pytest
 
 from pipeline.diagnostics.check import check_logs
 from pipeline.diagnostics.declared import Declared
-from pipeline.diagnostics.held_values import held_samples
-from pipeline.diagnostics.input_rows import rest_level
 from pipeline.diagnostics.rows import CheckRow, findings
 from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.linear_filters import first_order_lag
-from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
 RATE, DURATION = 1000.0, 37.5
@@ -117,15 +113,6 @@ def test_a_late_answer_has_its_size_and_refuses_nothing(pair: list[LogSignals], 
     assert "answer of q" not in _remarkable(check_logs([_late(pair[0], samples)], device))
 
 
-def test_electrodes_that_charge_slowly_refuse_nothing(pair: list[LogSignals]) -> None:
-    behind = np.column_stack([first_order_lag(np.ascontiguousarray(v), 1.0 / RATE, 0.05)[0] for v in pair[0].v.T])
-    slow = replace(pair[0], q=DoubleWell().simulate(behind, 1.0 / RATE))
-    rows = check_logs([slow], JOINT)
-    assert set(_remarkable(rows).values()) <= {"note"}
-    (row,) = (row for row in rows if row.what == "answer of q")
-    assert 'drive = "lag"' in row.advice
-
-
 def test_an_input_that_is_not_named_shows_by_starts_from_rest(pair: list[LogSignals]) -> None:
     for side in (0, 1):
         logs = [replace(log, v=np.ascontiguousarray(log.v[:, [side]])) for log in pair]
@@ -201,24 +188,3 @@ def test_gaps_silence_weak_and_short_logs_are_no_findings(pair: list[LogSignals]
     short = replace(pair[1], t=pair[1].t[:900], q=pair[1].q[:900], v=pair[1].v[:900])
     for log in (replace(pair[0], q=q), replace(pair[1], v=0.0 * pair[1].v), LogSignals("b", t, weak, v, 1e-3), short):
         assert not _gates(check_logs([pair[0], log], JOINT))
-
-
-def test_the_level_of_rest_is_that_of_the_drive_switched_off() -> None:
-    pulses = np.repeat(np.random.default_rng(0).choice([0.0, 0.0, 3e3], 100), 50)
-    ramps = np.abs(3e3 * np.sin(np.linspace(0.0, 60.0, 2_000)))
-    noise = np.random.default_rng(1).normal(0.0, 7.0, pulses.size + ramps.size)
-    for offset in (-150.0, 84.0):
-        v = np.concatenate([pulses, ramps]) + noise + offset
-        assert abs(rest_level(v) - offset) < 2.0 * 7.0
-        assert rest_level(-v) == -rest_level(v)
-    never_at_rest = np.repeat(np.random.default_rng(1).uniform(0.5e3, 10e3, 50), 40)
-    assert rest_level(np.linspace(-1.0, 1.0, 1_000)) is rest_level(never_at_rest) is None
-
-
-@pytest.mark.parametrize("every", [1, 5])
-@pytest.mark.parametrize(("noise", "step"), [(2e-6, None), (2e-6, 1e-5), (0.0, 1e-5)])
-def test_samples_that_are_held_are_counted(every: int, noise: float, step: float | None) -> None:
-    t, q, _ = motion(DURATION, RATE, 1, noise=noise)
-    held = np.repeat(q[::every], every)[: t.size]
-    held = held if step is None else np.round(held / step) * step
-    assert held_samples(held, step) == every

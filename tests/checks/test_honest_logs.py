@@ -15,7 +15,6 @@ from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.rig_logs.remarks import remarks_on
 from pipeline.signals.quality_gates import saturation
 from pipeline.signals.signal_quality import examine_signal
-from pipeline.signals.untrusted import without_spikes
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
@@ -95,13 +94,6 @@ def test_equal_raw_samples_make_a_copy_and_an_equal_motion_makes_none(noise: flo
         assert bool(shared_recordings([logs[0], copy])) == found
 
 
-def test_logs_that_rest_share_nothing() -> None:
-    """Constant or toggling between two codes: no window is a recording's own."""
-    flicker = np.where(np.random.default_rng(0).random(40_000) < 0.02, 1e-6, 0.0)
-    for q in (np.zeros(40_000), flicker):
-        assert sketch(np.arange(q.size) / RATE, q) == []
-
-
 T = np.arange(40_000) / 2000.0
 REST = 2e-3 * (1.0 - np.cos(6.0 * np.maximum(T - 12.0, 0.0)))  # at rest for 12 s, then it moves to one side
 
@@ -116,22 +108,6 @@ def test_a_rest_at_an_end_of_the_motion_is_neither_a_rail_nor_frozen(noise: floa
     held = q + 1e-6 * np.sin(T)
     held[30_000:30_400] = held[30_000]
     assert any("unchanged" in text for text in remarks_on(examine_signal(T, held, 1 / 2000.0)))
-
-
-def test_a_hum_below_all_that_matters_is_no_remark() -> None:
-    rng = np.random.default_rng(1)
-    for hum, there in ((3e-7, False), (3e-6, True)):
-        q = 1e-2 * np.sin(T) + hum * np.sin(2.0 * np.pi * 50.0 * T) + rng.normal(0.0, 5e-7, T.size)
-        assert any("hum" in text for text in remarks_on(examine_signal(T, q, 1 / 2000.0))) == there
-
-
-def test_an_amplifier_that_is_noisier_while_it_is_on_has_no_spikes() -> None:
-    rng, t = np.random.default_rng(3), np.arange(20_000) / RATE
-    on = (t % 4.0 > 2.8) * 1.0
-    v = 3000.0 * on + rng.normal(0.0, 1.0, t.size) + 30.0 * on * np.sin(rng.uniform(0.0, 6.28, t.size))
-    assert without_spikes((t, v), 1.0 / RATE)[1] == 0
-    v[[700, 3300]] += [300.0, -900.0]
-    assert without_spikes((t, v), 1.0 / RATE)[1] == 2
 
 
 def test_an_amplifier_that_is_off_is_at_no_rail() -> None:

@@ -15,13 +15,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import lfilter
 
-from pipeline.control import design_tables
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, estimate, move, observe
 from pipeline.control.design import Settings, acting_lags, condensed_joint_law, design
-from pipeline.control.design_tables import COMMON, charged
+from pipeline.control.design_tables import COMMON
 from pipeline.control.estimator import ESTIMATED, MEMORY, STATUS
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
-from pipeline.control.linear import jacobian, wells_and_saddle
+from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import BAND, step_metrics
 from pipeline.errors import CorruptArtifactError, InputError
@@ -115,27 +114,6 @@ def test_limits_on_rate_and_mean_leave_snaps_and_end_what_takes_voltage_for_long
         mean += (volts - mean) * PERIOD / MEMORY
     assert 0.98 * MEAN < mean.max() <= MEAN
     assert 0.9 * PERIOD * SLEW < np.abs(np.diff(v, axis=0)).max() <= PERIOD * SLEW * (1.0 + 1e-9)
-
-
-@needs_gcc
-@pytest.mark.usefixtures("without_binaries")
-def test_the_exported_controller_keeps_the_limits_on_rate_and_mean(tmp_path: Path) -> None:
-    left, saddle, right = (each.q for each in wells_and_saddle(designed()[0]))
-    subject = ControllerSubject("P1", "hybrid", "0" * 64, within_limits(), (3e-3, 3e-3), (left, saddle, right))
-    header, source = write_controller(subject, tmp_path).written[:2]
-    assert "by at most 50000 V/s" in header.read_text("utf-8") and "is at most 400 V" in header.read_text("utf-8")
-    library, rng = tmp_path / "limited.so", np.random.default_rng(5)
-    subprocess.run(["gcc", "-std=c99", "-O2", "-shared", "-fPIC", str(source), "-o", str(library), "-lm"], check=True)
-    loaded, state = ctypes.CDLL(str(library)), np.zeros(CONTROLLER_STATE)
-    loaded.debist_controller_init(ctypes.c_void_p(state.ctypes.data), ctypes.c_double(left))
-    garbage = np.array([left, saddle, right, np.nan, np.inf, -1e300, 1e-3])
-    inputs = np.repeat(rng.choice(garbage, (300, 2)), rng.integers(1, 200, 300), axis=0)
-    v, at = np.zeros((len(inputs), 2)), ctypes.c_void_p(state.ctypes.data)
-    for i, (q, target) in enumerate(inputs.tolist()):
-        loaded.debist_controller_step(
-            at, ctypes.c_double(q), ctypes.c_double(target), ctypes.c_void_p(v[i:].ctypes.data)
-        )
-    assert_within_limits(v)
 
 
 @needs_gcc
@@ -482,16 +460,6 @@ def test_a_target_beside_a_well_means_the_well_where_it_stands_and_is_followed_w
     assert held[:, 1].min() > 100.0
 
 
-def test_a_load_beyond_all_voltage_is_given_up() -> None:
-    plant, law = designed()
-    right = wells_and_saddle(plant)[2].q
-    moved = Moved(law, law, right)
-    moved.push(-20e-3)
-    rows = moved.run(right, 13000)
-    assert moved.status == "given up"
-    assert not np.any(rows[-1000:, 1:])
-
-
 def test_a_slow_ramp_from_well_to_well_is_followed() -> None:
     plant, law = designed()
     left, _, right = (each.q for each in wells_and_saddle(plant))
@@ -513,18 +481,6 @@ def test_an_unstable_target_charges_both_sides_and_is_held_on_another_joint_and_
     assert np.abs(q[-500:] - saddle).max() < 0.1e-3
     _, v = closed_on_model(law, law, left, np.repeat([left, saddle], [500, 2000]))
     assert v[-200:].min() > 500.0
-
-
-def test_both_sides_are_charged_as_little_as_lowers_the_unstable_pole(monkeypatch: pytest.MonkeyPatch) -> None:
-    plant, _ = designed()
-    saddle, charges = wells_and_saddle(plant)[1], []
-    for share in (1.5, 0.8, 0.6):
-        limit = share * float(saddle.poles.real.max())
-        monkeypatch.setattr(design_tables, "SLOW", limit)
-        (x, u), charge = charged(plant, saddle.x, np.zeros(2), 3000.0)
-        assert np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max() < limit
-        charges.append(charge)
-    assert charges[0] == COMMON[0] < charges[1] < charges[2] < COMMON[1]
 
 
 def test_where_the_laser_has_its_zero_does_not_matter() -> None:

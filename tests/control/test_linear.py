@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from control_joints import model
 
-from pipeline.control.linear import equilibria, held, jacobian, linearise, wells_and_saddle
+from pipeline.control.linear import equilibria, held, jacobian, wells_and_saddle
 from pipeline.control.plant import plant_of
 from pipeline.diagnostics.facts.events import ring_down
 from pipeline.errors import InputError
@@ -28,14 +28,6 @@ def test_both_wells_and_the_unstable_equilibrium_are_found_at_rest() -> None:
         assert np.abs(Linearised(*joint, each.x, np.zeros(STOPS), np.zeros(2)).f[:STATES]).max() < 1e-5
     assert -left.q == pytest.approx(right.q, abs=1e-6)
     assert saddle.q == pytest.approx(0.0, abs=1e-6)
-
-
-def test_voltage_moves_the_equilibria_and_leaves_one_in_the_end() -> None:
-    plant = plant_of(model())
-    places = [[each.q for each in equilibria(plant, np.array([v, 0.0]))] for v in (0.0, 800.0, 3000.0)]
-    assert len(places[0]) == len(places[1]) == 3
-    assert places[1][0] > places[0][0] + 1e-4
-    assert len(places[2]) == 1
 
 
 def test_jacobians_are_those_that_follow_from_the_equations() -> None:
@@ -92,15 +84,6 @@ def test_the_poles_are_frequency_and_damping_of_small_oscillations() -> None:
     frequency, damping = well.ringing
     assert found.frequency == pytest.approx(frequency, rel=0.01)
     assert found.damping == pytest.approx(damping, rel=0.1)
-
-
-def test_input_and_output_matrices_are_those_of_the_voltages_and_the_laser() -> None:
-    plant = plant_of(model(**{"laser offset": 2.0}))
-    at = linearise(plant, wells_and_saddle(plant)[0].x, np.array([1000.0, 0.0]))
-    np.testing.assert_allclose(at.b[:, 0], 2000.0 * at.b_squared[:, 0])
-    assert np.all(at.b[:, 1] == 0.0)
-    assert at.c.tolist() == [[1.0] + [0.0] * (len(at.x) - 1)]
-    assert at.q == pytest.approx(at.x[0] + 0.3e-3)
 
 
 def test_a_state_space_is_that_of_python_control_or_says_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:

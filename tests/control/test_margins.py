@@ -9,7 +9,7 @@ from control_joints import designed
 
 from pipeline.control.controller import PERIOD, begin_control, control, move
 from pipeline.control.design import condensed_joint_law
-from pipeline.control.law import CONTROLLER_STATE, NUMBERS, TARGET_COLUMNS, Law
+from pipeline.control.law import CONTROLLER_STATE, NUMBERS, Law
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.margins import GAINS, Margins, margins
 from pipeline.models.hybrid.kernels import INDEX, prepare
@@ -88,10 +88,3 @@ def test_the_loop_stands_friction_up_to_its_margin() -> None:
     margin, law = margins_of_the_model().friction_high, designed()[1]
     assert margin > 2.0
     assert not grows(law, with_friction(0.9 * margin))
-
-
-def test_a_regulator_without_gains_has_no_margins() -> None:
-    plant, law = designed()
-    targets = law.targets.copy()
-    targets[:, TARGET_COLUMNS["gains"]] = 0.0
-    assert margins(plant, law._replace(targets=targets), wells_and_saddle(plant)[1].q) is None

@@ -8,7 +8,7 @@ from pipeline.control.ensemble import INTERVAL, ensemble_of
 from pipeline.control.estimator import PERIOD
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import plant_of
-from pipeline.control.pulses import commands, design_pulse, settling_times
+from pipeline.control.pulses import design_pulse, settling_times
 from pipeline.control.switching_map import pulses, switching_map
 from pipeline.errors import InputError
 
@@ -65,14 +65,6 @@ def test_settling_times_are_those_of_the_last_entry_into_the_band() -> None:
     assert settling_times(q, 0.0, 1.0) == pytest.approx(0.1 * np.log(20.0), abs=1e-3)
     assert settling_times(0.0 * q, 0.0, 1.0) == 0.0
     assert settling_times(0.0 * q + 1.0, 0.0, 1.0) == np.inf
-
-
-def test_the_command_of_a_pulse_holds_its_segments() -> None:
-    v = commands(np.array([[0.1, 1.0, 0.05, -0.5, 0.02, 0.25]]), 1, 2000.0)[0]
-    assert np.all(v[:100] == [0.0, 2000.0])
-    np.testing.assert_allclose(v[101:149], np.tile([2000.0 * np.sqrt(0.5), 0.0], (48, 1)))
-    np.testing.assert_allclose(v[151:169], np.tile([0.0, 1000.0], (18, 1)))
-    assert np.all(v[171:] == 0.0)
 
 
 def test_the_map_is_sure_far_from_its_boundary_and_knows_its_own_runs() -> None:

@@ -43,6 +43,12 @@ def test_ramps_and_sines_are_no_steps() -> None:
         assert step_lags(t, v).size == 0
 
 
+def test_edges_within_few_samples_are_no_decays() -> None:
+    t = 0.01 * np.arange(1000)
+    v = sum(1500.0 * (np.tanh((t - on) / 0.01) - np.tanh((t - on - 0.5) / 0.01)) for on in np.arange(0.303, 9.0, 1.001))
+    assert converter_lag([(t, np.asarray(v))]) is None
+
+
 def test_too_few_steps_tell_nothing() -> None:
     t, v = measured(3e-3, 5)
     half = t < 0.7

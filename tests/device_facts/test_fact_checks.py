@@ -37,21 +37,6 @@ def test_the_same_events_of_the_free_run_tell_the_size_of_motion_from_an_error()
     assert distance(replace(of_small_motion, low=0.0, high=0.3, free_run=0.125)) == pytest.approx(2.0)
 
 
-def test_the_distance_counts_both_uncertainties_and_no_spread_below_five_percent():
-    assert distance(fact(0.130, 0.100, 0.010)) == pytest.approx(3.0)
-    wide = distance(fact(0.130, 0.100, 0.010, low=0.130 - NORMAL_90 * 0.02, high=0.130 + NORMAL_90 * 0.02))
-    assert wide == pytest.approx(0.03 / np.hypot(0.01, 0.02))
-    assert distance(fact(0.110, 0.100, 1e-9)) == pytest.approx(2.0)
-
-
-def test_an_interval_never_excludes_its_own_estimate():
-    draws = [{"well_left": -10.03e-3 - 1e-5 * k} for k in range(64)]
-    low, high = intervals({"well_left": -11.0e-3}, draws)["well_left"]
-    assert low == -11.0e-3 and -10.1e-3 < high < -10.0e-3
-    inside = intervals({"well_left": -10.3e-3}, draws)["well_left"]
-    assert inside == intervals({}, draws)["well_left"]
-
-
 def test_a_fact_that_many_draws_lack_says_so_in_place_of_an_interval():
     draws = [{"saddle": 0.0, "barrier": None} if k < 40 else {"saddle": 0.0} for k in range(64)]
     draws += [{"rest": 1.0}] * 16

@@ -39,23 +39,3 @@ def test_fast_motion_is_not_taken_for_noise_where_a_model_follows_it():
 
 def test_noise_that_decimation_took_away_is_not_denied():
     assert noise_share(fast_run(0.1 * INTERVAL)) > 10.0 * NOISE / SPAN
-
-
-def encoder_run() -> RunData:
-    """A device whose encoder has 200 steps over its motion, exact but for the last bits, and no noise."""
-    data, step = fast_run(INTERVAL), SPAN / 200.0
-    log, t = data.logs[0], INTERVAL * np.arange(20_000)
-    q = step * np.round(0.5 * SPAN * np.sin(t) / step)
-    notes = {**log.record_notes, "resolution": step}
-    told = {"stretches": [{"noise_std": 4e-15}], "unit_si": 1.0}
-    quantised = replace(
-        log, record={**log.record, "q": q}, kinematics={**log.kinematics, "q": q}, predictions={}, record_notes=notes,
-        kinematics_notes=told,
-    )  # fmt: skip
-    return replace(data, logs=(quantised,))
-
-
-def test_an_encoder_is_judged_by_its_steps():
-    check = next(check for check in data_checks(encoder_run(), NoWells("moves all the time")) if check.name == "noise")
-    assert check.statement == "q comes in steps of 100 µm, 0.50 % of its range; its noise is below that"
-    assert check.grade == "fair"  # 0.5 % / sqrt(12) = 0.14 %

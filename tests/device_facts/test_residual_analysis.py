@@ -45,14 +45,6 @@ def test_what_an_input_still_explains_shows_at_its_lag():
     assert np.abs(found.with_inputs[1]).max() > 3 * found.input_bands[1]
 
 
-def test_the_spectrum_has_the_power_of_the_residual():
-    rng, u, q = signals(2)
-    tone = np.sin(2 * np.pi * 9.0 * DT * np.arange(N))
-    found = analyse_residual(q, q + tone + 0.01 * rng.standard_normal(N), u, DT)
-    assert found.frequency[np.argmax(found.density)] == pytest.approx(9.0, abs=0.2)
-    assert np.sum(found.density) * found.frequency[0] == pytest.approx(0.5, rel=0.05)
-
-
 def test_gaps_leave_the_longest_stretch_and_short_ones_nothing():
     rng, u, q = signals(3)
     gapped = np.where(np.arange(N) % 2500 < 10, np.nan, q)

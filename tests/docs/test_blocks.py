@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from typer.exceptions import TyperException
 from typer.main import get_command
 
 from cli import app
@@ -55,20 +54,6 @@ def parse(arguments: list[str]) -> None:
             return
         name, command, rest = command.resolve_command(context, rest)
         context = command.make_context(name, list(rest), parent=context)
-
-
-@pytest.mark.parametrize(
-    ("wrong", "message"),
-    [
-        (["rn", "P1.toml"], "No such command 'rn'"),
-        (["run", "P1.toml", "--outptu", "x"], "No such option: --outptu"),
-        (["rig", "excite", "-o"], "Option '-o' requires an argument"),
-        (["show"], "Missing parameter"),
-    ],
-)
-def test_the_check_notices_what_does_not_exist(wrong: list[str], message: str) -> None:
-    with pytest.raises(TyperException, match=message):
-        parse(wrong)
 
 
 @pytest.mark.parametrize("page", pages())

@@ -33,12 +33,6 @@ def test_the_site_builds_strictly_and_fetches_nothing(tmp_path: Path) -> None:
     assert 'id="pipeline.models.kind.load_model"' in functions
 
 
-def test_a_fetched_font_or_script_would_be_noticed() -> None:
-    assert FETCHED.search('<script async src="https://cdn.example/x.js">')
-    assert FETCHED.search('<link rel="stylesheet" href="//fonts.example/css">')
-    assert not FETCHED.search('<script src="assets/bundle.js"></script><a href="https://doi.org/10">')
-
-
 @pytest.mark.parametrize("page", pages())
 def test_files_that_a_page_links_to_exist(page: str) -> None:
     text = re.sub(r"(?s)```.*?```", "", (ROOT / page).read_text(encoding="utf-8"))

@@ -27,15 +27,6 @@ def test_three_lines_from_a_run_to_a_free_run(planted_run):
     ]  # fmt: skip
 
 
-def test_figures_are_axes_of_matplotlib(planted_run):
-    run = open_run(planted_run)
-    axes = run.plot("validation-b-models", start=1.0, stop=3.0, typeface="serif")
-    assert [each.get_ylabel().split()[0] for each in axes] == ["q", "q̇", "q̈"]
-    assert axes[0].get_xlim() == pytest.approx((1.0, 3.0))
-    assert axes[0].figure.number in matplotlib.pyplot.get_fignums()
-    matplotlib.pyplot.close("all")
-
-
 def test_opening_loads_nothing_heavy():
     code = "import sys; import debist; print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()

@@ -5,7 +5,6 @@ import os
 import random
 import shutil
 import sys
-from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -17,7 +16,6 @@ from tests.faults import intercepted
 from tests.faults.intercepted import Answer, Call, Ended
 from tests.faults.small_run import drawn_once, make, write_prototype
 from tests.faults.system_calls import CHANGING, Kind
-from tests.fuzz.property import processor_time
 from tests.prototypes import content, logs_read_once
 
 
@@ -125,13 +123,3 @@ def as_root():
     """Skips where file systems cannot be mounted."""
     if os.geteuid() != 0:
         pytest.skip("needs root, to mount a file system")
-
-
-@pytest.fixture
-def count(request) -> Iterator[list[str]]:
-    """What was counted, printed and handed on with the processor time that it took."""
-    began, counted = processor_time(), list[str]()
-    yield counted
-    spent = processor_time() - began
-    request.node.user_properties += [("counted", "; ".join(counted)), ("processor_seconds", spent)]
-    print(f"\n{request.node.name}: {'; '.join(counted)}; {spent:.1f} s of processor time")

@@ -47,11 +47,10 @@ def check_set_aside(bench, start: str) -> None:
 @pytest.mark.parametrize(
     ("start", "wanted"), [("damaged", FEW), *(pytest.param(start, MANY, marks=pytest.mark.long) for start in STARTS)]
 )
-def test_killed_at_some_calls(bench, start, wanted, count):
+def test_killed_at_some_calls(bench, start, wanted):
     calls = bench.calls(start)
     for call in random.Random(wanted).sample(calls, wanted):
         kill_at(bench, start, call.number)
-    count.append(f"{wanted} of {len(calls)} calls")
 
 
 def kill_after(bench, seconds: float) -> int:
@@ -68,7 +67,7 @@ def kill_after(bench, seconds: float) -> int:
 
 
 @pytest.mark.parametrize("wanted", [2, pytest.param(100, marks=pytest.mark.long)])
-def test_killed_at_random_moments(bench, wanted, count):
+def test_killed_at_random_moments(bench, wanted):
     """Half of the runs start from nothing, half replace results; one that had ended before its kill does not count."""
     durations = {start: _duration(bench, start) for start in ("fresh", "changed")}
     moments, killed, tried = random.Random(wanted), 0, 0
@@ -80,7 +79,6 @@ def test_killed_at_random_moments(bench, wanted, count):
         check_whole(bench.run) if bench.run.exists() else None
         bench.check_mended()
         assert tried <= 3 * wanted + 20, "most runs end before they are killed"
-    count.append(f"{killed} killed of {tried}")
 
 
 def _duration(bench, start: str) -> float:

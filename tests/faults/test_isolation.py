@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.system import isolation
 from pipeline.system.isolation import Isolated, death
 from tests.prototypes import SMALL_CSV
 
@@ -18,10 +17,6 @@ SPAWN = "import socket; del socket.CMSG_LEN\n"  # without it, descriptors cannot
 METHODS = pytest.mark.parametrize(
     "method", ["", pytest.param(SPAWN, marks=pytest.mark.long)], ids=["fork server", "spawn"]
 )
-
-
-def greets(send, name):
-    send({"hello": name, "here": str(Path.cwd()), "main": hasattr(sys.modules["__main__"], "SCRIPT")})
 
 
 def crashes(send):
@@ -119,18 +114,6 @@ def test_a_process_ends_with_its_killed_parent(method):
     while _runs(pid) and time.monotonic() < deadline:
         time.sleep(0.05)
     assert not _runs(pid)
-
-
-def _sleeping(command: list[str]) -> None:
-    time.sleep(120)
-
-
-def test_a_temporary_folder_of_a_long_name_takes_new_interpreters(tmp_path, monkeypatch):
-    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / ("x" * 90)))
-    (tmp_path / ("x" * 90)).mkdir()
-    assert isolation.process_context().get_start_method() == "spawn"
-    with Isolated(greets, "you") as process:
-        assert len(list(process)) == 1
 
 
 def _runs(pid: int) -> bool:

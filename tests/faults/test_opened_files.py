@@ -61,21 +61,14 @@ def opened(here: Path, *arguments: str) -> set[str]:
     "arguments",
     [
         ("run", "../small.toml", "-o", "../run"),  # and the report, which is missing
-        ("show", "../run"),  # its datasheet
-        pytest.param(("--version",), marks=pytest.mark.long),
+        pytest.param(("show", "../run"), marks=pytest.mark.long),  # its datasheet
         pytest.param(("inspect", "../train.csv"), marks=pytest.mark.long),
-        pytest.param(("init", "../train.csv"), marks=pytest.mark.long),
-        pytest.param(("check", "../small.toml"), marks=pytest.mark.long),
-        pytest.param(("status", "../run"), marks=pytest.mark.long),
         pytest.param(("verify", "../run"), marks=pytest.mark.long),
         pytest.param(("report", "../run", "--figures", "sans"), marks=pytest.mark.long),
         pytest.param(("plot", "../run"), marks=pytest.mark.long),
-        pytest.param(("diff", "../run", "../run"), marks=pytest.mark.long),
-        pytest.param(("export", "../run", "--to", "json", "-o", "../out"), marks=pytest.mark.long),
         pytest.param(("export", "../run", "--to", "fmu", "-o", "../out"), marks=pytest.mark.long),
         pytest.param(("export", "../run", "--to", "matlab", "-o", "../out"), marks=pytest.mark.long),
         pytest.param(("export", "../run", "--to", "crate", "-o", "../out"), marks=pytest.mark.long),
-        pytest.param(("physics", "--help"), marks=pytest.mark.long),
         pytest.param(
             ("rig", "simulate", "-o", "../rig", "--kind", "nominal", "--duration", "2"), marks=pytest.mark.long
         ),

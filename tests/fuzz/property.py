@@ -1,6 +1,5 @@
 """What must hold of every damaged log: data or one line, in bounded time, and nothing wrong that a checksum covers."""
 
-import resource
 import time
 from collections import Counter
 from collections.abc import Sequence
@@ -67,12 +66,6 @@ class Target:
             assert channel.samples.dtype == np.float64
             assert channel.time is None or channel.time.ndim == 1
         return recording
-
-
-def processor_time() -> float:
-    """Of this process and its ended children [s]."""
-    used = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
-    return sum(usage.ru_utime + usage.ru_stime for usage in used)
 
 
 def _same(one: Recording, other: Recording) -> bool:

@@ -26,15 +26,6 @@ def ingested(folder, columns, channels, more=""):
     return run.record("train/log/record.parquet").notes["warnings"], run.read_table("train/log/record.parquet")
 
 
-def test_voltages_keep_the_time_that_stands_beside_them(tmp_path):
-    own = 'v1 = { channel = "v", unit = "V", time = { channel = "t_v", unit = "ms" } }'
-    columns = {"t": T, "q": Q, "t_v": 1e3 * (T + 0.012), "v": V}
-    _, record = ingested(tmp_path, columns, TIME + 'q = { channel = "q", unit = "mm" }\n' + own)
-    wanted = np.interp(record["t"], T + 0.012, V)
-    far = np.abs(np.gradient(np.interp(record["t"], T + 0.012, V))) == 0.0
-    np.testing.assert_allclose(record["v1"][far], wanted[far], atol=1e-6)
-
-
 def test_a_signed_monitor_of_both_membranes(tmp_path):
     halves = "\n".join(
         f'{key} = {{ channel = "v", unit = "V", part = "{part}" }}'

@@ -38,13 +38,6 @@ def test_units_come_to_si_rows_are_put_in_order_and_holes_stay(tmp_path: Path, p
     np.testing.assert_allclose(curves["d"], [0.2, 0.1])
 
 
-def test_an_angle_takes_torques(tmp_path: Path) -> None:
-    turning = device(prototype("deg"))
-    curves = read_measured_curves(written(tmp_path, "q [deg],F [N mm]\n-90,2\n90,-2\n"), turning)
-    np.testing.assert_allclose(curves["q"], [-np.pi / 2, np.pi / 2])
-    np.testing.assert_allclose(curves["F"], [0.002, -0.002])
-
-
 @pytest.mark.parametrize(
     ("text", "said"),
     [

@@ -91,10 +91,6 @@ def _signal(
     return tell
 
 
-def _same(one: Log) -> Log:
-    return one
-
-
 def _q(change: Callable[[FloatArray], FloatArray]) -> Callable[[Log], Log]:
     return lambda one: Log(one.t, change(one.q.copy()), one.v)
 

@@ -25,9 +25,3 @@ def test_sensitivity_is_the_derivative_with_respect_to_the_logarithm_of_the_time
     above, _ = first_order_lag(x, 0.01, 0.03 * np.exp(step))
     below, _ = first_order_lag(x, 0.01, 0.03 * np.exp(-step))
     assert sensitivity == pytest.approx((above - below) / (2 * step), abs=1e-8)
-
-
-def test_far_below_the_interval_the_lag_vanishes():
-    x = np.random.default_rng(2).standard_normal(50)
-    z, _ = first_order_lag(x, 0.01, 1e-9)
-    assert z[1:] == pytest.approx(x[1:], abs=1e-6)

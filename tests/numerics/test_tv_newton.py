@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.tv_newton import Iterate, NewtonStep, newton_step, newton_step_high_order, one_minus_product
+from pipeline.numerics.tv_newton import Iterate, NewtonStep, newton_step, newton_step_high_order
 
 
 def dense_step(
@@ -69,12 +69,3 @@ def test_step_is_accurate_where_the_banded_matrix_is_singular(order: int) -> Non
     step = NewtonStep(*(np.empty(n) for _ in range(3)), np.empty((n, order + 2)))
     newton_step_high_order(Iterate(b, zero, zero, zero, zero, np.ones(n)), step, 1e-20, order, 1.0)
     np.testing.assert_allclose(step.dy, np.polyval(np.polyfit(i, b, order), i), atol=1e-9 if order < 4 else 2e-6)
-
-
-def test_one_minus_product_stays_positive() -> None:
-    for cosine in (1.0, 1e-3, 1e-9, 1e-17, 1e-150):
-        g = np.sqrt(1.0 - cosine**2)
-        for p in (-1.0, 0.0, 0.5, g, 1.0):
-            value = one_minus_product(p, g, cosine)
-            assert value > 0.0
-            assert value == pytest.approx(max(1.0 - p * g, cosine**2 / 2), rel=1e-6, abs=2e-16)

@@ -42,17 +42,6 @@ def test_objective_is_the_minimum_of_the_functional(alpha: float) -> None:
     assert result.objective == pytest.approx(reference.fun, rel=1e-6)
 
 
-def test_no_nearby_derivative_is_better() -> None:
-    samples, h = chartrand(300)
-    rng = np.random.default_rng(3)
-    result = tvregdiff(samples, h, alpha=0.05, epsilon=1e-6)
-    u = np.diff(result.integral) / h
-    for size in (1e-1, 1e-3, 1e-5):
-        for _ in range(20):
-            other = functional(u + size * rng.standard_normal(u.size), samples, h, 0.05, 1e-6)
-            assert other >= result.objective * (1.0 - 1e-12)
-
-
 @pytest.mark.parametrize("order", [1, 2, 3, 4])
 @pytest.mark.parametrize("start", ["exact", "fitted"])
 def test_gap_bounds_the_distance_to_the_minimiser(order: int, start: str) -> None:
@@ -88,28 +77,6 @@ def test_constant_and_linear_signals_are_exact(kwargs: dict[str, str], n: int, e
         np.testing.assert_allclose(result.integral, slope * t - 4.0, rtol=1e-11, atol=1e-11)
 
 
-def test_derivative_is_aligned_with_the_samples() -> None:
-    h = 1e-2
-    t = h * np.arange(400)
-    alpha, epsilon = 1e-9, 1e-6
-    derivative = tvregdiff(np.sin(3.0 * t), h, alpha=alpha, epsilon=epsilon).derivative
-    inside = slice(10, -10)
-    truth, change = 3.0 * np.cos(3.0 * t)[inside], -9.0 * np.sin(3.0 * t)[inside]
-    error = derivative[inside] - truth
-    lag = -np.dot(error, change) / np.dot(change, change)
-    assert abs(lag) < 0.01 * h
-    assert np.sqrt(np.mean(error**2)) < 0.1 * np.abs(change).max() * h
-
-
-@pytest.mark.parametrize("order", [1, 2, 3, 4])
-def test_time_reversal_turns_the_derivative_round(order: int) -> None:
-    samples, h = chartrand(250)
-    forward = tvregdiff(samples, h, alpha=1e-3, order=order, start="fitted", tolerance=1e-13)
-    backward = tvregdiff(samples[::-1], h, alpha=1e-3, order=order, start="fitted", tolerance=1e-13)
-    np.testing.assert_allclose(backward.integral[::-1], forward.integral, atol=1e-7)
-    np.testing.assert_allclose(backward.derivative[::-1], -forward.derivative, atol=1e-5)
-
-
 @pytest.mark.parametrize("order", [1, 2, 3, 4])
 def test_large_alpha_gives_the_polynomial_of_least_squares(order: int) -> None:
     samples, h = chartrand(120)
@@ -141,17 +108,6 @@ def test_weights_scale_the_terms_of_the_variation() -> None:
     for size in (1e-2, 1e-4):
         for _ in range(20):
             assert weighted(u + size * rng.standard_normal(u.size)) >= result.objective * (1.0 - 1e-12)
-
-
-def test_channels_are_independent() -> None:
-    first, h = chartrand(seed=1)
-    second, _ = chartrand(seed=2)
-    both = tvregdiff(np.column_stack((first, second)), h, alpha=0.1)
-    alone = [tvregdiff(y, h, alpha=0.1) for y in (first, second)]
-    np.testing.assert_array_equal(both.derivative, np.column_stack([r.derivative for r in alone]))
-    np.testing.assert_array_equal(both.integral, np.column_stack([r.integral for r in alone]))
-    assert both.objective == sum(r.objective for r in alone)
-    assert both.iterations == max(r.iterations for r in alone)
 
 
 @pytest.mark.parametrize("order", [1, 2, 3, 4])
@@ -198,7 +154,6 @@ def test_any_record_is_minimised(values: list[float], log_alpha: float, log_epsi
     ("samples", "kwargs", "word"),
     [
         ([1.0], {}, "N ≥ 2"),
-        (np.zeros((3, 0)), {}, "shape"),
         ([1.0, np.nan, 2.0], {}, "finite"),
         ([1.0, 2.0, 3.0], {"alpha": 0.0}, "alpha"),
         ([1.0, 2.0, 3.0], {"epsilon": -1.0}, "epsilon"),
@@ -206,8 +161,6 @@ def test_any_record_is_minimised(values: list[float], log_alpha: float, log_epsi
         ([1.0, 2.0, 3.0], {"order": 3}, "order 3"),
         (np.zeros(9), {"order": 5}, "order=5"),
         ([1.0, 2.0, 3.0], {"weights": [1.0, 1.0]}, "3 positive, finite weights"),
-        ([1.0, 2.0, 3.0], {"weights": [1.0, 0.0, 1.0]}, "positive"),
-        ([1.0, 2.0, 3.0], {"start": "published"}, "published"),
     ],
 )
 def test_bad_input_is_one_line(samples: object, kwargs: dict[str, object], word: str) -> None:

@@ -11,7 +11,7 @@ from cli import app
 from pipeline.errors import InputError
 from pipeline.rig.fleet import Experiment, draw
 
-SHORT = {"kind": "nominal", "rate": 2000.0, "duration": 4.0, "format": "parquet"}
+SHORT = {"kind": "nominal", "rate": 2000.0, "duration": 2.5, "format": "parquet"}
 
 
 def test_the_joint_of_a_seed_ages_as_stated_and_its_logs_are_those_of_the_day() -> None:
@@ -32,7 +32,7 @@ def test_the_joint_of_a_seed_ages_as_stated_and_its_logs_are_those_of_the_day() 
 
 def test_the_truth_states_age_and_changes(tmp_path: Path) -> None:
     (tmp_path / "old.toml").write_text("age_days = 30.0\n[drift]\nlaser_m = 1e-6\n")
-    arguments = ["--kind", "nominal", "--rate", "2000", "--duration", "4", "--format", "parquet"]
+    arguments = ["--kind", "nominal", "--rate", "2000", "--duration", "2", "--format", "parquet"]
     given = ["--experiment", str(tmp_path / "old.toml")]
     result = CliRunner().invoke(app, ["rig", "simulate", "-o", str(tmp_path), *arguments, *given])
     assert result.exit_code == 0, result.output

@@ -74,11 +74,7 @@ def test_a_hand_a_shaking_table_and_a_wire_act() -> None:
 
 @pytest.mark.parametrize(
     ("family", "seed"),
-    [
-        ("same", 3),
-        pytest.param("foreign", 7, marks=pytest.mark.long),
-        pytest.param("foreign", 5, marks=pytest.mark.long),
-    ],  # from a second start
+    [("same", 3), pytest.param("foreign", 5, marks=pytest.mark.long)],  # from a second start
 )
 def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_from_json(
     family: str, seed: int
@@ -102,7 +98,7 @@ def still(tmp_path: Path) -> Path:
 def test_the_command_writes_a_log_that_can_be_read_with_the_reference_in_it(tmp_path: Path) -> None:
     csv = tmp_path / "pulse.csv"
     csv.write_text("time [s],v1 [V],v2 [V]\n0,0,0\n0.1,2900,0\n0.25,0,0\n0.3,0,0\n", encoding="utf-8")
-    arguments = ["rig", "closed-loop", "nominal", "--play", str(csv), "--duration", "1s", "--target", "0.1s:right"]
+    arguments = ["rig", "closed-loop", "nominal", "--play", str(csv), "--duration", "0.5s", "--target", "0.1s:right"]
     done = CliRunner().invoke(app, [*arguments, "-o", str(tmp_path / "run"), "--json"])
     assert done.exit_code == 0, done.output
     told = json.loads(done.stdout)
@@ -127,13 +123,9 @@ def _loop(folder: Path, still: Path, scenario: str, *options: str, joint: str = 
     [
         ("pushs = []", "unknown key 'pushs'; did you mean 'pushes'"),
         ("[[pushes]]\nstart_s = 1.0\nforce_N = 2.0\nlength = 1.0", "did you mean 'length_s'"),
-        ('format = "xls"', "format"),
         ("lag_s = -1e-3", "lag_s: input should be greater than 0"),
-        ("highest_V = 0.0", "highest_V: input should be greater than 0"),
         ("[[lost]]\nstart_s = -1.0\nlength_s = 0.1", "start_s"),
-        ("barrier_percent = nan", "barrier_percent"),
         ("[[pushes]]\nstart_s = 7.0\nforce_N = 0.05\nlength_s = 0.02", "the run is over; raise --duration"),
-        ("[[lost]]\nstart_s = 5.0\nlength_s = 0.05", "the run is over; raise --duration"),
     ],
 )
 def test_a_scenario_that_cannot_be_is_one_line(tmp_path: Path, still: Path, scenario: str, said: str) -> None:

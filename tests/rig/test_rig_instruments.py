@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.linear_filters import first_order_lag
-from pipeline.rig.bench import Bench, Laser, Probe, record
+from pipeline.rig.bench import Bench, Laser, record
 from pipeline.rig.joint import simulate
 from pipeline.rig.parameters import nominal
 
@@ -25,12 +25,6 @@ def test_laser_errors_have_their_sizes() -> None:
     noise = Laser(linearity=0.0, hum=0.0).read(T, q, rng) - q
     assert np.std(noise) == pytest.approx(1.5e-6, rel=0.03)
     assert np.abs(IDEAL.read(T, 2 * q, rng)).max() == pytest.approx(25e-3)
-
-
-def test_mains_hum_is_found_at_fifty_hertz() -> None:
-    reading = Probe(noise=0.0, resolution=1e-9).read(T, np.full(T.size, 1000.0), np.random.default_rng(2))
-    assert 2 * abs(np.mean(reading * np.exp(-2j * np.pi * 50 * T))) == pytest.approx(4.0, rel=1e-6)
-    assert reading.mean() == pytest.approx(1000.0, rel=1e-9)
 
 
 def test_membranes_charge_behind_their_electrodes_and_probes_see_the_converters() -> None:

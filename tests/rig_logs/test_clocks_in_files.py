@@ -101,11 +101,3 @@ def test_columns_of_structs_in_parquet_are_channels(tmp_path):
     np.testing.assert_array_equal(channels["m.q"], np.where(missing, np.nan, Q))
     np.testing.assert_array_equal(channels["m.hv.left"], np.where(missing, np.nan, V))
     assert set(channels) == {"t", "m.q", "m.hv.left"} and "'m.hv.note' (string)" in " ".join(recording.notes)
-
-
-@pytest.mark.parametrize(("over", "rates"), [("Time", [1000.0]), ("Frequency", [])])
-def test_the_step_of_labview_is_a_rate_over_time_only(tmp_path, over, rates):
-    head = f"LabVIEW Measurement\t\nSeparator\tTab\nX_Columns\tNo\n***End_of_Header***\t\nX_Dimension\t{over}\t{over}\n"
-    head += "Delta_X\t0.001\t0.001\n***End_of_Header***\t\t\nq\tv1\n"
-    (tmp_path / "log.lvm").write_text(head + "".join(f"{q:.6f}\t{v:.1f}\n" for q, v in zip(Q, V, strict=True)))
-    assert list(read_recording(tmp_path / "log.lvm").rates.values()) == rates

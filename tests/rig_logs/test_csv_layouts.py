@@ -192,11 +192,6 @@ def test_notes_before_the_first_samples_are_no_keys_of_a_preamble(tmp_path, name
     np.testing.assert_array_equal(load(source, "t"), np.round(TIME, 3))
 
 
-def test_a_long_preamble(tmp_path):
-    (tmp_path / "log.csv").write_text("# a line on the rig\n" * 450 + "t,q,v\n" + _plain())
-    np.testing.assert_array_equal(load(open_here(tmp_path / "log.csv"), "q"), Q)
-
-
 @pytest.mark.parametrize("row", [3, 400])
 def test_the_line_of_a_zero_byte_is_named(tmp_path, row):
     rows = ["t,q,v", *_plain().splitlines()]

@@ -145,29 +145,6 @@ def _csv(path, header, *columns, fmt="%.6g", delimiter=","):
     return path
 
 
-def _remarks(path):
-    return {channel.name: " ".join(channel.remarks) for channel in inspect_log(path).channels}
-
-
-def test_an_input_of_two_levels_is_told_by_its_levels(tmp_path):
-    """It is neither idle nor saturated nor frozen, however fast it switches."""
-    t = np.arange(4000) / 200.0
-    for held in (1, 4, 40):
-        u = np.repeat(np.random.default_rng(held).choice([-3.0, 3.0], t.size), held)[: t.size]
-        path = _csv(tmp_path / "prbs.csv", "t [s],angle [deg],motor [V]", t, 30.0 * np.sin(t) ** 3, u)
-        assert _remarks(path)["motor"] == "takes 2 values only: -3 and 3"
-
-
-def test_white_noise_may_be_an_input_where_no_other_channel_is_like_it(tmp_path):
-    t, rng = np.arange(4000) / 100.0, np.random.default_rng(0)
-    one = _csv(tmp_path / "one.csv", "t [s],q [mm],v [V]", t, np.sin(t), rng.normal(size=t.size))
-    assert _remarks(one)["v"] == "white noise, or nothing but noise"
-    pulses = 3.0 * (t % 4 < 2) + rng.normal(0.0, 0.01, t.size)
-    off = rng.normal(0.0, 0.01, t.size)
-    two = _csv(tmp_path / "two.csv", "t [s],q [mm],v1 [kV],v2 [kV]", t, np.sin(t), pulses, off)
-    assert _remarks(two)["v2"] == "nothing but noise: no excitation"
-
-
 def test_a_column_that_rises_evenly_may_be_the_time(tmp_path):
     """A log without a heading, as a microcontroller prints it."""
     t = np.arange(2000)

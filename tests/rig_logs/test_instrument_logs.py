@@ -195,23 +195,6 @@ def test_channels_of_several_clocks_are_drafted_with_their_own(tmp_path, write, 
     assert (draft["v1"]["channel"], draft["v1"]["time"]["channel"]) == (v1, v_time)
 
 
-@pytest.mark.parametrize(
-    ("stamps", "note"),
-    [
-        (np.r_[TIME[: N // 2], TIME[: N // 2]], "time steps back at 1 place, first after 0.698 s"),
-        (np.floor(10 * TIME**2) / 10, "time stamps repeat: too coarse a clock; set sample_rate"),
-        (46353 + TIME / 86400, "in days, as serial dates of a spreadsheet"),
-        (20261127101112 + 10 * TIME, "its digits look like a date"),
-    ],
-)
-def test_what_is_wrong_with_a_clock_is_noted(tmp_path, stamps, note):
-    (tmp_path / "log.csv").write_text("t,q,v\n" + _rows("{:.10f},{:.4f},{:.2f}", stamps, Q, V))
-    inspection = inspect_log(tmp_path / "log.csv")
-    assert any(note in each for each in inspection.notes)
-    assert "sample_interval" not in toml_draft([inspection])
-    assert not any("buffer" in remark for channel in inspection.channels for remark in channel.remarks)
-
-
 def test_units_in_the_metadata_of_a_parquet_table(tmp_path):
     units = {"t": "ms", "q": "mm", "v": "kV"}
     table = pa.table({"t": TIME, "q": Q, "v": V})

@@ -266,6 +266,12 @@ def test_a_table_goes_on_in_the_next_sheet(tmp_path, cut, times, form, second):
     assert "goes on from sheet to sheet: 'Data', 'Data (2)'" in source.notes[0]
 
 
+def test_a_sheet_of_the_same_columns_in_other_units_is_not_passed_over(tmp_path):
+    _sheets(tmp_path / "log.xlsx", second=([HEADING[0], "q [µm]", *HEADING[2:]],))
+    with pytest.raises(UnreadableLogError, match=r"'Data' and 'Data \(2\)' hold the same columns in other units"):
+        open_here(tmp_path / "log.xlsx")
+
+
 def test_recordings_in_two_sheets_are_refused(tmp_path):
     _sheets(tmp_path / "log.xlsx", TIME % 0.2, cut=200)
     with pytest.raises(UnreadableLogError, match=r"the sheets .Data., .Data \(2\). hold tables of one heading"):

@@ -13,7 +13,6 @@ from pipeline.scoring.cross_validation import (
     held_out_blocks,
     kept_segments,
     log_folds,
-    mean_over_folds,
     not_told_from_lowest,
     signal_ranges,
     simplest_within_one_standard_error,
@@ -92,15 +91,6 @@ def test_a_divergence_counts_as_a_missed_fold_in_the_wrong_well() -> None:
     assert score.nrmse["q"] == 1.0 and score.diverged == 1 and score.samples == 100
     assert score.well_agreement == 0.5
     assert fold_score(Lost(), [x], signal_ranges([x]), NoWells("one cluster")).well_agreement is None
-
-
-def test_the_interval_over_folds_is_wider_than_that_of_independent_draws() -> None:
-    """Five folds: sqrt(1/5 + 1/4) instead of sqrt(1/5), with t of 4 degrees of freedom, 2.776."""
-    values = np.array([0.1, 0.2, 0.3, 0.4, 0.5])
-    mean, band = mean_over_folds(values)
-    assert mean == pytest.approx(0.3) and band is not None
-    assert band.high - mean == pytest.approx(2.776 * np.sqrt(0.45) * np.std(values, ddof=1), rel=1e-3)
-    assert mean_over_folds(values[:2])[1] is None
 
 
 def test_models_are_told_apart_by_their_differences_fold_by_fold() -> None:

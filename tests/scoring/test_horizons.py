@@ -34,15 +34,6 @@ persistence = each(lambda s, q, qdot: np.full(s.size, q))
 exact = each(lambda s, q, qdot: q * np.cos(2.0 * s) + qdot / 2.0 * np.sin(2.0 * s))
 
 
-def test_persistence_errs_by_the_change_over_the_horizon() -> None:
-    """RMS of sin(2(t+h)) − sin 2t is sqrt(2)·sin h; the range of q is 2."""
-    result = horizon_error(persistence, T, V, Q, QDOT, 0.1)
-    assert result.nrmse == pytest.approx(np.sqrt(2) * np.sin(0.1) / 2, rel=0.05)
-    assert result.horizon_s == pytest.approx(0.1)
-    assert result.starts == 99
-    assert result.interval is not None and result.interval.low < result.nrmse < result.interval.high
-
-
 def test_a_restart_that_diverges_counts_as_an_error_of_the_whole_range() -> None:
     lost = each(lambda s, q, qdot: np.full(s.size, 0.0 if q > 0 else np.nan))
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.scoring.step_responses import response_errors, step_response, voltage_steps
+from pipeline.scoring.step_responses import response_errors, step_response
 from pipeline.scoring.wells import Wells
 
 DT = 0.001
@@ -20,13 +20,6 @@ def test_first_order_lag() -> None:
 
 def test_a_response_that_swings_on_has_no_settling_time() -> None:
     assert step_response(np.concatenate([[0.0], 1 + 0.5 * np.sin(15.7 * T)]), DT).settling_s is None
-
-
-def test_voltage_steps_are_edges_of_pulses_not_of_chirps() -> None:
-    v = np.zeros((3000, 2))
-    v[500:900, 0] = 3000.0
-    v[1500:, 1] = 1500.0 * (1 - np.cos(2 * np.pi * 2.0 * T[:1500]))
-    np.testing.assert_allclose(voltage_steps(v, DT, joint=True), [499, 899], atol=0)
 
 
 def test_a_lag_of_the_simulation_is_what_is_reported() -> None:

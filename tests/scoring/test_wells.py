@@ -61,27 +61,12 @@ def test_a_device_without_two_wells_has_none(q_of_t) -> None:  # type: ignore[no
     assert isinstance(find_wells([(q_of_t(DT * np.arange(q.size)), v, DT)], joint=True), NoWells)
 
 
-def test_a_chirp_counts_as_one_pulse() -> None:
-    t = DT * np.arange(400)
-    v = np.zeros((400, 1))
-    chirping = (t > 1.0) & (t < 2.5)
-    v[chirping, 0] = 1500.0 * (1 - np.cos(2 * np.pi * 4.0 * t[chirping]))
-    q = np.where(t < 2.0, -0.01, 0.012)
-    assert switch_accuracy(q, q, v, DT, WELLS, joint=True).pulses == 1
-
-
 def test_switch_accuracy_counts_pulses_that_end_in_the_right_well() -> None:
     measured, v = record("lrlrl")
     simulated, _ = record("lrllr")
     result = switch_accuracy(measured, simulated, v, DT, WELLS, joint=True)
     assert (result.pulses, result.correct) == (4, 2)
     assert result.share == 0.5
-
-
-def test_a_simulation_that_still_crosses_the_barrier_is_wrong() -> None:
-    measured, v = record("lr")
-    swinging = np.where(np.arange(measured.size) % 20 < 10, -0.012, 0.012)
-    assert switch_accuracy(measured, swinging, v, DT, WELLS, joint=True).correct == 0
 
 
 def test_after_a_divergence_nothing_is_right() -> None:
@@ -124,11 +109,6 @@ def test_a_device_that_comes_to_rest_rests_there() -> None:
     assert places_of_rest(q, v, 2.0, joint=False) == rests(v, 2.0, joint=False)
     found = rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), joint=False).left
     np.testing.assert_allclose(found, 0.0, atol=4e-3)
-
-
-def test_the_wells_of_another_bistable_device_are_found_too() -> None:
-    q, v = record("lrlr")
-    assert isinstance(find_wells([(q, v, DT)], joint=False), Wells)
 
 
 def test_a_rest_at_the_barrier_among_many_does_not_hide_the_wells() -> None:

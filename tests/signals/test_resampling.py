@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.signals.decimation_kernel import REACH, filtered_samples, kernel, sharpened
-from pipeline.signals.resampling import LEAST_RATIO, decimate, interpolate, uniform_grid
+from pipeline.signals.resampling import decimate, interpolate, uniform_grid
 
 T = 0.01
 
@@ -67,57 +67,12 @@ def test_straight_lines_are_exact_up_to_the_ends_at_any_spacing():
     np.testing.assert_allclose(value[1], 7.0, atol=1e-12)
 
 
-def test_slope_at_the_ends_is_not_biased():
-    """A parabola's end value errs by far less than a cut, uncorrected kernel would (its slope times 0.3 T)."""
-    raw = np.arange(30_001) / 30_000.0
-    t = uniform_grid(0.0, 1.0, T)
-    error = decimate(raw, [5.0 * raw**2 + raw], t, T)[0] - (5.0 * t**2 + t)
-    assert np.max(np.abs(error[[0, 1, -2, -1]])) < 5.0 * T**2
-
-
-def test_frequency_response_of_decimate_itself():
-    raw = np.arange(0.0, 4.0, 1 / 10_000.0)
-    t = uniform_grid(0.0, raw[-1], T)
-    inner = slice(5, -5)
-    for f in (3.0, 10.0, 30.0):
-        value = decimate(raw, [np.sin(2 * np.pi * f * raw + 0.3)], t, T)[0]
-        expected = _response(f * T)[0] * np.sin(2 * np.pi * f * t + 0.3)
-        np.testing.assert_allclose(value[inner], expected[inner], atol=2e-5)
-
-
-def test_aliases_are_suppressed():
-    """90 Hz at 100 Hz output would be read as 10 Hz of full amplitude without the filter."""
-    raw = np.arange(0.0, 4.0, 1 / 10_000.0)
-    t = uniform_grid(0.0, raw[-1], T)
-    for f, decibel in ((90.0, -18.5), (150.0, -40.0), (1033.0, -60.0)):
-        value = decimate(raw, [np.sin(2 * np.pi * f * raw)], t, T)[0][5:-5]
-        assert 20 * np.log10(np.sqrt(2.0) * np.std(value)) < decibel
-
-
 def test_white_noise_is_reduced_as_documented():
     rng = np.random.default_rng(2)
     raw = np.arange(300_000) / 30_000.0
     t = uniform_grid(0.0, raw[-1], T)
     value = decimate(raw, [rng.normal(size=raw.size)], t, T)[0]
     assert np.std(value[3:-3]) == pytest.approx(0.92 / np.sqrt(300.0), rel=0.08)
-
-
-def test_blocks_make_no_difference(monkeypatch):
-    rng = np.random.default_rng(3)
-    raw = np.cumsum(rng.uniform(0.5e-4, 1.5e-4, 20_000))
-    y = rng.normal(size=raw.size)
-    t = uniform_grid(raw[0], raw[-1], T)
-    whole = decimate(raw, [y], t, T)
-    monkeypatch.setattr("pipeline.signals.resampling._BLOCK", 700)
-    np.testing.assert_allclose(decimate(raw, [y], t, T), whole, rtol=0.0, atol=1e-13)
-
-
-def test_least_ratio_keeps_lines_and_low_frequencies():
-    raw = np.arange(0.0, 3.0, T / LEAST_RATIO)
-    t = uniform_grid(0.0, raw[-1], T)
-    value = decimate(raw, [raw, np.sin(2 * np.pi * 2.0 * raw)], t, T)
-    np.testing.assert_allclose(value[0], t, atol=1e-12)
-    np.testing.assert_allclose(value[1][3:-3], np.sin(2 * np.pi * 2.0 * t)[3:-3], atol=5e-3)
 
 
 def test_single_sample_stretch():
@@ -197,18 +152,6 @@ def test_a_simulation_shorter_than_the_kernel_is_left_as_it_is():
     np.testing.assert_array_equal(filtered_samples(signal, 2), signal[::2])
 
 
-def test_runs_of_uneven_points_may_be_corrected_together(monkeypatch) -> None:
-    """A rate that is no multiple of the record's leaves thousands of runs; each alone gives the same values."""
-    rng = np.random.default_rng(3)
-    time = 0.16e-3 * np.arange(60_000) + 1e-6 * rng.uniform(size=60_000)
-    column = np.sin(7.0 * time) + 1e-3 * rng.standard_normal(60_000)
-    grid = np.linspace(time[0], time[0] + 1e-3 * 9_000, 9_001)
-    together = decimate(time, [column], grid, 1e-3)
-    monkeypatch.setattr("pipeline.signals.resampling._joined", lambda runs, apart: runs)
-    alone = decimate(time, [column], grid, 1e-3)
-    np.testing.assert_allclose(together, alone, rtol=0.0, atol=1e-13)
-
-
 @pytest.mark.parametrize("apart", [4e-5, 1e-6, 1e-9])
 def test_stamps_that_nearly_coincide_do_not_throw_q_out_of_its_range(apart):
     rng, t = np.random.default_rng(0), T * np.arange(400)
@@ -218,13 +161,3 @@ def test_stamps_that_nearly_coincide_do_not_throw_q_out_of_its_range(apart):
     between = interpolate(close, samples, uniform_grid(0.0, t[-1], T / 7.0), smooth=True)
     beside = np.interp(uniform_grid(0.0, t[-1], T / 7.0), t, q)
     assert np.abs(between - beside).max() < 0.6 * np.abs(np.diff(q)).max()
-
-
-def test_the_bound_leaves_even_steps_and_slow_changes_of_the_step_alone():
-    from scipy.interpolate import CubicHermiteSpline
-
-    rng = np.random.default_rng(1)
-    for t in (T * np.arange(400), np.cumsum(T * rng.uniform(0.8, 1.2, 400))):
-        q, grid = np.sin(3.0 * t), uniform_grid(t[0], t[-1], T / 7.0)
-        free = CubicHermiteSpline(t, q, np.gradient(q, t, edge_order=2))(grid)
-        np.testing.assert_allclose(interpolate(t, q, grid, smooth=True), free, atol=1e-6)

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pipeline.errors import DataRefusedError
-from pipeline.signals.timebase import LOCATED, advancing, default_gap_limit, examine, is_uniform, nominal_step, segments
+from pipeline.signals.timebase import advancing, default_gap_limit, examine, nominal_step, segments
 
 
 def test_clean_time_base():
@@ -61,20 +61,10 @@ def _breaks(time):
     return [i + 1 for i in range(time.size - 1) if time[i + 1] - time[i] > 0.005]
 
 
-def test_only_the_first_events_are_located():
-    quality = examine(np.repeat(np.arange(100.0), 2))
-    assert quality.repeated == 100 and len(quality.repeated_at) == LOCATED
-
-
 @pytest.mark.parametrize("time", [[], [1.0], [1.0, 1.0], [np.nan, np.nan], [3.0, 2.0]])
 def test_a_time_base_that_never_advances_is_refused(time):
     with pytest.raises(DataRefusedError, match="never advances"):
         nominal_step(np.array(time))
-
-
-def test_nominal_step_of_long_records_is_sampled():
-    time = np.arange(400_000) * 1e-4
-    assert nominal_step(time) == pytest.approx(1e-4, rel=1e-9)
 
 
 def test_gap_limit():
@@ -96,11 +86,3 @@ def test_advancing_keeps_exactly_the_records(stamps):
 def test_one_stretch_without_gaps():
     assert segments(np.arange(5.0), 1.0).tolist() == [[0, 5]]
     assert segments(np.array([2.0]), 1.0).tolist() == [[0, 1]]
-
-
-@pytest.mark.parametrize(("share", "uniform"), [(0.9e-3, True), (1.1e-3, False)])
-@pytest.mark.parametrize("step", [1e-4, 0.01, 100.0])
-def test_steps_may_differ_by_a_thousandth_of_one(share, uniform, step):
-    t = step * np.arange(50)
-    t[25] += 0.5 * share * step  # one step longer, the next one shorter
-    assert is_uniform(t) is uniform

@@ -55,25 +55,6 @@ def test_inputs_are_unknown_where_time_or_an_input_lacks_for_long_and_not_where_
     assert len(inputs_unknown(seen, 0.01)) == 3 and inputs_unknown(survey((t, t), {}), 0.01) == []
 
 
-def test_a_gap_is_masked_as_far_as_the_kernel_reaches_and_no_further():
-    t, q, v = _log()
-    keep = np.ones(t.size, dtype=bool)
-    keep[4000:4024] = False
-    clean = uniform_record(t, q, v, 0.01)
-    record = uniform_record(t[keep], q[keep], v[keep], 0.01)
-    before, after = t[3999], t[4024]
-    masked = (record.t > before - 0.02) & (record.t < after + 0.02)
-    np.testing.assert_array_equal(record.segment == -1, masked)
-    np.testing.assert_array_equal(np.isnan(record.q), masked)
-    np.testing.assert_array_equal(record.segment[record.t < before - 0.02], 0)
-    np.testing.assert_array_equal(record.segment[record.t > after + 0.02], 1)
-    np.testing.assert_allclose(record.q[~masked], clean.q[~masked], rtol=0.0, atol=1e-15)
-    assert np.all(np.isfinite(record.v))
-    np.testing.assert_allclose(record.v[:, 1], 100.0 * record.t, rtol=1e-9)
-    assert record.report.gaps_at == ((before, after),)
-    assert record.report.masked_rows == int(masked.sum())
-
-
 def test_gaps_can_be_refused():
     t, q, v = _log()
     keep = np.abs(t - 14.0) > 0.01
@@ -131,15 +112,6 @@ def test_time_that_steps_back_is_refused_by_default():
     assert record.segment[-1] == 1
 
 
-def test_nothing_is_sorted():
-    """Two swapped rows are not put right in silence."""
-    t, q, v = _log()
-    t = t.copy()
-    t[[100, 101]] = t[[101, 100]]
-    with pytest.raises(DataRefusedError, match="steps back"):
-        uniform_record(t, q, v, 0.01)
-
-
 def test_a_log_as_coarse_as_the_record_is_interpolated():
     rng = np.random.default_rng(0)
     t = np.cumsum(rng.choice([0.007, 0.01, 0.013], 3000))
@@ -150,24 +122,6 @@ def test_a_log_as_coarse_as_the_record_is_interpolated():
     on_grid = np.arange(300) * 0.01
     same = uniform_record(on_grid, np.cos(on_grid), on_grid[:, None], 0.01)
     np.testing.assert_allclose(same.q, np.cos(on_grid), atol=1e-12)
-
-
-def test_voltages_keep_their_own_raster():
-    t, q, _ = _log()
-    slow = t[0] - 0.5 + np.arange(500) * 0.01
-    record = uniform_record(t, q, 100.0 * slow[:, None], 0.01, v_time=slow)
-    np.testing.assert_allclose(record.v[:, 0], 100.0 * record.t, rtol=1e-9)
-    assert record.t[0] == t[0]
-
-
-def test_gaps_are_masked_by_the_longest_reach_of_all_rasters():
-    t, q, _ = _log()
-    keep = np.abs(t - 14.0) > 0.01
-    slow = t[0] + np.arange(400) * 0.01
-    record = uniform_record(t[keep], q[keep], slow[:, None], 0.01, v_time=slow)
-    near = np.abs(record.t - 14.0) < 0.0299
-    assert near.any() and np.all(record.segment[near] == -1)
-    assert np.all(record.segment[np.abs(record.t - 14.0) > 0.0306] >= 0)
 
 
 def test_without_time_in_common_nothing_is_made_up():

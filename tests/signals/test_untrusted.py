@@ -153,14 +153,6 @@ def test_a_lamp_at_full_power_is_not_a_lost_target():
     assert masked(t, 80.0 * last + 0.01 * slow, [1.0 * last], step=5e-3)[0].left_out[1] == 0
 
 
-def test_an_input_on_a_time_base_of_its_own_tells_as_well():
-    t, q, v = _lamp([0.0, 10.0, 87.0], noise=1e-4)
-    finer = np.arange(0.0, t[-1], 7e-4)
-    command = (finer, np.interp(finer, t, v))
-    policies = {"rails": True, "lost": True, "spikes": True}
-    assert trusted((t, q), [command], examine_signal(t, q, 5e-3), 5e-3, **policies).left_out[1] == 0
-
-
 def test_a_level_that_flickers_is_measured():
     """Of 3 % of the range at most is what hardly changes; noise of the rest does not make it wider."""
     t, q, _ = _lamp([0.0, 40.0, 87.0], noise=0.02)

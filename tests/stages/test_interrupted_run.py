@@ -22,7 +22,7 @@ class StoppedAfter(Silent):
 
 
 @pytest.mark.parametrize(
-    ("steps", "models"), [(5, '["narx"]'), pytest.param(1, '["sindy", "narx"]', marks=pytest.mark.long)]
+    ("steps", "models"), [(8, '["narx"]'), pytest.param(1, '["sindy", "narx"]', marks=pytest.mark.long)]
 )
 def test_an_interrupted_run_has_the_report_of_one_that_was_not(tmp_path, steps, models):
     """Each time it goes on it knows the steps before from the disk alone, and must read them as it made them."""

@@ -111,7 +111,10 @@ def _end(plateau: slice) -> slice:
 
 
 def _decay(share: FloatArray, interval: float, low: float) -> float | None:
-    """Time constant [s] of what is left of a step until `low`, by its logarithm weighed as its square is."""
+    """Time constant [s] of what is left of a step until `low`, by its logarithm weighed as its square is.
+
+    None where it is shorter than the sample interval: then the first sample alone shows whether an edge is a decay.
+    """
     gone = np.flatnonzero(~(share > low))
     started = np.flatnonzero(share < HIGH)
     if not (gone.size and started.size) or gone[0] - started[0] < LEAST_SAMPLES:
@@ -123,4 +126,4 @@ def _decay(share: FloatArray, interval: float, low: float) -> float | None:
     middle = np.average(line, weights=weights)
     slope = float(np.average(time * line, weights=weights) / np.average(time**2, weights=weights))
     missed = rms(np.exp(middle + slope * time) - part)
-    return -1.0 / slope if slope < 0.0 and missed < CROOKED else None
+    return -1.0 / slope if -1.0 / interval < slope < 0.0 and missed < CROOKED else None

@@ -4,9 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.device.parameters import NOMINAL, JointParameters
-from pipeline.errors import InputError
-from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, PAPER_NAMES, calibrate
-from pipeline.models.analytical.calibration_problem import PRIORS, prior_of
+from pipeline.models.analytical.calibration import calibrate
 from pipeline.models.analytical.full_order import rest_state, simulate
 from pipeline.models.analytical.reduced_order import pulse_sequence
 from pipeline.models.analytical.statics import equilibria
@@ -80,13 +78,3 @@ def test_what_a_log_does_not_tell_stays_where_it_was() -> None:
     # Its uncertainty is the prior's, a factor of two; that of the modulus is far below its prior's.
     assert fit.standard_errors[0] / NOMINAL.eta == pytest.approx(np.log(2.0), rel=0.05)
     assert fit.standard_errors[1] / NOMINAL.E < 0.3 * np.log(1.1)
-
-
-def test_names_that_cannot_be_calibrated_are_refused() -> None:
-    assert all(prior_of(name) in PRIORS.values() for name in PAPER_NAMES + ASYMMETRIC_NAMES)
-    with pytest.raises(InputError, match="cannot be calibrated"):
-        prior_of("left.n")
-    with pytest.raises(InputError, match="did you mean"):
-        prior_of("left.Z")
-    with pytest.raises(InputError, match="both voltages"):
-        cut_windows([Log(*(np.arange(5.0) for _ in range(4)), np.zeros((5, 1)))], 1.0)

@@ -12,9 +12,6 @@ from pipeline.models.analytical.full_order import (
     simulate,
 )
 from pipeline.models.analytical.reduced_order import (
-    accelerate,
-    beam_modes,
-    beam_shapes,
     maxwell_strains,
     pulse_sequence,
     reduce_joint,
@@ -48,15 +45,6 @@ def test_full_order_motion_agrees_with_lsoda() -> None:
     assert motion.z[:, :2] == pytest.approx(truth.y[8:10].T, abs=1e-6)
     # A step away from the kinks of the input, the acceleration is the slope of the velocity.
     assert motion.q_ddot[0] == pytest.approx(0.0, abs=1e-6)
-
-
-def test_local_error_estimate_gives_fourth_order() -> None:
-    t, v = pulse_sequence(count=2, dt=0.01)
-    start = rest_state(UNEQUAL, START, 0.0, v[0])
-    truth = simulate(UNEQUAL, t, v, start, tolerance=1e-9)
-    runs = [simulate(UNEQUAL, t, v, start, tolerance=tolerance) for tolerance in (1e-4, 1e-7)]
-    errors = [np.abs(run.q - truth.q).max() for run in runs]
-    assert errors[0] < 2e-6 and errors[1] < 1e-8
 
 
 def test_energy_balance_closes() -> None:
@@ -95,42 +83,12 @@ def test_reduced_model_equals_the_full_one_when_quasi_static() -> None:
     assert reduced.q == pytest.approx(full.q, abs=2e-5)
 
 
-def test_reduced_step_is_fine_enough_and_leaving_the_curves_is_divergence() -> None:
-    t, v = pulse_sequence(count=2, dt=0.01)
-    reduced = reduce_joint(UNEQUAL)
-    coarse, fine = (simulate_reduced(reduced, t, v, START, 0.0, max_step=step) for step in (1e-3, 1e-4))
-    assert coarse.q == pytest.approx(fine.q, abs=1e-8)
-    away = simulate_reduced(reduced, t, v, START, 0.0, force=np.full(t.size, 5.0))
-    assert away.diverged_at is not None and np.isnan(away.q[-1])
-
-
-def test_acceleration_along_a_reduced_motion_is_its_own() -> None:
-    t, v = pulse_sequence(count=1, dt=1e-3)
-    reduced = reduce_joint(UNEQUAL)
-    motion = simulate_reduced(reduced, t, v, START, 0.0)
-    along = accelerate(reduced, t, v, motion.q, motion.q_dot)
-    assert along == pytest.approx(motion.q_ddot, abs=1e-3 * np.abs(motion.q_ddot).max())
-    gap = motion.q.copy()
-    gap[50:60] = np.nan
-    assert np.isnan(accelerate(reduced, t, v, gap, motion.q_dot)[50:60]).all()
-
-
 def test_maxwell_strain_of_a_ramp_is_the_exact_exponential() -> None:
     t = np.linspace(0.0, 1.0, 101)
     rate = np.array([3.0, 7.0])
     strains = maxwell_strains(np.stack([0.1 * t, -0.2 * t], axis=1), 0.01, rate)
     assert strains[:, 0] == pytest.approx(0.1 / 3.0 * (1 - np.exp(-3.0 * t)), abs=1e-12)
     assert strains[:, 1] == pytest.approx(-0.2 / 7.0 * (1 - np.exp(-7.0 * t)), abs=1e-12)
-
-
-def test_modes_rebuild_the_motion() -> None:
-    t, v = pulse_sequence(count=2, dt=0.01)
-    motion = simulate(UNEQUAL, t, v, rest_state(UNEQUAL, START, 0.0, v[0]))
-    modes = beam_modes(motion.qm, UNEQUAL.l)
-    _, w = beam_shapes(motion.qm, UNEQUAL.l)
-    assert modes.amplitudes @ modes.shapes == pytest.approx(w, abs=1e-12)
-    assert modes.energy_share.sum() == pytest.approx(1.0) and modes.energy_share[0] > 0.9
-    assert np.abs(modes.shapes).max(axis=1) == pytest.approx(1.0)
 
 
 def test_reduced_mass_contains_the_tip_mass() -> None:

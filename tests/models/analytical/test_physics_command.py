@@ -35,22 +35,6 @@ def test_equilibria_json_has_the_promised_keys() -> None:
     assert [e["q_m"] for e in found] == pytest.approx([e.q for e in expected], abs=1e-12)
 
 
-@pytest.mark.parametrize(
-    ("command", "title"),
-    [
-        ("simulate", "Full-order simulation"),
-        ("modes", "Modes of the beam"),
-        ("reduce", "Reduced against full model"),
-    ],
-)
-def test_motions_print_tables_and_draw(command: str, title: str, tmp_path: Path) -> None:
-    figure = tmp_path / "figure.png"
-    result = CliRunner().invoke(app, [command, "--voltage", "2.5 kV", "--figure", str(figure)], catch_exceptions=False)
-    assert result.exit_code == 0
-    assert title in result.stdout
-    assert figure.stat().st_size > 10_000
-
-
 def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     truth = NOMINAL.with_values({"E": 1.7e9})
     t, v = pulse_sequence(count=3, dt=0.01)

@@ -18,8 +18,6 @@ from pipeline.models.analytical.bifurcation import (
 )
 from pipeline.models.analytical.full_order import rest_state
 from pipeline.models.analytical.statics import equilibria, static_path, unactuated_path
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.continuation import trace_branch
 
 MIRRORED = {"left": "right", "right": "left"}
 
@@ -92,23 +90,6 @@ def test_switching_happens_at_the_fold() -> None:
     assert sum(e.stable for e in below) == 2 and sum(e.stable for e in above) == 1
     branch = branch_through(over_voltage(NOMINAL, 0), equilibria(NOMINAL, np.zeros(2))[0].qm, 0.0, (0.0, 3000.0))
     assert branch.stable.any() and not branch.stable.all()
-
-
-def test_continuation_of_the_normal_forms() -> None:
-    def fold(y: FloatArray, lam: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-        return y**2 + lam, np.array([[2 * y[0]]]), np.ones(1)
-
-    def pitchfork(y: FloatArray, lam: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-        return y**3 - lam * y, np.array([[3 * y[0] ** 2 - lam]]), -y
-
-    parabola = trace_branch(fold, np.array([1.0]), -1.0, bounds=(-1.5, 1.0))
-    assert [point.kind for point in parabola.special] == ["fold"]
-    assert parabola.special[0].parameter == pytest.approx(0.0, abs=1e-12)
-    assert np.abs(parabola.y[:, 0] ** 2 + parabola.parameter).max() < 1e-10
-    straight = trace_branch(pitchfork, np.array([0.0]), -0.5, bounds=(-1.0, 1.0))
-    assert [point.kind for point in straight.special] == ["branch point"]
-    assert straight.special[0].parameter == pytest.approx(0.0, abs=1e-8)
-    assert straight.stable[0] and not straight.stable[-1]
 
 
 def _distance(branches: list[EquilibriumBranch], z_b: float, q: float, phi: float) -> float:

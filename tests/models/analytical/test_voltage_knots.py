@@ -32,12 +32,6 @@ def test_the_lines_follow_the_voltages_and_are_few(noise):
     assert knots.t.size < T.size + 8 * PARTS
 
 
-def test_voltages_at_the_samples_are_taken_as_they_are():
-    v = pulse(0.2)[:, 0]
-    knots = voltage_knots(T, v)
-    assert np.array_equal(knots.v, v) and np.array_equal(knots.t, T) and np.array_equal(knots.rows, np.arange(T.size))
-
-
 def test_a_snap_begins_where_the_pulse_does():
     model, v = AnalyticalModel(parameters=NOMINAL), pulse(0.2034)
     start = max(at.q for at in equilibria(NOMINAL, np.zeros(2)))

@@ -31,13 +31,3 @@ def test_a_joint_is_as_probable_as_its_mirror_image_and_a_symmetric_one_more_pro
     even, odd = weights + mirrored(weights), weights - mirrored(weights)
     assert cost(even) / np.sum(even**2) == pytest.approx(1.0 / 1.9)
     assert cost(odd) / np.sum(odd**2) == pytest.approx(1.0 / 0.1)
-
-
-def test_each_width_is_one_and_the_sides_differ_by_a_share_of_it() -> None:
-    root = prior_root(0)
-    covariance = np.linalg.inv(root.T @ root)
-    np.testing.assert_allclose(np.diag(covariance), 1.0)
-    for name, own in (("b", 0.45), ("log C0", 0.045)):
-        difference = np.zeros(len(NAMES))
-        difference[NAMES.index(f"left.{name}")], difference[NAMES.index(f"right.{name}")] = 1.0, -1.0
-        assert difference @ covariance @ difference == pytest.approx(2.0 * own)

@@ -5,7 +5,6 @@ import pytest
 
 from pipeline.models.hybrid.driving_voltages import DrivingVoltages
 from pipeline.models.hybrid.parameters import Instruments
-from pipeline.numerics.linear_filters import first_order_lag
 
 DT, SAMPLES, REFINED = 0.01, 41, 10
 LARGE = 1e9
@@ -35,30 +34,7 @@ def test_no_work_is_lost_between_half_steps(steps: int) -> None:
 
 
 @pytest.mark.parametrize("refined", [False, True])
-def test_a_delay_is_a_shift(refined: bool) -> None:
-    def driving(shift: float) -> DrivingVoltages:
-        times = FINE_TIMES.reshape(SAMPLES, REFINED) if refined else FINE_TIMES[::REFINED]
-        v = 2e3 * np.exp(-(((times - shift - 0.2) / 0.05) ** 2))
-        return DrivingVoltages(np.stack([v, v], axis=-1), DT)
-
-    late = driving(0.0).squared(3, seen(0.003), LARGE)
-    np.testing.assert_allclose(late, driving(0.003).squared(3, seen(), LARGE), atol=4e6 * 2e-3)
-
-
-@pytest.mark.parametrize("refined", [False, True])
 def test_a_probe_that_is_off_is_corrected_and_the_force_is_held_above_twice_the_trained_voltage(refined: bool) -> None:
     v = np.full((SAMPLES, REFINED, 2) if refined else (SAMPLES, 2), 2510.0)
     np.testing.assert_allclose(DrivingVoltages(v, DT).squared(2, seen(probe=10.0), 3e3), 2500.0**2)
     np.testing.assert_allclose(DrivingVoltages(v, DT).squared(2, seen(), 1e3), 2000.0**2)
-
-
-@pytest.mark.parametrize("charging", [0.3e-3, 2e-3, 15e-3])
-@pytest.mark.parametrize("refined", [False, True])
-def test_electrodes_charge_with_their_time_constant(refined: bool, charging: float) -> None:
-    times = FINE_TIMES.reshape(SAMPLES, REFINED) if refined else FINE_TIMES[::REFINED]
-    v = 1e3 + 2e3 * np.exp(-(((times - 0.2) / 0.04) ** 2))
-    squares = DrivingVoltages(np.stack([v, v], axis=-1), DT).squared(3, seen(charging=charging), LARGE)
-    dense = np.linspace(0.0, DT * (SAMPLES - 1), 240_001)
-    charged, _ = first_order_lag(1e3 + 2e3 * np.exp(-(((dense - 0.2) / 0.04) ** 2)), dense[1], charging)
-    np.testing.assert_allclose(squares[1:-1, 0], charged[1000:-1000:1000] ** 2, atol=9e6 * 2e-3)
-    assert np.argmax(charged) > np.argmax(dense >= 0.2)

@@ -86,24 +86,19 @@ def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
 
 
-def test_electrodes_that_charge_in_20_ms_are_seen() -> None:
-    slow = joint({"log charging time": 2.0})
-    truth = slow.joint.instruments(slow.theta).charging
-    assert truth == pytest.approx(1e-3 * np.exp(3.0))
-    model = identify_hybrid([log(slow, 1)], NOMINAL)
-    seen = model.joint.instruments(model.theta)
-    assert seen.charging * model.joint.similarity.time == pytest.approx(truth, rel=0.1)
-    unseen = log(slow, 2)
-    run = model.simulate(unseen.t, unseen.v, float(unseen.q[0]), 0.0)
-    assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
-
-
-def test_recorders_that_began_15_ms_apart_are_seen() -> None:
-    late = joint({"delay": 2.5})
-    model = identify_hybrid([log(late, 1)], NOMINAL)
-    assert late.joint.instruments(late.theta).delay == pytest.approx(15e-3)
-    assert model.joint.instruments(model.theta).delay * model.joint.similarity.time == pytest.approx(15e-3, abs=1e-3)
-    unseen = log(late, 2)
+@pytest.mark.parametrize(
+    ("name", "widths", "part", "seconds"),
+    [("log charging time", 2.0, "charging", 1e-3 * np.exp(3.0)), ("delay", 2.5, "delay", 15e-3)],
+)
+def test_electrodes_that_charge_slowly_and_recorders_that_began_apart_are_seen(
+    name: str, widths: float, part: str, seconds: float
+) -> None:
+    truth = joint({name: widths})
+    assert getattr(truth.joint.instruments(truth.theta), part) == pytest.approx(seconds)
+    model = identify_hybrid([log(truth, 1)], NOMINAL)
+    found = getattr(model.joint.instruments(model.theta), part) * model.joint.similarity.time
+    assert found == pytest.approx(seconds, abs=1e-3, rel=0.1 if part == "charging" else 0.0)
+    unseen = log(truth, 2)
     run = model.simulate(unseen.t, unseen.v, float(unseen.q[0]), 0.0)
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
 

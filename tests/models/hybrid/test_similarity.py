@@ -6,13 +6,11 @@ import numpy as np
 import pytest
 
 from pipeline.device.parameters import NOMINAL
-from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.kernels import CURVES, VALUES, corrections_at, joint_rates, prepare
+from pipeline.models.hybrid.kernels import CURVES
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.problem import DEVIATION_COUNT, CondensedJoint
 from pipeline.models.hybrid.similarity import Similarity
-from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.log import Log
 
 UNITS = Similarity(length=0.4, time=1.6, voltage=2.5, mass=3.0, origin=4e-3)
@@ -26,30 +24,6 @@ def pair(centres: int = 4) -> tuple[HybridModel, HybridModel]:
     other = replace(condensed, basis=UNITS.length * basis, largest_voltage=UNITS.voltage * 3000.0, similarity=UNITS)
     spreads = 2 * (np.zeros((len(theta), 1)),)
     return HybridModel(condensed, theta, *spreads), HybridModel(other, theta, *spreads)
-
-
-def rates(model: HybridModel, x: FloatArray, z: FloatArray, u: FloatArray) -> FloatArray:
-    """Rates of the state x, the stop operators being z where q and τ were a tenth smaller."""
-    condensed, c, found = model.joint, np.empty(VALUES), np.empty(STATES)
-    corrections_at(x[0], condensed.basis, condensed.weights(model.theta), c)
-    joint_rates(x, u, c, z, 0.9 * x[[0, 2, 4]], prepare(condensed.constants(model.theta)[None])[0], found)
-    return found
-
-
-def test_rates_scale_with_their_dimensions() -> None:
-    ours, other = pair()
-    rng = np.random.default_rng(4)
-    metres = np.array([1.0, 1.0, *np.zeros(STATES - 5), 1.0, 1.0, 0.0])
-    state = UNITS.length**metres
-    state[[1, 3, 5]] /= UNITS.time
-    for _ in range(20):
-        x = rng.standard_normal(STATES) * np.array(
-            [0.01, 0.2, 0.1, 3.0, 0.1, 3.0, *np.full(STATES - 9, 0.1), 0.01, 0.01, 0.5]
-        )
-        z, u = rng.uniform(-1.0, 1.0, STOPS), rng.uniform(0.0, 9e6, 2)
-        found = rates(ours, x, z, u)
-        scaled = rates(other, state * x, z, u * UNITS.voltage**2)
-        np.testing.assert_allclose(scaled, found * state / UNITS.time, rtol=1e-9, atol=1e-9 * np.abs(found).max())
 
 
 def test_free_runs_and_curves_scale() -> None:

@@ -3,7 +3,6 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pipeline.fitting.regression import basis_centres
-from pipeline.models.kind import model_from_tree
 from pipeline.models.paper.model import RbfPaperModel, identify_rbf_paper
 from pipeline.signals.log import Log
 
@@ -78,16 +77,6 @@ def test_bands_of_the_curves_cover_what_noise_does_to_them(log):
     assert np.sqrt(np.mean(np.var(curves, axis=0) / claimed**2)) == pytest.approx(1.0, abs=0.4)
 
 
-def test_two_halves_of_a_log_identify_as_the_whole_but_for_the_restarted_lag(log):
-    halves = [
-        Log(log.t[part], log.q[part], log.qdot[part], log.qddot[part], log.v[part])
-        for part in (slice(0, 1000), slice(1000, None))
-    ]
-    whole, split = (identify_rbf_paper(x, mass=MASS) for x in ([log], halves))
-    assert split.diagnostics["samples"] == whole.diagnostics["samples"]
-    assert split.lag_s == pytest.approx(whole.lag_s, rel=0.05)
-
-
 def test_the_lag_is_a_minimum_of_the_cost(log):
     model = identify_rbf_paper([log], mass=MASS)
     assert model.diagnostics["lag_converged"]
@@ -118,12 +107,3 @@ def test_a_run_that_escapes_ends_with_status_and_time(log):
     late = run.t >= run.diverged_at_s
     assert np.isnan(run.q[late]).all()
     assert np.isfinite(run.q[~late]).all()
-
-
-def test_tree_round_trip(log):
-    model = identify_rbf_paper([log], mass=MASS)
-    again = model_from_tree("rbf-paper", model.to_tree())
-    before, after = (x.simulate(log.t, log.v, log.q[0], 0.0).q for x in (model, again))
-    assert (before == after).all()
-    assert again.describe().keys() == model.describe().keys()
-    assert model.describe()["visits_per_centre"].sum() == len(log.t)

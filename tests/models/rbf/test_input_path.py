@@ -11,21 +11,6 @@ from pipeline.signals.log import Log
 INTERVAL = 0.1
 
 
-def wave(t):
-    return np.column_stack([np.sin(3.0 * t), np.cos(2.0 * t)])
-
-
-def test_every_hold_passes_through_the_samples_and_a_spline_between_them_is_nearest_to_a_smooth_drive():
-    t, steps = INTERVAL * np.arange(40), 2
-    nodes = np.arange(2 * steps * 39 + 1) * INTERVAL / 4
-    errors = {}
-    for hold in ("linear", "zero", "cubic"):
-        drive = drive_at_nodes(wave(t), INTERVAL, steps, hold)
-        assert drive[:: 2 * steps] == pytest.approx(wave(t))
-        errors[hold] = np.abs(drive - wave(nodes)).max()
-    assert errors["cubic"] < 0.1 * errors["linear"] < 0.1 * errors["zero"]
-
-
 @pytest.mark.parametrize("squared", [False, True])
 @pytest.mark.parametrize("steps", [1, 3])
 def test_steps_lose_nothing_of_the_finer_record_wherever_a_pulse_begins(steps, squared):

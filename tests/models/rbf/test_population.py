@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks.population_estimate import estimate_symmetric_population, information_of
-from pipeline.fitting.descent import Prior
+from benchmarks.population_estimate import estimate_symmetric_population
 from pipeline.fitting.population import Information
 from pipeline.models.rbf.candidates import RbfChoice, first_candidate
 from pipeline.models.rbf.identify import identify_rbf
@@ -80,22 +79,6 @@ def test_the_same_numbers_are_a_joint_of_another_size_and_speed() -> None:
     q = run(layout(), joint(2), t, v, -0.011)
     larger = JointScales(0.0, 0.05, 1000.0, 4.0 * SCALES.stiffness)  # twice as fast
     assert run(layout(larger), joint(2), t / 2.0, v / 3.0, -0.0275) == pytest.approx(2.5 * q, abs=1e-8)
-
-
-def test_what_a_log_tells_and_the_prior_of_its_fit_make_the_fit() -> None:
-    rng = np.random.default_rng(6)
-    p = layout()
-    offset, scale = p.dimensionless
-    jacobian, prior = rng.standard_normal((300, p.count)), Prior(np.eye(p.count), rng.standard_normal(p.count))
-    residual = rng.standard_normal(300)
-    # the minimiser of ‖r + J (θ − θ₀)‖²/(2 s²) + ‖A θ − b‖²/2 about θ₀ = 0
-    hessian = jacobian.T @ jacobian
-    theta = np.linalg.solve(hessian / 4.0 + np.eye(p.count), prior.right - jacobian.T @ residual / 4.0)
-    found = information_of(p, theta, hessian, 2.0, prior)
-    precision = scale[:, None] * (prior.matrix.T @ prior.matrix) * scale
-    right = scale * (prior.matrix.T @ (prior.right - prior.matrix @ offset))
-    again = np.linalg.solve(found.precision + precision, found.vector + right)
-    assert offset + scale * again == pytest.approx(theta, abs=1e-8)
 
 
 @pytest.mark.long

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.models.polynomial_dynamics import PolynomialDynamics, free_run
-from pipeline.models.sindy.model import SINDY, SindyModel, identify_default_sindy, identify_sindy
+from pipeline.models.sindy.model import SINDY, SindyModel, identify_sindy
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.signals.log import Log
@@ -100,30 +100,6 @@ def test_divergence_is_a_status_with_a_time() -> None:
     assert run.diverged_at_s == pytest.approx(np.log(200.0) / 20.0, abs=0.011)
     assert np.all(np.isnan(run.q[27:]))
     assert np.all(np.isfinite(run.q[:26]))
-
-
-def test_the_default_finds_a_linear_oscillator_and_no_well() -> None:
-    """Second-degree polynomials hold a linear oscillator; a double well is beyond them, and the run says so."""
-    linear = PolynomialDynamics(
-        np.eye(7, dtype=np.int64)[[1, 0, 5, 6]],
-        np.array([[1.0, 0, 0, 0], [-0.5, -40.0, 1e-7, -1e-7]]),
-        np.ones(7),
-        (),
-        True,
-        -1.0,
-        1.0,
-    )
-    v, t = pulses(2000, 1), 0.01 * np.arange(2000)
-    data = Log(t, *free_run(linear, v, 0.01, 0.01, 0.0)[0].T, v)
-    model = identify_default_sindy([data])
-    assert model.name == "sindy-default"
-    assert nrmse(data.q, model.simulate(t, v, 0.01, 0.0).q) < 0.05
-    bistable = motion()
-    run = identify_default_sindy([bistable]).simulate(
-        bistable.t, bistable.v, float(bistable.q[0]), float(bistable.qdot[0])
-    )
-    error = nrmse(bistable.q, run.q)
-    assert run.status == "diverged" or (error is not None and error > 0.1)
 
 
 def test_a_pendulum_is_found_in_sines() -> None:
