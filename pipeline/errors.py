@@ -85,7 +85,9 @@ class BatchFailedError(DebistError):
 
 def warn_user(text: str) -> None:
     """Give a `UserWarning` at the line that called debist; the program prints it on stderr."""
-    frame, level, outside = sys._getframe(), 1, 1
+    frame = sys._getframe()
+    level = 1
+    outside = 1
     while frame.f_back is not None:
         if str(frame.f_globals.get("__name__")).partition(".")[0] in ("pipeline", "debist"):
             outside = level + 1
@@ -104,7 +106,8 @@ def interrupted(error: BaseException | None) -> bool:
     """Whether this error came of Ctrl-C."""
     if error is None or isinstance(error, KeyboardInterrupt):
         return error is not None
-    cause, context = error.__cause__, error.__context__
+    cause = error.__cause__
+    context = error.__context__
     return interrupted(cause) or (context is not cause and interrupted(context))
 
 

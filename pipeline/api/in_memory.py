@@ -222,7 +222,8 @@ def identify_signals(
     prior = prior_knowledge_in(settings_file, prototype, parameters)
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
     measured = [part.motion for part in parts]
-    records, stated = [part.signals for part in parts], declared(prototype)
+    records = [part.signals for part in parts]
+    stated = declared(prototype)
     rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records))]
     unaccepted = [finding for finding in findings(rows) if finding.gate not in prototype.quality.accept]
     contradictions = [f"{finding.text}: {finding.advice}" for finding in unaccepted]

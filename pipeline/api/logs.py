@@ -115,7 +115,8 @@ def differentiate(
     from ..signals.differentiate import differentiate as differentiated
     from .in_memory import seconds
 
-    times, samples = seconds(t), real_numbers(q, "q")
+    times = seconds(t)
+    samples = real_numbers(q, "q")
     if times.ndim != 1 or times.shape != samples.shape or times.size < 2:
         raise InputError(f"t has the shape {times.shape}, q {samples.shape}; give columns of one length, shape (N,)")
     interval = float(times[-1] - times[0]) / (times.size - 1)

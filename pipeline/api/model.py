@@ -140,7 +140,8 @@ class Model:
             raise InputError("q0 is missing; give the displacement at the first sample")
         if not all(isinstance(number, Real) for number in (q0, qdot0)):
             raise InputError("q0 and qdot0 are one number each: the displacement and the velocity at the first sample")
-        step, usual = float(times[-1] - times[0]) / max(1, times.size - 1), self._prototype.ingest.sample_interval
+        step = float(times[-1] - times[0]) / max(1, times.size - 1)
+        usual = self._prototype.ingest.sample_interval
         if step > _COARSEST * usual:
             raise InputError(
                 f"t has a step of {step:g} s, and the model was fitted to steps of {usual:g} s: give t in s"
@@ -400,7 +401,8 @@ def identify(
     from .saved_model import subject_of
 
     logs = _logs(t, q, v1, v2)
-    count, unit = logs[0].v.shape[1], logs[0].unit
+    count = logs[0].v.shape[1]
+    unit = logs[0].unit
     if any((log.v.shape[1], log.unit) != (count, unit) for log in logs):
         raise InputError("the logs differ in their columns; give all of them the same voltages, and q in one unit")
     if angle and unit == "m":

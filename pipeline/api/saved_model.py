@@ -64,7 +64,8 @@ def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
     """
     if not hasattr(subject.model, "to_tree"):
         raise InputError(f"the model {subject.name} cannot be saved; identify another one")
-    bounds, plant = subject.validity, device(prototype)
+    bounds = subject.validity
+    plant = device(prototype)
     beside = {
         "name": subject.name, "settings_json": json.dumps(prototype.model_dump(mode="json"), sort_keys=True),
         "t": subject.t, "v": subject.v, "start": np.array(subject.start), "q": np.array(bounds.q),
@@ -103,7 +104,8 @@ def load_saved(path: Path) -> tuple[Subject, Prototype]:
         prototype = parse_prototype(translated(document), str(path))
     except (ValueError, InputError, RecursionError) as error:
         raise CorruptArtifactError(f"{path}: its settings cannot be read ({error}); save the model again") from error
-    model, plant = model_from_tree(held.name, model_tree), device(prototype)
+    model = model_from_tree(held.name, model_tree)
+    plant = device(prototype)
     bounds = Validity(
         tuple(held.q), tuple(held.qdot), tuple(tuple(row) for row in held.inputs), prototype.ingest.sample_interval,
         plant.displacement.symbol, tuple(unit.symbol for unit in plant.inputs),

@@ -165,7 +165,8 @@ class Value:
     __array_ufunc__ = None  # so that a number of numpy leaves the operation to this class
 
     def __init__(self, builder: Builder, place: int) -> None:
-        self.builder, self.place = builder, place
+        self.builder = builder
+        self.place = place
 
     def __add__(self, other: Number) -> "Value":
         return _done("add", self, other)
@@ -188,7 +189,8 @@ class Value:
     def __neg__(self) -> "Value":
         return _done("neg", self)
 
-    __radd__, __rmul__ = __add__, __mul__
+    __radd__ = __add__
+    __rmul__ = __mul__
 
 
 def function(name: str, *operands: Number) -> "Value":

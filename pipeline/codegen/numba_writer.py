@@ -18,7 +18,8 @@ from ..numerics.inner_loops import FAST
 from .graph import Graph, Operation, apply
 
 _FLAGS = tuple(sorted(FAST))
-_REAL, _SINGLE = ir.DoubleType(), ir.FloatType()
+_REAL = ir.DoubleType()
+_SINGLE = ir.FloatType()
 _ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
 _FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs", "floor": "llvm.floor"}
 
@@ -92,7 +93,8 @@ def formula(graph: Graph) -> Any:
     """
     entries = [(name, i) for name, size in graph.inputs.items() for i in range(size)]
     results = [(name, i) for name, size in graph.outputs.items() for i in range(size)]
-    given_type, result_type = types.UniTuple(types.float64, len(entries)), types.UniTuple(types.float64, len(results))
+    given_type = types.UniTuple(types.float64, len(entries))
+    result_type = types.UniTuple(types.float64, len(results))
 
     def run(numbers):
         """The formula."""
@@ -134,10 +136,14 @@ class _Writer:
         self, builder: Any, pointers: dict[str, Any], width: int, flags: tuple[str, ...] = _FLAGS,
         common: tuple[str, ...] = (), real: Any = _REAL,
     ) -> None:  # fmt: skip
-        self.builder, self.pointers, self.width, self.flags = builder, pointers, width, flags
+        self.builder = builder
+        self.pointers = pointers
+        self.width = width
+        self.flags = flags
         self.common = common if width > 1 else ()
         self.value = None
-        self.real, self.bytes = real, 4 if real == _SINGLE else 8
+        self.real = real
+        self.bytes = 4 if real == _SINGLE else 8
         self.type = real if width == 1 else ir.VectorType(real, width)
 
     def write(self, graph: Graph) -> None:
@@ -146,7 +152,8 @@ class _Writer:
             values.append(self._value(operation, [values[i] for i in operation.operands]))
 
     def _value(self, operation: Operation, operands: list[Any]) -> Any:
-        build, name = self.builder, operation.name
+        build = self.builder
+        name = operation.name
         match name:
             case "constant":
                 return self._number(operation.value)

@@ -135,15 +135,18 @@ def _lines(graph: Graph, language: Language, scalars: frozenset[str]) -> Iterato
             expression = array if array in scalars else language.element(array, entry)
             keep = array in graph.outputs  # it may be overwritten before it is read
         elif operation.name == "fetch":
-            expression, keep = language.fetched.format(array, entry, operands[0]), True
+            expression = language.fetched.format(array, entry, operands[0])
+            keep = True
         elif operation.name in _OPERATORS:
             numbers = [
                 language.as_number.format(text) if operations[j].name in _CONDITIONS else text
                 for j, text in zip(operation.operands, operands, strict=True)
             ]
-            expression, keep = f"({numbers[0]} {_OPERATORS[operation.name]} {numbers[1]})", uses[i] > 1
+            expression = f"({numbers[0]} {_OPERATORS[operation.name]} {numbers[1]})"
+            keep = uses[i] > 1
         else:
-            expression, keep = language.functions[operation.name].format(*operands), uses[i] > 1
+            expression = language.functions[operation.name].format(*operands)
+            keep = uses[i] > 1
         if uses[i] and (keep or len(expression) > _LONGEST):
             kind = "int" if operation.name in _CONDITIONS else "real"
             yield language.assign.format(kind, f"w{i}", _bare(expression))

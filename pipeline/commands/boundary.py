@@ -277,7 +277,8 @@ def _told(error: Exception) -> str | None:
     if isinstance(error, FileNotFoundError) and not error.filename:
         return "the current folder was deleted; change into another one"
     if isinstance(error, OSError) and error.filename and error.errno in _PLACES:
-        place, why = printable(os.fsdecode(error.filename)), os.strerror(error.errno or 0)
+        place = printable(os.fsdecode(error.filename))
+        why = os.strerror(error.errno or 0)
         denied = error.errno in (errno.EACCES, errno.EPERM)
         unreadable = denied and Path(place).exists() and not os.access(error.filename, os.R_OK)
         return f"{place}: cannot be {'read' if unreadable else 'written'}: {why}; choose another place, or see to it"

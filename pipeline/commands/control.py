@@ -120,7 +120,8 @@ def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json
         emit_table(f"{run}: probability of switching to the {drawn['to']}", header, rows)
         for pulse in drawn["lowest"]:
             volts, low, high = (1e-3 * pulse[name] for name in ("voltage", "low", "high"))
-            band, top = f"{low:.3f} to {high:.3f} kV with 90 %", pulse["until"]
+            band = f"{low:.3f} to {high:.3f} kV with 90 %"
+            top = pulse["until"]
             reach = "on" if top is None else f"to below {1e-3 * top:.2f} kV, where the joint swings back"
             typer.echo(f"pulses of {pulse['duration']:g} s switch from {volts:.3f} kV ({band}) {reach}")
 
@@ -181,7 +182,8 @@ def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = Fals
     if as_json:
         emit_json(document)
         return
-    places, predicted = document["places_m"], document["predicted"]["steps"]
+    places = document["places_m"]
+    predicted = document["predicted"]["steps"]
     emit_text(
         f"model {document['model']}: wells at {1e3 * places['left']:.2f} and {1e3 * places['right']:.2f} mm, unstable "
         f"equilibrium at {1e3 * places['saddle']:.2f} mm; at most {1e-3 * document['largest_voltage_V']:.2f} kV"

@@ -65,7 +65,8 @@ def _emit_json(siblings: "LearntFile") -> None:
 
 
 def _emit(siblings: "LearntFile") -> None:
-    quantities, gains = siblings.learnt.quantities, sorted(siblings.learnt.gains.values())
+    quantities = siblings.learnt.quantities
+    gains = sorted(siblings.learnt.gains.values())
     rows = [
         (quantity.name, f"{quantity.mean:.3g}", f"{quantity.spread:.2g}", quantity.unit, f"{quantity.share:.2f}")
         for quantity in quantities[:_SHOWN]

@@ -53,7 +53,8 @@ def _emit_next_log(design: "NextLog") -> None:
 
 def _emit_first_log(design: "Design") -> None:
     """Print the visits per centre, and the criteria beside those of plain pulses."""
-    designed, plain = design.designed, design.plain
+    designed = design.designed
+    plain = design.plain
     names = ("left", "right")
     emit_visits(
         "Simulated samples per basis centre, one every 10 ms", design.weights.centres, designed.visits, names, 1e3, "mm"

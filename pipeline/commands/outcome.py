@@ -227,7 +227,8 @@ class BatchProgress:
     """One line on stderr per finished prototype; on a terminal also a bar with the remaining time below them."""
 
     def __init__(self, total: int, *, quiet: bool = False) -> None:
-        self._total, self._quiet = total, quiet
+        self._total = total
+        self._quiet = quiet
         self._done = 0
         self._made = 0
         self._began: float | None = None

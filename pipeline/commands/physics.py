@@ -102,7 +102,8 @@ def equilibria(
     joint = parameters.joint()
     if b is not None:
         joint = bifurcation.with_screw_height(joint, B_MAX - parse_quantity(b, ("m",), "--b"))
-    left, right = parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2")
+    left = parse_quantity(v1, ("V",), "--v1")
+    right = parse_quantity(v2, ("V",), "--v2")
     pull = parse_quantity(force, ("N",), "--force")
     held = statics.equilibria(joint, np.array([left, right]), pull)
     if figure is not None:

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from ..workflow.studies.study import StudyResult
 
 _ALARMING = ("differs", "missing")
-_LONGEST, _OF_HASH = 60, 16
+_LONGEST = 60
+_OF_HASH = 16
 
 
 def diff(
@@ -262,7 +263,8 @@ def _study_document(result: "StudyResult") -> Any:
 
     units = result.units
     of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
-    columns, notes = with_units(result.columns, units), with_units(result.notes, of_notes)
+    columns = with_units(result.columns, units)
+    notes = with_units(result.notes, of_notes)
     return to_json({"columns": columns, "figure": result.figure, "notes": notes})
 
 

@@ -201,7 +201,8 @@ def _fleet_status(folder: Path, *, watch: bool, as_json: bool) -> None:
 
     from ..workflow.progress import fleet_progress
 
-    console, progress = Console(), fleet_progress(folder)
+    console = Console()
+    progress = fleet_progress(folder)
     while watch and not as_json and progress.counts["running"]:
         console.clear()
         outcome.emit_fleet_progress(folder, progress, as_json=False)

@@ -60,8 +60,11 @@ OBSERVE = GraphSequence(
 )
 ESTIMATE = GraphSequence(GRAPHS, (("known_state", {}),), ("s", "estimate", "e"))
 
-_begin, _move, _control = sequence_kernel(BEGIN), sequence_kernel(MOVE), sequence_kernel(CONTROL)
-_observe, _estimate = sequence_kernel(OBSERVE), sequence_kernel(ESTIMATE)
+_begin = sequence_kernel(BEGIN)
+_move = sequence_kernel(MOVE)
+_control = sequence_kernel(CONTROL)
+_observe = sequence_kernel(OBSERVE)
+_estimate = sequence_kernel(ESTIMATE)
 
 
 @compiled
@@ -90,7 +93,8 @@ def observe(s: FloatArray, reading: float, v: FloatArray, law: Law) -> None:
 
     A voltage that is not a number is read as 0 V; all are limited to 0 … the largest. Cost: 3 µs.
     """
-    signals, acting = np.zeros(2), v.copy()
+    signals = np.zeros(2)
+    acting = v.copy()
     signals[0], signals[1] = reading, np.nan
     _observe((s, signals, acting, law.numbers, law.prepared, law.slopes, law.curves, law.rests))
 
@@ -136,8 +140,10 @@ def closed_on_model(law: Law, joint: Law, start: float, target: FloatArray) -> t
     v : FloatArray, shape (N, 2)
         Commands [V].
     """
-    s, plant = np.zeros(CONTROLLER_STATE), np.zeros(CONTROLLER_STATE)
-    q, v = np.empty(target.size), np.empty((target.size, 2))
+    s = np.zeros(CONTROLLER_STATE)
+    plant = np.zeros(CONTROLLER_STATE)
+    q = np.empty(target.size)
+    v = np.empty((target.size, 2))
     begin_control(start, joint, plant)
     begin_control(start, law, s)
     for i in range(target.size):

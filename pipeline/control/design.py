@@ -22,7 +22,8 @@ from .step_metrics import BAND
 
 WEIGHT = 0.2
 """Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""
-NEAR, FAST = 0.07, 0.7
+NEAR = 0.07
+FAST = 0.7
 """Distance, over that of the wells, and speed, over the largest of a snap, within which the regulator acts; it stops at
 twice that distance."""
 STEEPNESS = 2.0
@@ -34,7 +35,8 @@ SURE = 0.92
 READING = 1.5e-4
 """Standard deviation of a reading over the wells' distance: noise, resolution, and the laser's linearity as it changes
 with the motion."""
-PUSH, WALK = 1.2e-4, 1e-2
+PUSH = 1.2e-4
+WALK = 1e-2
 """Standard deviations of a white force on q [√s], over the largest moment through the wells' distance, and of the
 random walk of the unknown moment [1/√s], over the largest one."""
 BOUND = 10.0
@@ -93,7 +95,8 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     left, saddle, right = (float(well.x[0]) for well in wells)
     between = TARGETS - 1 - 2 * BEYOND
     places: FloatArray = left + (right - left) / between * np.arange(-BEYOND, between + BEYOND + 1.0)
-    lags, distance = acting_lags(plant, settings), right - left
+    lags = acting_lags(plant, settings)
+    distance = right - left
     mass = inertia(wells[1].x, plant.constants.p)
     slew = min(settings.highest, np.inf if settings.slew is None else PERIOD * settings.slew)
     law = condensed_joint_law(plant, lags)
@@ -101,7 +104,8 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
         reached(law, wells[0].x, right, np.array([plant.highest, 0.0])),
         reached(law, wells[2].x, left, np.array([0.0, plant.highest])),
     )
-    fastest, a_snap = float(reach[1]), distance / float(reach[1])
+    fastest = float(reach[1])
+    a_snap = distance / float(reach[1])
     targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0, WEIGHT * reach)
     moment = float(np.mean(moments_per_square(plant, wells[1].x, np.zeros(2)))) * plant.highest**2
     scale = np.append(reach, moment)
@@ -140,7 +144,8 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
 def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> Law:
     """What motion needs of a plant whose converters have the time constants `lags` [s], without tables."""
     k, p, basis, weights = plant.constants
-    farthest, decays = 0.9 * plant.wall, [math.exp(-PERIOD / lag) for lag in lags]
+    farthest = 0.9 * plant.wall
+    decays = [math.exp(-PERIOD / lag) for lag in lags]
     grid = np.linspace(-farthest, farthest, RESTS)
     rests = []
     for q in grid:

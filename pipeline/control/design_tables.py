@@ -72,8 +72,10 @@ def moments_per_square(plant: ControlledJoint, x: FloatArray, u: FloatArray) -> 
 
 def slow_switching_voltage(path: list[tuple[FloatArray, FloatArray]], wells: list[LinearModel], side: int) -> float:
     """Voltage [V] with which a side carries the joint slowly from its well to the saddle."""
-    start, saddle = float(wells[0 if side == 0 else 2].x[0]), float(wells[1].x[0])
-    low, high = min(start, saddle), max(start, saddle)
+    start = float(wells[0 if side == 0 else 2].x[0])
+    saddle = float(wells[1].x[0])
+    low = min(start, saddle)
+    high = max(start, saddle)
     needed = [float(u[side]) for x, u in path if low < float(x[0]) < high]
     return float(np.sqrt(max(needed, default=0.0)))
 
@@ -92,15 +94,18 @@ def charged(
     """
     if growth(plant, x, u) < _UNSTABLE:
         return (x, u), 0.0
-    equilibrium, share = (x, u), _LEAST_COMMON
+    equilibrium = (x, u)
+    share = _LEAST_COMMON
     for common in np.linspace(*COMMON, 18):
         answer = held(plant, x, common * highest**2 * np.ones(2), np.array([0.5, -0.5]))
         if answer is None:
             break
-        x, difference = answer[0], answer[1] / highest**2
+        x = answer[0]
+        difference = answer[1] / highest**2
         if abs(difference) <= 2.0 * min(common, 1.0 - common):
             left = common + 0.5 * difference
-            equilibrium, share = (x, highest**2 * np.array([left, left - difference])), float(common)
+            equilibrium = (x, highest**2 * np.array([left, left - difference]))
+            share = float(common)
             if growth(plant, *equilibrium) < SLOW:
                 break
     return equilibrium, share
@@ -150,7 +155,10 @@ def reached(law: Law, start: FloatArray, end: float, v: FloatArray) -> FloatArra
     v : FloatArray, shape (2,)
         Voltages [V] until the joint is half way there; then there are none. At most `LONGEST` periods are looked at.
     """
-    s, largest, none, half = np.zeros(CONTROLLER_STATE), np.zeros(CORRECTED), np.zeros(2), 0.5 * (start[0] + end)
+    s = np.zeros(CONTROLLER_STATE)
+    largest = np.zeros(CORRECTED)
+    none = np.zeros(2)
+    half = 0.5 * (start[0] + end)
     s[:STATES] = start
     for _ in range(LONGEST):
         move(s, v if (s[0] - half) * (end - half) < 0.0 else none, law)
@@ -188,7 +196,8 @@ def braking_curves(
     start = wells[0 if side == 0 else 2].x
     brake = np.zeros(2)
     brake[1 - side] = highest * np.sqrt(RESERVE)
-    settles, distance = round(law.number("settles")), float(wells[2].x[0] - wells[0].x[0])
+    settles = round(law.number("settles"))
+    distance = float(wells[2].x[0] - wells[0].x[0])
     begins = [np.zeros((1, 2)) for _ in places]
     lasts = begins.copy()
     for x0, speed, level in [
@@ -196,7 +205,8 @@ def braking_curves(
         *((start, 0.0, level) for level in LEVELS),
         *((wells[1].x, 0.5 * speed, level) for speed in SPEEDS[1:] for level in (0.0, *LEVELS)),
     ]:
-        push, s = np.zeros(2), np.zeros(CONTROLLER_STATE)
+        push = np.zeros(2)
+        s = np.zeros(CONTROLLER_STATE)
         push[side] = highest * np.sqrt(level)
         s[:STATES], s[PLACES["volts"]] = x0, push
         s[1], s[3] = towards * fastest * speed, towards * fastest * speed * slope
@@ -242,7 +252,9 @@ def pushed(
 
     It ends when it turns round by itself; `s` is moved along.
     """
-    motion, turns, count = np.empty((300, s.size)), np.empty(300), 0
+    motion = np.empty((300, s.size))
+    turns = np.empty(300)
+    count = 0
     for i in range(300):
         copy_into(motion[i], s)
         turns[i] = braked(law, s, push, brake, towards)[-1, 0]
@@ -260,8 +272,12 @@ def braked(law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards
 
     A voltage changes by at most the slew limit in a period.
     """
-    end, v, motion, count = s.copy(), push.copy(), np.empty((301, 2)), 0
-    slew, lever = law.numbers[_SLEW], law.numbers[_LEVER]
+    end = s.copy()
+    v = push.copy()
+    motion = np.empty((301, 2))
+    count = 0
+    slew = law.numbers[_SLEW]
+    lever = law.numbers[_LEVER]
     for _ in range(301):
         motion[count, 0], motion[count, 1] = end[0], end[1] + lever * end[3]
         count += 1
@@ -273,4 +289,5 @@ def braked(law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards
     return motion[:count]
 
 
-_SLEW, _LEVER = NUMBERS.index("slew"), NUMBERS.index("lever")
+_SLEW = NUMBERS.index("slew")
+_LEVER = NUMBERS.index("lever")

@@ -98,7 +98,8 @@ def begin(signals: Values, e: Values, rests: Values) -> Outputs:
 
 def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
     """Correct the estimate by a reading, or count what is missing; take the target over."""
-    n, before = named(e), parts(s)
+    n = named(e)
+    before = parts(s)
     q, finite = _reading(signals, n)
     again = function("and", finite, function("le", RAMP, before["lost"][0]))
     strayed = function("and", finite, function("le", PERSISTENT, before["strayed"][0]))
@@ -183,7 +184,10 @@ def travel(stop: int, n: dict[str, Any]) -> Any:
 
 def lag(s: Values, v: Values, e: Values) -> Outputs:
     """Squared voltages [V²] that act during the period under the commands, `u`, and the means for the filter, `um`."""
-    n, now, u, mean = named(e), parts(s), [], []
+    n = named(e)
+    now = parts(s)
+    u = []
+    mean = []
     for side, old, command in zip(SIDES, now["volts"], v, strict=True):
         middle, end = (command + (old - command) * n[f"{name}_{side}"] for name in ("kept_mean", "kept"))
         u.append(middle * middle)
@@ -195,8 +199,12 @@ def corrections(q: Any, n: dict[str, Any]) -> tuple[Values, Values]:
     """Values of the corrections at q and their slopes along q, each of 13."""
     place = clip((q - n["curve_first"]) * n["curve_per_metre"], 0.0, n["curve_last"])
     cell = function("floor", place)
-    t, scale, index = place - cell, n["curve_per_metre"], 6.0 * CURVES * cell
-    values, slopes, bends = [], [], []
+    t = place - cell
+    scale = n["curve_per_metre"]
+    index = 6.0 * CURVES * cell
+    values = []
+    slopes = []
+    bends = []
     for curve in range(CURVES):
         c = [fetch("curves", CURVES * power + curve, index) for power in range(6)]
         values.append(_horner(c, t))
@@ -215,7 +223,9 @@ def _horner(coefficients: Values, t: Any) -> Any:
 def _pushed(x: Values, prepared: Values) -> tuple[dict[int, Any], dict[int, Any]]:
     """What a moment on the slope and a force on q do to q̇ (1), τ̇ (3) and β̇ (5): columns of the inverse mass matrix."""
     qq, qt, tt, qb, tb, bb = inline(INERTIA, x=x, p=prepared)["mass"]
-    first, second, third = tt * bb - tb * tb, qb * tb - qt * bb, qt * tb - qb * tt
+    first = tt * bb - tb * tb
+    second = qb * tb - qt * bb
+    third = qt * tb - qb * tt
     over = 1.0 / (qq * first + qt * second + qb * third)
     moment = {1: second * over, 3: (qq * bb - qb * qb) * over, 5: (qt * qb - qq * tb) * over}
     return moment, {1: first * over, 3: second * over, 5: third * over}
@@ -223,7 +233,8 @@ def _pushed(x: Values, prepared: Values) -> tuple[dict[int, Any], dict[int, Any]
 
 def rates(s: Values, y: Values, u: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
     """Rates of the state y under squared voltages and the unknown moment; s is the state where the step began."""
-    n, now = named(e), parts(s)
+    n = named(e)
+    now = parts(s)
     c, _ = corrections(y[0], n)
     start = [now["x"][i] for i in SHAPE]
     derivatives = inline(RATES, x=y, u=u, c=c, z=now["z"], start=start, p=prepared)["rates"]
@@ -240,7 +251,8 @@ def ahead(share: float) -> Any:
 
 def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values, e: Values) -> Outputs:
     """The state after a period, by the rates of the four stages; a wall ends every motion."""
-    n, now = named(e), parts(s)
+    n = named(e)
+    now = parts(s)
     totals = [
         sum(share * rate for share, rate in zip(SHARES, k, strict=True)) for k in zip(k1, k2, k3, k4, strict=True)
     ]
@@ -257,7 +269,8 @@ def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values,
 
 def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
     """Move the covariance over the period: P ← F P Fᵀ + Q, F the exponential of the Jacobian to the third order."""
-    n, now = named(e), parts(s)
+    n = named(e)
+    now = parts(s)
     a, push = _jacobian(now, um, slopes, prepared, n)
     size = range(FILTER)
     step = [[a[i][j] / 3.0 if _there(a[i][j]) else 0.0 for j in size] for i in size]
@@ -291,7 +304,8 @@ def _jacobian(
     now: dict[str, Values], u: Values, slopes: Values, prepared: Values, n: dict[str, Any]
 ) -> tuple[list[Values], dict[int, Any]]:
     """PERIOD × ∂(rates)/∂(filter's numbers), and what a force does to the velocities."""
-    x, z = now["x"], now["z"]
+    x = now["x"]
+    z = now["z"]
     c, c_q = corrections(x[0], n)
     full = inline(JACOBIAN, x=x, u=u, c=c, c_q=c_q, z=z, p=slopes)["a"]
     width = STATES + STOPS
@@ -332,7 +346,8 @@ def heed(v: Values, e: Values) -> Outputs:
 
 def known_state(s: Values, e: Values) -> Outputs:
     """`ESTIMATED` numbers of the state: reading of the laser, rest of x, z, voltages, moment, and the status."""
-    n, now = named(e), parts(s)
+    n = named(e)
+    now = parts(s)
     q, *others = now["x"]
     status = choose(function("lt", 0.5, now["strayed"][0]), 1.0, 0.0)
     status = choose(function("lt", 0.5, now["refused"][0]), 3.0, status)

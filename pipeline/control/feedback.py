@@ -47,7 +47,8 @@ _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 def tabulated(name: str, place: Any) -> Values:
     """Columns of the table of targets at a place that is counted in rows."""
     lower, share = row(place, TARGETS)
-    index, columns = float(_WIDTH) * lower, TARGET_COLUMNS[name]
+    index = float(_WIDTH) * lower
+    columns = TARGET_COLUMNS[name]
     return [
         fetch("targets", i, index) * (1.0 - share) + fetch("targets", i + _WIDTH, index) * share
         for i in range(columns.start, columns.stop)
@@ -71,7 +72,8 @@ def braking_speeds(place: Any, distance: Any, from_right: Any, n: dict[str, Any]
 
 def regulated(now: dict[str, Values], acting: Any, hold: Any, place: Any) -> Any:
     """Moment [N·m] of the linear-quadratic regulator of a target, beside the one that holds it."""
-    there, gains = tabulated("rests", place), tabulated("gains", place)
+    there = tabulated("rests", place)
+    gains = tabulated("gains", place)
     moment = -gains[STATES] * (acting - hold)
     for i in range(STATES):
         moment = moment - gains[i] * (now["x"][i] - there[i])
@@ -93,17 +95,21 @@ def _both(every: Any, *others: Any) -> Any:
 
 def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any, Any, Any]:
     """Share of the largest moment far from the target, −1 to 1; the pump's phase and time, periods of braking."""
-    q, speed, target = now["x"][0], now["x"][1], now["target"][0]
+    q = now["x"][0]
+    speed = now["x"][1]
+    target = now["target"][0]
     right = function("lt", q, target)
     towards = choose(right, 1.0, -1.0)
     begins, lasts = braking_speeds(place, function("abs", target - q), choose(right, 0.0, 1.0), n)
     # The speed of the mass centre, which a moment on the slope does not change at once as it does that of the tip.
-    centre, since = (speed + n["lever"] * now["x"][3]) * towards, now["brakes"][0]
+    centre = (speed + n["lever"] * now["x"][3]) * towards
+    since = now["brakes"][0]
     correction = choose(function("lt", n["settles"], since), n["steepness"] * (lasts - centre), 0.0)
     goes_on = _both(function("lt", 0.5, since), function("lt", 0.0, centre), function("lt", correction, RESERVE))
     brakes = function("or", goes_on, function("lt", begins, centre))
     braked = choose(brakes, correction - RESERVE, 1.0) * towards
-    before, over = (n["saddle"] - q) * towards, (target - n["saddle"]) * towards
+    before = (n["saddle"] - q) * towards
+    over = (target - n["saddle"]) * towards
     weak = function("lt", 0.5, choose(right, n["pumped_right"], n["pumped_left"]))
     needed = function("or", weak, function("lt", STALLED / MEMORY, now["tried"][0]))
     pumped = _both(needed, function("lt", 0.0, before), function("lt", 0.0, over))
@@ -147,7 +153,8 @@ def limited(volts: Values, now: dict[str, Values], n: dict[str, Any]) -> Values:
 
     A voltage above its largest mean falls in time: the mean grows by (v − allowed)² / 2 over the slew limit meanwhile.
     """
-    periods, within = MEMORY / PERIOD, []
+    periods = MEMORY / PERIOD
+    within = []
     for wanted, last, mean in zip(volts, now["commanded"], now["average"], strict=True):
         room = function("max", n["allowed"] - mean, 0.0)
         above = function("sqrt", periods * n["slew"] * room) - n["slew"]
@@ -159,17 +166,21 @@ def limited(volts: Values, now: dict[str, Values], n: dict[str, Any]) -> Values:
 
 def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     """The voltages of a period, shape (2,) [V]: within the limits, ramped down without a reading."""
-    n, now = named(e), parts(s)
-    x, place = now["x"], (now["target"][0] - n["first"]) * n["per_step"]
+    n = named(e)
+    now = parts(s)
+    x = now["x"]
+    place = (now["target"][0] - n["first"]) * n["per_step"]
     well = _is_well(now, place, n)
     regulates = function("lt", 0.5, _regulates(now, well, n))
-    rests, holds = _both(regulates, well), _both(regulates, function("not", well))
+    rests = _both(regulates, well)
+    holds = _both(regulates, function("not", well))
     left, right = tabulated("moments", (x[0] - n["first"]) * n["per_step"])
     pull_left, pull_right = (volts * volts for volts in now["volts"])
     acting = (left * pull_left - right * pull_right) / (n["highest"] * n["highest"])
     (common,), (hold,) = tabulated("common", place), tabulated("holding", place)
     (stiffness, *_), largest = tabulated("gains", place), 0.5 * (left + right)
-    level, mean = now["level"][0], now["mean"][0]
+    level = now["level"][0]
+    mean = now["mean"][0]
     still = choose(well, 0.0, hold - now["moment"][0] + level)
     motion = regulated(now, acting, still, place)
     limited_motion = clip(motion, -largest, largest)

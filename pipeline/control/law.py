@@ -75,7 +75,8 @@ RESTS = 65
 """Rows of the table of rests."""
 
 
-_MOST_CELLS, _LARGEST = 10_000, 1e30
+_MOST_CELLS = 10_000
+_LARGEST = 1e30
 _SHAPES = {
     "numbers": (len(NUMBERS),), "prepared": (PREPARE.outputs["p"],), "slopes": (PREPARE_SLOPES.outputs["p"],),
     "rests": (RESTS, 3), "targets": (TARGETS, TARGET_COLUMNS["common"].stop), "braking": (4 * TARGETS, REACHES),

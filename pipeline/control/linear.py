@@ -24,8 +24,12 @@ _BEYOND = 0.5
 """How far beyond the rests that the logs show equilibria are looked for, as a share of their distance; and the share of
 the wall up to which where the logs show none. A beam's identified length would be no measure: it trades with others."""
 
-_prepare, _slopes, _bell = kernel(PREPARE), kernel(JACOBIAN), formula(BELL_SHAPE)
-_PREPARED, _RATES, _BY_CORRECTIONS = PREPARE.outputs["p"], JACOBIAN.outputs["f"], JACOBIAN.outputs["by_c"]
+_prepare = kernel(PREPARE)
+_slopes = kernel(JACOBIAN)
+_bell = formula(BELL_SHAPE)
+_PREPARED = PREPARE.outputs["p"]
+_RATES = JACOBIAN.outputs["f"]
+_BY_CORRECTIONS = JACOBIAN.outputs["by_c"]
 
 ComplexArray = np.ndarray[Any, np.dtype[np.complex128]]
 
@@ -126,7 +130,8 @@ def jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, Fl
 def full_jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, FloatArray]:
     """The same with the stop operators, which are held, as last columns of the first, (STATES, STATES + STOPS)."""
     rows = STATES + STOPS
-    a, b = np.zeros((rows, rows)), np.zeros((rows, 2))
+    a = np.zeros((rows, rows))
+    b = np.zeros((rows, 2))
     _differentiate(x, u, c, a.reshape(-1), b.reshape(-1))
     return a[:STATES], b[:STATES]
 
@@ -134,7 +139,9 @@ def full_jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArra
 @compiled
 def _differentiate(x: FloatArray, u: FloatArray, c: Constants, a: FloatArray, b: FloatArray) -> None:
     """Fill derivatives by states and stop operators, and by squared voltages, row by row."""
-    prepared, values, slopes = np.empty(_PREPARED), np.zeros(VALUES), np.zeros(VALUES)
+    prepared = np.empty(_PREPARED)
+    values = np.zeros(VALUES)
+    slopes = np.zeros(VALUES)
     for i in range(c.weights.shape[1]):
         bell, slope, bend = _bell((x[0] - i * c.basis[1], c.basis[0], c.basis[1], c.basis[2]))
         for row in range(CURVES):
@@ -171,7 +178,9 @@ def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:
     Newton's method on the forces on q, slope and interior shape, from a grid of displacements with the shape at rest
     there, and with the slope of slow motions: a buckled beam has several slopes at one displacement.
     """
-    u, places, c = v**2, list[FloatArray](), plant.constants
+    u = v**2
+    places = list[FloatArray]()
+    c = plant.constants
     length = float(c.k[INDEX["l"]])
     low, high = _window(plant)
     for q in np.linspace(low, high, 25):
@@ -194,7 +203,8 @@ def _window(plant: ControlledJoint) -> tuple[float, float]:
 def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArray | None:
     """The equilibrium near a state under the squared voltages `u`, shape (2,) [V²]; None if Newton's method fails."""
     c = plant.constants
-    place, steps = near[[0, 2, 4]], np.array([1e-7, 1e-6, 1e-6])
+    place = near[[0, 2, 4]]
+    steps = np.array([1e-7, 1e-6, 1e-6])
     for _ in range(30):
         now = forces(still(*place), u[0], u[1], c)
         slopes = np.array(
@@ -232,7 +242,8 @@ def held(
     u : float
         [V²].
     """
-    c, q = plant.constants, float(near[0])
+    c = plant.constants
+    q = float(near[0])
     place = np.array([near[2], near[4], 0.0])  # slope, interior shape, squared voltage [kV²]
     steps = np.array([1e-6, 1e-6, 1e-3])
 

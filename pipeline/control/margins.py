@@ -20,7 +20,8 @@ from .law import CONTROLLER_STATE, NUMBERS, PLACES, SIDES, Law
 from .linear import full_jacobian
 from .plant import ControlledJoint
 
-GAINS, FRICTIONS = (0.05, 20.0), 20.0
+GAINS = (0.05, 20.0)
+FRICTIONS = 20.0
 """Factors between which the loop's gain is tried, and the largest one of friction."""
 _SLIDES = 1e9  # travel of a stop operator that resists nothing
 _SETTLES = 4000  # periods
@@ -68,13 +69,15 @@ def margins(plant: ControlledJoint, law: Law, saddle: float) -> Margins | None:
     law = law._replace(numbers=np.where(limits, law.number("highest"), law.numbers))
     slides = np.array([name.startswith("travel") for name in NUMBERS])
     sliding = law._replace(numbers=np.where(slides, _SLIDES, law.numbers))
-    s, joint = np.zeros(CONTROLLER_STATE), np.zeros(CONTROLLER_STATE)
+    s = np.zeros(CONTROLLER_STATE)
+    joint = np.zeros(CONTROLLER_STATE)
     begin_control(saddle, sliding, s)
     begin_control(saddle, sliding, joint)
     hold(sliding, s, joint, saddle, _SETTLES)
     if abs(joint[0] + law.number("offset") - saddle) > law.number("near"):
         return None
-    free, slippery = stepped(plant, law, joint, 0.0), differentiated(sliding, s, saddle)
+    free = stepped(plant, law, joint, 0.0)
+    slippery = differentiated(sliding, s, saddle)
     hold(law, s, joint, saddle, _SETTLES)
     sticky = differentiated(law, s, saddle)
     loops = [(free, slippery), (free, sticky), (stepped(plant, law, joint, 1.0), sticky)]
@@ -91,7 +94,8 @@ def margins(plant: ControlledJoint, law: Law, saddle: float) -> Margins | None:
 @compiled
 def hold(law: Law, s: FloatArray, joint: FloatArray, target: float, periods: int) -> None:
     """Move a controller `s` and the joint of its model, both states of a controller, on under one target [m]."""
-    v, offset = np.zeros(2), law.numbers[_OFFSET]
+    v = np.zeros(2)
+    offset = law.numbers[_OFFSET]
     for _ in range(periods):
         control(s, joint[0] + offset, target, law, v)
         move(joint, v, law)
@@ -102,7 +106,9 @@ _OFFSET = NUMBERS.index("offset")
 
 def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float) -> Matrices:
     """Reading over commanded voltages about a joint at rest, over a period, with a factor on friction that sticks."""
-    x, volts, n = joint[PLACES["x"]], joint[PLACES["volts"]], STATES
+    x = joint[PLACES["x"]]
+    volts = joint[PLACES["volts"]]
+    n = STATES
     a, b = full_jacobian(x, volts**2, plant.constants)
     whole = np.zeros((n + 4, n + 4))
     whole[:n, :n] = a[:, :n] + friction * a[:, n:] @ _stops(law)
@@ -117,7 +123,8 @@ def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float
 
 def _stops(law: Law) -> FloatArray:
     """Stop operators that stick over the joint's state, shape (STOPS, STATES)."""
-    moved, n = np.zeros((STOPS, STATES)), dict(zip(NUMBERS, law.numbers.tolist(), strict=True))
+    moved = np.zeros((STOPS, STATES))
+    n = dict(zip(NUMBERS, law.numbers.tolist(), strict=True))
     for i in range(STOPS):
         moved[i, list(SHAPE)] = np.array(direction(i, n)) / travel(i, n)
     return moved
@@ -125,11 +132,14 @@ def _stops(law: Law) -> FloatArray:
 
 def differentiated(law: Law, s: FloatArray, target: float) -> Matrices:
     """Voltages over the reading of a controller in the state `s` at its target (reading, m), as it runs."""
-    at, size, stops = s[PLACES["x"]][0] + law.number("offset"), len(_ENTRIES), _stops(law)
+    at = s[PLACES["x"]][0] + law.number("offset")
+    size = len(_ENTRIES)
+    stops = _stops(law)
 
     def after(moved: FloatArray, reading: float) -> FloatArray:
         """The state's entries and the voltages after a period."""
-        v, state = np.zeros(2), moved.copy()
+        v = np.zeros(2)
+        state = moved.copy()
         control(state, reading, target, law, v)
         return np.concatenate([state[_ENTRIES], v])
 
@@ -162,7 +172,8 @@ def _edge(holds: Callable[[float], bool], end: float) -> float:
     lost = next((i for i, factor in enumerate(factors) if not holds(float(factor))), None)
     if lost is None:
         return end
-    inside, outside = float(factors[max(lost - 1, 0)]), float(factors[lost])
+    inside = float(factors[max(lost - 1, 0)])
+    outside = float(factors[lost])
     while abs(np.log(outside / inside)) > 0.01:
         middle = float(np.sqrt(inside * outside))
         inside, outside = (middle, outside) if holds(middle) else (inside, middle)

@@ -79,7 +79,8 @@ class ControlledJoint:
 
 def plant_of(model: "HybridModel", rests: tuple[float, float] | None = None) -> ControlledJoint:
     """The plant of an identified hybrid joint, whose logs show these rests (readings [m])."""
-    theta, condensed = model.theta, model.joint
+    theta = model.theta
+    condensed = model.joint
     instruments = condensed.instruments(theta)
     k = condensed.in_use(theta)
     constants = Constants(k, prepare(k[None])[0], condensed.basis, condensed.weights(theta))
@@ -107,7 +108,10 @@ def inertia(x: FloatArray, p: FloatArray) -> FloatArray:
 @compiled
 def forces(x: FloatArray, u1: float, u2: float, c: Constants) -> FloatArray:
     """Generalised forces on (q, τ, β) at rest [N, N·m, J], shape (3,), friction left out; u = v² [V²]."""
-    u, values, out, by_shape = np.array([u1, u2]), np.zeros(VALUES), np.empty(3), np.empty(6)
+    u = np.array([u1, u2])
+    values = np.zeros(VALUES)
+    out = np.empty(3)
+    by_shape = np.empty(6)
     corrections_at(x[0], c.basis, c.weights, values)
     rest_forces(x, u, values, c.p, out, by_shape)
     return out

@@ -22,7 +22,9 @@ PERMITTED = {"energy": 0.5, "voltage": 0.8}
 BANDS = (0.6, 0.8, 1.0)
 """Shares of the settling band over which the optimisation takes the mean: a narrow one alone asks a joint that creeps
 for what no pulse does (1 s where 0.18 s is possible), a wide one alone leaves nothing for draws that differ."""
-CHARGE_COST, SETTLING_COST, OVERTIME_COST = 0.5, 0.02, 2.0
+CHARGE_COST = 0.5
+SETTLING_COST = 0.02
+OVERTIME_COST = 2.0
 """Cost of a charge with the largest voltage, of a second of settling beside charge or voltage, and of one beyond
 `PERMITTED`, where a settling time in seconds, or the largest voltage's share, costs 1."""
 LONGEST = 0.35
@@ -32,7 +34,8 @@ _BOUNDS = ((0.0, LONGEST), (0.0, 1.0), (0.0, LONGEST), (-1.0, 0.0), (0.0, LONGES
 _ROBUST = 5
 """Draws beside the estimate that judge a pulse."""
 _SEARCHES = 3
-_ROUNDS, _ROBUST_ROUNDS = 60, 30
+_ROUNDS = 60
+_ROBUST_ROUNDS = 30
 _RUNS = _SEARCHES * _ROUNDS + (1 + _ROBUST) * _ROBUST_ROUNDS
 """Runs of each pulse in all rounds."""
 _FAILED = 10.0
@@ -103,7 +106,8 @@ def design_pulse(
     -----
     Cost: 4 s.
     """
-    side, rounds = 0 if target > start else 1, 0
+    side = 0 if target > start else 1
+    rounds = 0
 
     def cost(values: FloatArray, some: Ensemble) -> FloatArray:
         """Mean over the ensemble of what each pulse costs."""
@@ -114,7 +118,8 @@ def design_pulse(
         return np.asarray(judged(runs, start, target, distance, values.T, goal, float(joint.lags.mean())).mean(axis=1))
 
     bounds = np.array(_BOUNDS)
-    alone, robust = joint.some(1), joint.some(1 + _ROBUST)
+    alone = joint.some(1)
+    robust = joint.some(1 + _ROBUST)
     optima = np.array(
         [_search(lambda v: cost(v, alone), _ROUNDS, _starts(bounds, s), bounds, s) for s in range(_SEARCHES)]
     )
@@ -124,7 +129,8 @@ def design_pulse(
     best = _search(lambda v: cost(v, robust), _ROBUST_ROUNDS, _spread(about, first, _SEARCHES), about, _SEARCHES)
     v = commands(best[None], side, highest)
     q = joint.run(v, start)[0]
-    settling, overshoot = settling_times(q, target, distance), np.maximum((q - target) * np.sign(target - start), 0.0)
+    settling = settling_times(q, target, distance)
+    overshoot = np.maximum((q - target) * np.sign(target - start), 0.0)
     right = np.abs(q[:, -1] - target) < np.abs(q[:, -1] - start)
     if not right[0]:
         raise InputError(
@@ -147,7 +153,8 @@ def design_pulse(
 def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
     """Commands (P, M, 2) [V] of pulses with values (P, 6): duration [s] and effort of push, brake, catch."""
     t = np.arange(round(LENGTH / PERIOD)) * PERIOD
-    begin, share = np.zeros((len(values), 1)), np.zeros((len(values), t.size))
+    begin = np.zeros((len(values), 1))
+    share = np.zeros((len(values), t.size))
     for segment in range(3):
         end = begin + values[:, [2 * segment]]
         inside = np.clip((end - t) / PERIOD, 0.0, 1.0) - np.clip((begin - t) / PERIOD, 0.0, 1.0)

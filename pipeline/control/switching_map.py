@@ -15,10 +15,13 @@ from .estimator import PERIOD
 
 REST = 1.6
 """Time [s] after the pulse's end at which the well counts."""
-VOLTAGES, DURATIONS = 33, 41
+VOLTAGES = 33
+DURATIONS = 41
 REACH = 3
 """Cells about the estimate's boundary in which the draws are run."""
-LEAST_VOLTAGE, SHORTEST, LONGEST = 0.3, 0.02, 1.0
+LEAST_VOLTAGE = 0.3
+SHORTEST = 0.02
+LONGEST = 1.0
 """Bounds of the map: lowest voltage as a share of the largest, shortest and longest pulse [s]."""
 
 
@@ -122,9 +125,12 @@ PULSES = (0.1, 0.2, 0.5)
 """Durations [s] of the pulses whose lowest voltages are computed."""
 TYPICAL = 0.2
 """Duration of the pulse by which the draws of a map are judged [s]."""
-LEAST, COARSE = 0.1, 155
+LEAST = 0.1
+COARSE = 155
 """Lowest voltage at which a joint is tried, as a share of the largest, and how many from there: in steps of 1.5 %."""
-STEP, ABOUT, HALVINGS = 1e-3, 0.01, 24
+STEP = 1e-3
+ABOUT = 0.01
+HALVINGS = 24
 """Length [widths, or logarithm of a lag] of the differences, and the bisection that finds what the voltage becomes: its
 logarithm is right to 1e-9. The parameters move along columns of their covariance's factor. Those that are moved singly
 leave the valley of the posterior, where the voltage is curved: the deviation of one joint was 1.25 % so."""
@@ -246,7 +252,8 @@ def _first(
 
     None where none switches it.
     """
-    unit, volts = _unit(joint, to, duration), joint.highest * np.geomspace(LEAST, 1.0, COARSE)
+    unit = _unit(joint, to, duration)
+    volts = joint.highest * np.geomspace(LEAST, 1.0, COARSE)
     over = _switched(joint, volts[:, None, None, None] ** 2 * unit, wells, to)[:, 0]
     if over[0] or not over.any():
         return None

@@ -87,7 +87,9 @@ def device(prototype: Prototype) -> Device:
         A unit is unknown or measures something else, an acceleration would act by its square, or a parameter set is for
         a joint and q is no length; the text names the key.
     """
-    channels, plant, mass = prototype.channels, prototype.plant, prototype.plant.mass
+    channels = prototype.channels
+    plant = prototype.plant
+    mass = prototype.plant.mass
 
     def unit(key: str, stated: LogColumn | Quantity, *allowed: str) -> SiUnit:
         """The unit that is stated under a key, of what is allowed there."""

@@ -37,7 +37,8 @@ def input_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 
 def _unseen_push_row(fact: LogFacts, i: int) -> CheckRow:
     """Of an input whose push the log does not show: as it is never on, or hardly ever changes."""
-    name, what = fact.signals.name, f"push of v{i + 1}"
+    name = fact.signals.name
+    what = f"push of v{i + 1}"
     v = fact.signals.v[:, i]
     if np.ptp(v) > 0.0 and is_idle(float(np.ptp(v)), noise_level(v)):
         advice = f"where no training log drives v{i + 1}, leave it out of [channels]: nothing is known of its gain"
@@ -80,7 +81,8 @@ def _late_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     """A joint that answers its inputs surely late, or before they change; another device may do so by its nature."""
     if abs(fact.late) < limits.LATE * declared.sample_interval:
         return []
-    later, about = fact.late > 0.0, short_quantity(abs(fact.late), "s")
+    later = fact.late > 0.0
+    about = short_quantity(abs(fact.late), "s")
     advice = "q moves before its inputs: start both recorders by one trigger"
     if later:
         advice = (
@@ -106,10 +108,12 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     allowed = limits.UNSTATED_RATIO if declared.mass is None else limits.RATIO
     ratio = max((mass * each / limits.DRAWN_COUPLING for each in couplings), key=lambda r: max(r, 1.0 / r))
     state: State = "wrong" if max(ratio, 1.0 / ratio) > allowed else "ok"
-    what, advice = f"coupling if of {1e3 * mass:g} g", "check the units of the channels"
+    what = f"coupling if of {1e3 * mass:g} g"
+    advice = "check the units of the channels"
     if declared.mass is not None:
         shown = quantity(1e3 * mass, "g") if mass < 1.0 else f"{significant(mass)} kg"
-        what, advice = f"coupling with {shown}", "check the unit of plant.mass, then those of the channels"
+        what = f"coupling with {shown}"
+        advice = "check the unit of plant.mass, then those of the channels"
     return [
         CheckRow(
             fact.signals.name, what, f"{significant(ratio, 2)} × as drawn",
@@ -161,7 +165,8 @@ def _correlated_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     advice = (
         "v1 and v2 go together all the time, so what each does cannot be told apart: drive them apart, or leave v2 out"
     )
-    measured, limit = f"correlation {correlation:.4f}", f"< {limits.CORRELATED:g}"
+    measured = f"correlation {correlation:.4f}"
+    limit = f"< {limits.CORRELATED:g}"
     values = in_si("correlation", "1", correlation)
     return [CheckRow(fact.signals.name, "v2 beside v1", measured, limit, "note", None, advice, values=values)]
 
@@ -169,7 +174,8 @@ def _correlated_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 def _field_row(fact: LogFacts, declared: Declared) -> CheckRow:
     """The largest field in the undeformed film, at the larger voltage that three samples reach: noise alone is none."""
     largest = max(abs(end) for column in fact.signals.v.T for end in usual_span(column))
-    field, limit = largest / declared.film_thickness, declared.field_limit
+    field = largest / declared.film_thickness
+    limit = declared.field_limit
     film = quantity(declared.film_thickness, "m")
     advice = ""
     if field > limits.FIELD * limit:
@@ -195,13 +201,15 @@ def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     for i, (peak, unit) in enumerate(zip(fact.peaks.tolist(), declared.inputs, strict=True)):
         level = rest_level(fact.signals.v[:, i])
         if level is not None and abs(level) > limits.REST_LEVEL * peak:
-            measured, against = quantity(level, unit), quantity(-level, unit)
+            measured = quantity(level, unit)
+            against = quantity(-level, unit)
             advice = (
                 f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; add "
                 f"{against} to its `offset` in [channels]"
             )
             limit = f"≤ {short_quantity(limits.REST_LEVEL * peak, unit)}"
-            values, what = in_si("level", unit, level), f"rest level of v{i + 1}"
+            values = in_si("level", unit, level)
+            what = f"rest level of v{i + 1}"
             rows.append(CheckRow(fact.signals.name, what, measured, limit, "note", None, advice, values=values))
     return rows
 
@@ -224,7 +232,8 @@ def rest_level(v: FloatArray) -> float | None:
 
 def _law_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     """Whether the inputs act as the settings say, by what each law leaves of the accelerations."""
-    own, other = fact.unexplained, fact.under_other_law
+    own = fact.unexplained
+    other = fact.under_other_law
     if own is None or other is None:
         return []
     laws = ("squared", "linear") if declared.squared else ("linear", "squared")

@@ -45,7 +45,8 @@ sample interval is less than the filter before the sampler leaves uncertain; a c
 FARTHEST = 150.0
 """Limits beyond which no correction goes: inputs off by 75 %, a delay of eight sample intervals."""
 
-STEPS, STILL = 10, 0.1
+STEPS = 10
+STILL = 0.1
 """Gauss–Newton steps at most, and the standard errors below which a step is the last."""
 
 EXPLAINED = 1.0 / 3.0
@@ -168,7 +169,8 @@ class Instruments:
 
     def _reading(self, parts: Sequence[Log], others: Sequence[Linearised | None]) -> Reading:
         exchange, parts = self._as_trained(parts)
-        reference, delta = [each for each in others if each is not None], np.zeros(len(self._limits))
+        reference = [each for each in others if each is not None]
+        delta = np.zeros(len(self._limits))
         log = self._linearised(parts, delta)
         for _ in range(STEPS):
             if log is None or not reference:
@@ -178,14 +180,16 @@ class Instruments:
             if np.all(np.abs(fit.step) < STILL * fit.error):
                 break
             log = self._linearised(parts, delta)
-        alike, astray = fit.residual_ratio <= UNLIKE, np.abs(fit.step) > fit.error
+        alike = fit.residual_ratio <= UNLIKE
+        astray = np.abs(fit.step) > fit.error
         if alike and (np.any(np.abs(delta) >= FARTHEST) or np.any(astray)):
             return self._not_measured(exchange)
         errors = np.sqrt(np.sum(fit.spread() ** 2, axis=1))
         ahead, behind = (self._errors(delta + side * errors) for side in (1.0, -1.0))
         status: Status = "measured" if alike else "another device"
         corrections = _corrections(delta * self._limits)
-        estimate, standard_error = self._errors(delta), 0.5 * np.abs(ahead - behind)
+        estimate = self._errors(delta)
+        standard_error = 0.5 * np.abs(ahead - behind)
         return Reading(status, exchange, corrections, estimate, standard_error, fit.residual_ratio)
 
     def _not_measured(self, exchange: Exchange) -> Reading:
@@ -277,7 +281,8 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
 
     Errors that last for τ samples count as noise of √τ times their RMS.
     """
-    logs, count = [*reference, log], log.by_corrections.shape[1]
+    logs = [*reference, log]
+    count = log.by_corrections.shape[1]
     designs = [
         np.hstack([np.zeros_like(each.by_corrections), each.by_corrections, each.by_parameters]) for each in logs
     ]

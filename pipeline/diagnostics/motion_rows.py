@@ -40,13 +40,15 @@ def start_rows(facts: Sequence[LogFacts]) -> list[CheckRow]:
 def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     rows = []
     names = ("q", *(f"v{i + 1}" for i in range(fact.peaks.size)))
-    spans, units = (fact.span, *fact.peaks.tolist()), (declared.displacement, *declared.inputs)
+    spans = (fact.span, *fact.peaks.tolist())
+    units = (declared.displacement, *declared.inputs)
     for name, span, unit in zip(names, spans, units, strict=True):
         circuit = declared.displacement == "V"  # which is built for whatever voltages it was built for
         allowed = None if circuit else plausible_span(unit, joint=declared.joint)
         limit = " … ".join(short_quantity(end, unit) for end in allowed) if allowed else ""
         wrong = None if circuit else scale_suspicion(span, unit, joint=declared.joint)
-        still, advice = name == "q" and span <= ROUNDING * float(np.nanmax(np.abs(fact.signals.q))), ""
+        still = name == "q" and span <= ROUNDING * float(np.nanmax(np.abs(fact.signals.q)))
+        advice = ""
         if still:
             advice = "q does not move: name the channel of its sensor, and see whether that has its target"
         elif wrong:
@@ -66,7 +68,8 @@ def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 
 
 def _resolution_row(fact: LogFacts, declared: Declared) -> CheckRow:
-    log, unit = fact.signals, declared.displacement
+    log = fact.signals
+    unit = declared.displacement
     noise = "" if log.noise is None else f"noise {quantity(log.noise, unit)}"
     if log.noise is not None and below_resolution(log.noise, log.resolution):
         noise = "noise below that"
@@ -142,7 +145,8 @@ def _wrapped_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 
 
 def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:
-    name, unit = fact.signals.name, declared.displacement
+    name = fact.signals.name
+    unit = declared.displacement
     if not isinstance(fact.wells, Wells):
         reason = fact.wells.reason.partition(":")[0]
         return CheckRow(name, "rests", reason, "", "not seen")

@@ -117,7 +117,8 @@ def _extrapolation(finding: Finding) -> tuple[str, str]:
 
 
 def _one_passage(finding: Finding) -> tuple[str, str]:
-    share, when = percent(_value(finding, "share")), moment(_value(finding, "time"))
+    share = percent(_value(finding, "share"))
+    when = moment(_value(finding, "time"))
     text = f"one passage over the barrier at t = {when} makes {share} of the squared error on the {finding.log}"
     return text, "there a small error decides the well: judge the rest of the log by itself, or train on such passages"
 

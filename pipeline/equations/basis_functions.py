@@ -21,9 +21,14 @@ def kernels() -> dict[str, tuple[dict[str, ca.SX], dict[str, ca.SX]]]:
     A bell is r, φ, the ratio of the next one to it, and by what that ratio shrinks. `slope` is φ' along q, and
     `shape` φ, φ' and φ'' of the first bell.
     """
-    q, basis, bell, square = ca.SX.sym("q"), ca.SX.sym("basis", 3), ca.SX.sym("bell", 4), ca.SX.sym("square")
+    q = ca.SX.sym("q")
+    basis = ca.SX.sym("basis", 3)
+    bell = ca.SX.sym("bell", 4)
+    square = ca.SX.sym("square")
     r, value, ratio, shrink = ca.vertsplit(bell)
-    first, step, width = (q - basis[0]) / basis[2], basis[1] / basis[2], basis[2]
+    first = (q - basis[0]) / basis[2]
+    step = basis[1] / basis[2]
+    width = basis[2]
     at_first = gaussian(first * first)
     first_bell = ca.vertcat(first, at_first, gaussian(step * (step - 2.0 * first)), gaussian(2.0 * step * step))
     exponent = ca.substitute(ca.gradient(gaussian(square), square), square, 0.0)

@@ -74,12 +74,15 @@ _Side = tuple[Expression, tuple[Expression, Expression, Expression], Expression]
 
 def _membrane(s: CondensedSymbols, side: int, phi: FrameAngle, u_y: Any, speeds: tuple[Any, Any, Any]) -> _Side:
     """Tension [N]; ∂L/∂q [1], ∂L/∂τ [m] and ∂L/∂u_y [1]; λ̇3 [1/s] of one membrane (eqs. 4 to 6, 11, 12)."""
-    name, sign = ("left", "right")[side], (-1.0, 1.0)[side]
+    name = ("left", "right")[side]
+    sign = (-1.0, 1.0)[side]
 
     def k(entry: str) -> Expression:
         return s.constant(f"{name}_{entry}")
 
-    a, c, l0 = k("a"), k("c"), k("l0")
+    a = k("a")
+    c = k("c")
+    l0 = k("l0")
     length, x, y = elements.length(sign, a, c, k("e_z"), k("e_x"), s.constant("l"), s.x[0], phi.sin, phi.cos, u_y)
     stretch = length / l0
     thickness = elements.thickness_stretch(stretch)
@@ -109,7 +112,8 @@ def _least_loss(s: CondensedSymbols) -> Expression:
     β̇, which is inverted, seen from other coordinates.
     """
     k = s.constant
-    end, bent = k("slope_by_tau"), k("slope_by_beta")
+    end = k("slope_by_tau")
+    bent = k("slope_by_beta")
     across = -(k("slope_by_q") + end * k("slope_ratio"))
     apart = STIFFNESS_QQ * STIFFNESS_TT - STIFFNESS_QT**2
     given = (STIFFNESS_TT * across**2 - 2.0 * STIFFNESS_QT * across + STIFFNESS_QQ) / apart + bent**2 / STIFFNESS_BB
@@ -118,9 +122,14 @@ def _least_loss(s: CondensedSymbols) -> Expression:
 
 def _corrections(s: CondensedSymbols) -> tuple[Expression, Expression]:
     """Force [N] on q and moment [N·m] on τ of the RBF corrections and of viscous friction."""
-    k, c, u, q, p = s.constant, s.correction, s.u, s.x[0], s.x[1]
+    k = s.constant
+    c = s.correction
+    u = s.u
+    q = s.x[0]
+    p = s.x[1]
     ratio = k("slope_ratio") / k("l")
-    deviation, deviation_dot = s.x[2] - ratio * q, s.x[3] - ratio * p
+    deviation = s.x[2] - ratio * q
+    deviation_dot = s.x[3] - ratio * p
     moment = c("moment") - c("stiffness") * deviation + c("left_moment") * u[0] + c("right_moment") * u[1]
     moment -= ca.fmax(c("loss"), _least_loss(s)) * deviation_dot
     along = c("moment_q") - 0.5 * c("stiffness_q") * deviation + c("left_moment_q") * u[0] + c("right_moment_q") * u[1]
@@ -130,11 +139,16 @@ def _corrections(s: CondensedSymbols) -> tuple[Expression, Expression]:
 
 def forces(s: CondensedSymbols, friction: Expression) -> Forces:
     """All forces but inertia; `friction` are those of the stop operators, (3,)."""
-    k, x = s.constant, s.x
-    q, p, turning = x[0], x[1], x[3]
-    l, loss = k("l"), k("bending_loss")
+    k = s.constant
+    x = s.x
+    q = x[0]
+    p = x[1]
+    turning = x[3]
+    l = k("l")
+    loss = k("bending_loss")
     (g_q, g_t, g_b), (u_y, along_u), phi = beam_gradient(s), shortening(s), frame_angle(s)
-    speed, u_dot = p / l, ca.dot(along_u, s.speeds)
+    speed = p / l
+    u_dot = ca.dot(along_u, s.speeds)
     sides = [_membrane(s, side, phi, u_y, (p, turning, u_dot)) for side in range(2)]
     axial = _axial(s, sides)
     end_dot = k("slope_by_q") * speed + k("slope_by_tau") * turning + k("slope_by_beta") * x[5]
@@ -167,7 +181,8 @@ def upright_load(s: CondensedSymbols) -> Expression:
 
 def rates(s: CondensedSymbols, friction: Expression) -> Expression:
     """Rates of the state, shape (STATES,)."""
-    k, x = s.constant, s.x
+    k = s.constant
+    x = s.x
     acting = forces(s, friction)
     inertia = frame_inertia(s)
     pushed = ca.vertcat(acting.force, acting.moment, acting.interior) + inertia.centrifugal
@@ -205,13 +220,15 @@ def stop_forces(s: CondensedSymbols, states: list[Expression]) -> Expression:
 
 def _directions(s: CondensedSymbols) -> list[Expression]:
     """Slopes of the coordinate of each stop operator along (q, τ, β) [1, m, m], each (3,)."""
-    arm, l = s.constant("friction_arm"), s.constant("l")
+    arm = s.constant("friction_arm")
+    l = s.constant("l")
     return [ca.vertcat(q, by_arm * arm + tau * l, beta * l) for q, by_arm, tau, beta in STOP_DIRECTIONS]
 
 
 def moved_stops(s: CondensedSymbols) -> list[Expression]:
     """Stop operators at x, by the play since the start of the step: they need no differential equation."""
-    moved, travels = s.shape - s.start, _travels(s)
+    moved = s.shape - s.start
+    travels = _travels(s)
     plays = [ca.dot(along, moved) for along in _directions(s)]
     return [elements.stop_operator(s.z[i], plays[i], travels[i]) for i in range(STOPS)]
 
@@ -223,7 +240,8 @@ def _travels(s: CondensedSymbols) -> list[Expression]:
 
 def stop_rates(s: CondensedSymbols) -> list[Expression]:
     """Rates [1/s] of the stop operators where they are states."""
-    speeds, travels = [ca.dot(along, s.speeds) for along in _directions(s)], _travels(s)
+    speeds = [ca.dot(along, s.speeds) for along in _directions(s)]
+    travels = _travels(s)
     return [elements.stop_rate(s.z[i], speeds[i], travels[i]) for i in range(STOPS)]
 
 

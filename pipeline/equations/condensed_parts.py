@@ -19,7 +19,10 @@ from . import beam
 from .beam import Expression
 from .tip_elements import tip_elements
 
-SLIPS, LAYERS, CREEPS, BRANCHES = 4, 2, 2, 3
+SLIPS = 4
+LAYERS = 2
+CREEPS = 2
+BRANCHES = 3
 """Elements of friction; layers of the beam that yield; creep elements on q; Maxwell elements of each membrane: the
 paper's, a slow one and a fast one."""
 _GAUSS = ((0.5 - math.sqrt(0.15), 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.5 + math.sqrt(0.15), 5.0 / 18.0))
@@ -153,7 +156,8 @@ def beam_gradient(s: CondensedSymbols) -> list[Expression]:
     k = s.constant
     shape = [s.x[0] / k("l"), s.x[2], s.x[4]]
     slope = k("slope_by_q") * shape[0] + k("slope_by_tau") * shape[1] + k("slope_by_beta") * shape[2]
-    moving, constant = [shape[0], slope, shape[2]], [k(name) for name in ("curvature", "steepening", "stiffening")]
+    moving = [shape[0], slope, shape[2]]
+    constant = [k(name) for name in ("curvature", "steepening", "stiffening")]
     energy = _slender_energy()
     by_q, by_slope, by_b = (energy.derivative(i).at(moving, constant) for i in range(3))
     slender = (by_q + k("slope_by_q") * by_slope, k("slope_by_tau") * by_slope, by_b + k("slope_by_beta") * by_slope)
@@ -166,7 +170,9 @@ def shortening(s: CondensedSymbols) -> tuple[Expression, Expression]:
 
     Beyond second order (`raised`) it is −l Σ shortening Q^i τ^j β^k, i + j + k = 4 and k < 2.
     """
-    l, near, up = s.constant("l"), _near(s), raised(s)
+    l = s.constant("l")
+    near = _near(s)
+    up = raised(s)
     bows = _quartic_gradient(s, near, "shortening")
     bowed = 0.25 * sum(value * by for value, by in zip(near.values.values(), bows, strict=True))  # Euler's theorem
     slopes = [by * slope for by, slope in zip(bows, near.slopes, strict=True)]
@@ -213,10 +219,12 @@ class _Near:
 
 def _near(s: CondensedSymbols) -> _Near:
     """Coordinates that level off smoothly beyond `_FAR`: no sign of a term then lets the energy fall for ever."""
-    values, slopes = {}, []
+    values = {}
+    slopes = []
     for letter, x, far in zip(_ORDER, (s.x[0] / s.constant("l"), s.x[2], s.x[4]), _FAR, strict=True):
         limited = ca.fmin(1.5 * far, ca.fmax(-1.5 * far, x))
-        above, below = ca.fmax(0.0, limited - far), ca.fmax(0.0, -far - limited)
+        above = ca.fmax(0.0, limited - far)
+        below = ca.fmax(0.0, -far - limited)
         values[letter] = limited - (above * above - below * below) / far
         slopes.append(1.0 - (above + below) * (2.0 / far))
     pairs: _Products = {two: values[two[0]] * values[two[1]] for two in combinations_with_replacement(_ORDER, 2)}
@@ -226,7 +234,8 @@ def _near(s: CondensedSymbols) -> _Near:
 
 def _hardening_gradient(s: CondensedSymbols, near: _Near) -> list[Expression]:
     """∂/∂(Q, τ, β) of Σ quartic Q^i τ^j β^k + β³ Σ sextic Q^i τ^j β^k, i + j + k = 4 and 3."""
-    square, cube = near.pairs["b", "b"], near.triples["b", "b", "b"]
+    square = near.pairs["b", "b"]
+    cube = near.triples["b", "b", "b"]
     sextic = sum(s.constant(f"sextic_{''.join(three)}bbb") * at for three, at in near.triples.items())
     gradient = []
     for letter, slope, quartic in zip(_ORDER, near.slopes, _quartic_gradient(s, near, "quartic"), strict=True):
@@ -267,8 +276,10 @@ class FrameAngle:
 
 def frame_angle(s: CondensedSymbols) -> FrameAngle:
     """The angle at the slope τ of the state."""
-    tau, rotation = s.x[2], s.constant("rotation")
-    root, rest = ca.sqrt(1.0 + rotation * tau * tau), ca.sqrt(1.0 + (rotation - 1.0) * tau * tau)
+    tau = s.x[2]
+    rotation = s.constant("rotation")
+    root = ca.sqrt(1.0 + rotation * tau * tau)
+    rest = ca.sqrt(1.0 + (rotation - 1.0) * tau * tau)
     over = 1.0 / (root * rest)
     of_root, of_rest = rest * over, root * over  # 1/√…
     bend = -tau * (2.0 * rotation * of_root * of_root + (rotation - 1.0) * of_rest * of_rest)
@@ -289,9 +300,13 @@ def frame_inertia(s: CondensedSymbols) -> Inertia:
     x = q + offset sin φ and y = −½ (q, τ, β) R (q, τ, β)ᵀ + offset (cos φ − 1) are where the frame's centre of mass is:
     the beam shortens where it bends, and the frame tilts. `cross` and `inertia` are the beam's, `gyration` the frame's.
     """
-    k, phi, speeds = s.constant, frame_angle(s), s.speeds
+    k = s.constant
+    phi = frame_angle(s)
+    speeds = s.speeds
     # ∂x and ∂y along (q, τ, β), and what ẍ and ÿ are without accelerations
-    out, down, turning = phi.cos * phi.turn, phi.sin * phi.turn, phi.turn * s.x[3] * s.x[3]
+    out = phi.cos * phi.turn
+    down = phi.sin * phi.turn
+    turning = phi.turn * s.x[3] * s.x[3]
     across = ca.vertcat(1.0, k("offset") * out, 0.0)
     up = raised(s) - ca.vertcat(0.0, k("offset") * down, 0.0)
     across_more = k("offset") * turning * (phi.cos * phi.bend - down)

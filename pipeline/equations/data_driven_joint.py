@@ -48,7 +48,8 @@ def turning_arm(x: Any, arm: Any) -> Expression:
     They hold the torque of any weight on it. Such a torque falls beyond 90°, where a run that has left the data would
     not come back but for the wall.
     """
-    q, past = arm[0] + arm[1] * x, (x - clipped(x, -1.0, 1.0)) / WALL
+    q = arm[0] + arm[1] * x
+    past = (x - clipped(x, -1.0, 1.0)) / WALL
     return ca.vertcat(1.0, ca.sin(q), ca.cos(q), x * x * x + past * past * past)
 
 
@@ -67,7 +68,8 @@ def stop_force(x: Any, p: Any, stops: Any) -> Expression:
     """Force of two end stops at the displacements stops[0] < stops[1], springs of the stiffness stops[2] that resist
     motion by stops[3] while they are touched. They set in within `TOUCH`, so that the force has a derivative.
     """
-    left, right = stops[0] - x, x - stops[1]
+    left = stops[0] - x
+    right = x - stops[1]
     push = stops[2] * (_beyond(left) - _beyond(right))
     return push - stops[3] * (_touched(left) + _touched(right)) * p
 
@@ -131,12 +133,14 @@ def clipped(x: Any, low: Any, high: Any) -> Expression:
 def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     """Inputs and outputs of each law, with exact derivatives along what the sensitivities of a run need."""
     x, arm, centre, bend, low, high = (ca.SX.sym(name) for name in ("x", "arm", "centre", "bend", "low", "high"))
-    angle, curves = ca.SX.sym("angle", 2), ca.SX.sym("curves", 2)
+    angle = ca.SX.sym("angle", 2)
+    curves = ca.SX.sym("curves", 2)
     p, push, arc, coupling, rate, load = map(ca.SX.sym, ("p", "push", "arc", "coupling", "rate", "load"))
     state, travel, length, drive = (ca.SX.sym(name) for name in ("state", "travel", "length", "drive"))
     drag, stops, force, at_ends = (ca.SX.sym(*of) for of in (("drag",), ("stops", 4), ("force",), ("at_ends", 2)))
     slope = ca.jacobian(bell(x, centre, bend), x)
-    moved, relaxing = acceleration(p, curves, push, arm, arc, drag), element_rate(coupling, p, rate, load)
+    moved = acceleration(p, curves, push, arm, arc, drag)
+    relaxing = element_rate(coupling, p, rate, load)
     slid = elements.dahl_move(state, travel, length)
     return {
         "POWERS": ({"x": x}, _with_slopes(powers(x), x)),
@@ -192,7 +196,8 @@ def polynomial_variables(q: Any, q_dot: Any, scales: Any) -> Expression:
 def lagged_kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     """Inputs and outputs of each law."""
     q, q_dot, z, push, lag = (ca.SX.sym(name) for name in ("q", "q_dot", "z", "push", "lag"))
-    curves, scales = ca.SX.sym("curves", 2), ca.SX.sym("scales", 3)
+    curves = ca.SX.sym("curves", 2)
+    scales = ca.SX.sym("scales", 3)
     rates = lagged_rates(q, q_dot, z, curves, push, lag)
     state = {"q": q, "q_dot": q_dot, "z": z}
     return {

@@ -67,7 +67,8 @@ def _coefficients(s: FullSymbols, qm: Expression) -> list[Expression]:
 
 def tip(s: FullSymbols) -> tuple[Expression, Expression, Expression]:
     """Tip of the beam: q = w(l) (eq. 3), w'(l) = tan φ (eq. 1) and u_y (eq. 2)."""
-    c, l = _coefficients(s, s.qm), s.parameter("l")
+    c = _coefficients(s, s.qm)
+    l = s.parameter("l")
     u_y = s.qm[3] - 0.5 * l * _SHORTENING.at(c, [0.0])
     return l * (c[0] + c[1] + c[2]), 2.0 * c[0] + 3.0 * c[1] + 4.0 * c[2], u_y
 
@@ -76,7 +77,8 @@ def stretches(s: FullSymbols) -> tuple[Expression, Expression]:
     """λ_{1,1} and λ_{1,2} of the left and right membrane (eqs. 4 to 6)."""
     q, slope, u_y = tip(s)
     cos = 1.0 / ca.sqrt(1.0 + slope * slope)
-    sin, l = slope * cos, s.parameter("l")
+    sin = slope * cos
+    l = s.parameter("l")
     result = []
     for side, sign in (("left", -1.0), ("right", 1.0)):
         a, b, a0, e_x, e_z, l0 = (s.parameter(f"{side}.{n}") for n in ("a", "b", "a0", "e_x", "e_z", "l0"))
@@ -93,8 +95,10 @@ def kinetic_energy(s: FullSymbols) -> Expression:
     """T of eq. 8 [J]."""
     q, _, u_y = tip(s)
     c_dot = _coefficients(s, s.qm_dot)
-    l, rho = s.parameter("l"), s.parameter("rho")
-    q_dot, u_y_dot = ca.jtimes(q, s.qm, s.qm_dot), ca.jtimes(u_y, s.qm, s.qm_dot)
+    l = s.parameter("l")
+    rho = s.parameter("rho")
+    q_dot = ca.jtimes(q, s.qm, s.qm_dot)
+    u_y_dot = ca.jtimes(u_y, s.qm, s.qm_dot)
     rotation = s.parameter("I") * l * _SHORTENING.at(c_dot, [0.0])
     translation = s.parameter("A") * l**3 * _TRANSLATION.at(c_dot, [0.0])
     return 0.5 * s.parameter("m") * (q_dot**2 + u_y_dot**2) + 0.5 * rho * (rotation + translation)
@@ -194,7 +198,8 @@ def _shape_kernels(s: FullSymbols) -> dict[str, Kernel]:
     gradient = ca.gradient(static, s.qm)
     q, slope, u_y = tip(s)
     values = ca.vertcat(q, ca.atan(slope), u_y, *stretches(s))
-    at, unloaded = {"qm": s.qm, "v_squared": s.v_squared, "p": s.p}, {"qm": s.qm, "p": s.p}
+    at = {"qm": s.qm, "v_squared": s.v_squared, "p": s.p}
+    unloaded = {"qm": s.qm, "p": s.p}
     damping = _symmetric(ca.hessian(viscous_dissipation(s), s.qm_dot)[0])
     return {
         "statics": (
@@ -233,7 +238,8 @@ def _motion_kernels(s: FullSymbols) -> dict[str, Kernel]:
     """The equations of motion M q̈_m = τ."""
     moving = {"qm": s.qm, "qm_dot": s.qm_dot, "z": s.z, "v_squared": s.v_squared, "force": s.force, "p": s.p}
     mass = _symmetric(ca.jacobian(residual(s), s.qm_ddot))
-    tau, rates = -ca.substitute(residual(s), s.qm_ddot, ca.SX.zeros(4)), internal_rates(s)
+    tau = -ca.substitute(residual(s), s.qm_ddot, ca.SX.zeros(4))
+    rates = internal_rates(s)
     return {
         "dynamics": (
             "Mass matrix M (4, 4), right-hand side τ (4,) of M q̈_m = τ, and ż (3,).",
@@ -250,7 +256,8 @@ def _motion_kernels(s: FullSymbols) -> dict[str, Kernel]:
 
 def _linear_kernels(s: FullSymbols) -> dict[str, Kernel]:
     """Derivatives of the equations of motion."""
-    force, rates = residual(s), internal_rates(s)
+    force = residual(s)
+    rates = internal_rates(s)
     blocks = [ca.jacobian(force, along) for along in (s.qm, s.qm_dot, s.z)]
     blocks += [ca.jacobian(rates, along) for along in (s.qm, s.qm_dot)]
     blocks += [ca.diag(ca.jacobian(rates, s.z)), ca.jacobian(force, s.v_squared)]
@@ -312,9 +319,12 @@ def cubics(pieces: Any, s: Any) -> Expression:
 
 def reduced_kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     """Inputs and outputs of each law."""
-    s, pieces, past = reduced_symbols(), ca.SX.sym("pieces", 28), ca.SX.sym("s")
+    s = reduced_symbols()
+    pieces = ca.SX.sym("pieces", 28)
+    past = ca.SX.sym("s")
     curves = cubics(pieces, past)
-    slopes, others = ca.jacobian(curves, past), {k: v for k, v in vars(s).items() if k not in ("curves", "slopes")}
+    slopes = ca.jacobian(curves, past)
+    others = {k: v for k, v in vars(s).items() if k not in ("curves", "slopes")}
     moved = rates(replace(s, curves=curves, slopes=slopes))
     return {
         "REDUCED_RATES": (dict(vars(s)), {"rates": rates(s)}),

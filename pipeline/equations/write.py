@@ -62,10 +62,12 @@ def _module(summary: str, named: dict[str, Graph], constants: dict[str, Any] | N
 
 
 def _condensed() -> str:
-    j, s = condensed_joint, condensed_parts.symbols()
+    j = condensed_joint
+    s = condensed_parts.symbols()
     still = {"x": s.x, "u": s.u, "k": s.k, "c": s.c}
     moving = still | {"z": s.z, "start": s.start}
-    forces, mass = j.rest_forces(s), condensed_parts.frame_inertia(s).mass
+    forces = j.rest_forces(s)
+    mass = condensed_parts.frame_inertia(s).mass
     upper = ca.vertcat(*(mass[i, k] for k in range(3) for i in range(k + 1)))
     kernels = {
         "RATES": (moving, {"rates": j.rates(s, j.stop_forces(s, j.moved_stops(s)))}),
@@ -105,7 +107,8 @@ def _condensed_jacobian() -> str:
     s = condensed_parts.symbols()
     moving = {"x": s.x, "u": s.u, "k": s.k, "c": s.c, "z": s.z}
     linear = condensed_joint.linearised(s)
-    by_k, slopes = linear.pop("by_k"), linear.pop("c_q")
+    by_k = linear.pop("by_k")
+    slopes = linear.pop("c_q")
     exact = {"JACOBIAN": (moving | {"c_q": slopes}, linear), "BY_CONSTANTS": (moving, {"by_k": by_k})}
     return _module("Exact derivatives of the condensed joint's rates.", graphs(exact, "k"))
 
@@ -205,11 +208,13 @@ def _trace(
     stores = []
     names = list(inputs)
     for i in range(function.n_instructions()):
-        kind, target = function.instruction_id(i), function.instruction_output(i)
+        kind = function.instruction_id(i)
+        target = function.instruction_output(i)
         if kind == ca.OP_OUTPUT:
             which, entry = target
             key = list(outputs)[which]
-            rows, columns = sparse[which].sparsity().row(), sparse[which].sparsity().get_triplet()[1]
+            rows = sparse[which].sparsity().row()
+            columns = sparse[which].sparsity().get_triplet()[1]
             # Arrays are filled row by row.
             place = rows[entry] * sparse[which].shape[1] + columns[entry]
             stores.append(Operation("store", (register[function.instruction_input(i)[0]],), (key, place)))

@@ -61,7 +61,8 @@ class ControllerSubject:
 
 def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
     """Write ``controller.h``, ``.c``, ``.m`` and ``.fmu``."""
-    written, fields = [], _fields(subject)
+    written = []
+    fields = _fields(subject)
     sources = _sources(fields)
     script = render("controller.m.j2", fields | _functions("c.", matlab_function, matlab_sequence))
     for file, text in (sources | {f"{NAME}.m": script}).items():

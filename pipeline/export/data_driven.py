@@ -87,7 +87,9 @@ class _Joint:
 
     def functions(self) -> dict[str, Graph]:
         """Graphs by name, see `Realisation`."""
-        k, size, base = self.inputs, len(self.states()), self.slips + 1
+        k = self.inputs
+        size = len(self.states())
+        base = self.slips + 1
         state = {"x": size, "z": 1, "base": base, "u": k}
         lag = {"lag": trace(self.behind, before=k, within=k, after=k, h=1, x=size)} if self.lagged else {}
         return lag | {
@@ -122,7 +124,8 @@ class _Joint:
     def start(self, q0: Values, qdot0: Values, u: Values) -> Outputs:
         """Elements at rest, friction relaxed."""
         before = u if self.rested else [0.0] * self.inputs
-        f, at = self._acting(before), (q0[0] - self.middle) / self.half
+        f = self._acting(before)
+        at = (q0[0] - self.middle) / self.half
         x = [at, qdot0[0] / self.half, *resting_elements(self.c, at, f), *([0.0] * self.slips)]
         return {"x": x + (before if self.lagged else []), "z": []}
 
@@ -136,7 +139,8 @@ class _Joint:
 
     def finish(self, base: Values, x: Values, z: Values) -> Outputs:
         """Friction states moved with the step; the wall ends a motion."""
-        last, beyond = self.first + self.slips, function("lt", WALL, function("abs", x[0]))
+        last = self.first + self.slips
+        beyond = function("lt", WALL, function("abs", x[0]))
         at = choose(beyond, choose(function("lt", 0.0, x[0]), WALL, -WALL), x[0])
         moved = [at, choose(beyond, 0.0, x[1]), *x[2 : self.first]]
         return {"x": [*moved, *self._slid(x, 1.0, x[0] - base[-1]), *x[last:]], "z": z}
@@ -144,7 +148,8 @@ class _Joint:
     def flow(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
         """Rates of all states, friction as Dahl's differential equation."""
         last = self.first + self.slips
-        slip, acts = x[self.first : last], x[last:] if self.lagged else u
+        slip = x[self.first : last]
+        acts = x[last:] if self.lagged else u
         sliding = [apply(DAHL_RATE, x[1], s, float(d))[0] for s, d in zip(slip, self.c.slip_length, strict=True)]
         lagging = [apply(LAG, value, late, self.lag)[0] for value, late in zip(u, x[last:], strict=False)]
         return {"dx": self._moved(x, slip, self._acting(acts)) + sliding + lagging}
@@ -187,8 +192,11 @@ class _Joint:
 
 
 def _joint(model: RbfModel) -> _Joint:
-    p, s, theta = model.parameters, model.parameters.scales, model.theta
-    offset, log_lag = theta[p.slices["input_offset"]], theta[p.slices["input_lag"]]
+    p = model.parameters
+    s = model.parameters.scales
+    theta = model.theta
+    offset = theta[p.slices["input_offset"]]
+    log_lag = theta[p.slices["input_lag"]]
     return _Joint(
         c=p.coefficients(theta),
         middle=float(s.middle),

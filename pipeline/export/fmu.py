@@ -112,7 +112,8 @@ def _compiled(sources: dict[str, str], identifier: str) -> dict[str, bytes]:
 
 def _library(place: Path, identifier: str, compiler: "Compiler") -> bytes | None:
     """``fmu.c`` of a folder as a library; None without a compiler, or where it fails."""
-    program, library = shutil.which(compiler.name), place / f"{identifier}{compiler.ending}"
+    program = shutil.which(compiler.name)
+    library = place / f"{identifier}{compiler.ending}"
     if program is None:
         return None
     words = [program, *FLAGS, *compiler.flags, "-shared", "fmu.c", "-o", library.name, "-lm"]
@@ -178,7 +179,9 @@ def facts(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1):
         declared.append(_constant(f"v{i}_min", low, unit, f"least value of input {i} in the training logs"))
         declared.append(_constant(f"v{i}_max", high, unit, f"largest value of input {i} in the training logs"))
-    interval, step, delay = v.sample_interval, realisation.step, realisation.delay
+    interval = v.sample_interval
+    step = realisation.step
+    delay = realisation.delay
     return [
         *declared,
         _constant("sample_interval", interval, "s", "interval of the samples on which the model was identified"),
@@ -193,7 +196,8 @@ def _constant(name: str, value: float, unit: str, meaning: str) -> FmuVariable:
 
 def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     """All variables; their positions are the value references of the source."""
-    unit, v = subject.validity.q_unit, subject.validity
+    unit = subject.validity.q_unit
+    v = subject.validity
     declared = [
         FmuVariable(f"v{i}", symbol, f"input {i}, as measured", "input", "continuous", start=0.0)
         for i, symbol in enumerate(v.v_units, start=1)

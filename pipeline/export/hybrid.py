@@ -37,7 +37,8 @@ def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
     """The corrections at q; see `pipeline.models.hybrid.kernels.corrections_at`."""
     if weights.shape[1] == 0:
         return [0.0] * VALUES
-    first, reach = float(basis[0]), WIDTHS * float(basis[2])
+    first = float(basis[0])
+    reach = WIDTHS * float(basis[2])
     near = function("lt", function("abs", q - first), reach)
     bell = apply(FIRST_BELL, clip(q, first - reach, first + reach), *basis)
     summed: Values = [0.0] * VALUES
@@ -53,7 +54,8 @@ def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
 
 def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
-    condensed, joint = model.joint, _Joint(model)
+    condensed = model.joint
+    joint = _Joint(model)
     return Realisation(
         functions={
             "drive": trace(joint.drive, v=2),
@@ -95,12 +97,16 @@ class _Joint:
     """How the joint moves between its instruments; `base` is (q, τ, β) where a step started."""
 
     def __init__(self, model: HybridModel) -> None:
-        self.basis, self.seen = model.joint.basis, model.joint.instruments(model.theta)
-        self.k, self.weights = model.joint.constants(model.theta), model.joint.weights(model.theta)
+        self.basis = model.joint.basis
+        self.seen = model.joint.instruments(model.theta)
+        self.k = model.joint.constants(model.theta)
+        self.weights = model.joint.weights(model.theta)
         self.p = [float(value) for value in prepare(self.k[None])[0]]
         self.constant = {name: float(self.k[place]) for name, place in INDEX.items()}
-        self.held_above, self.wall = 2.0 * model.joint.largest_voltage, float(model.joint.q_stop)
-        self.offset, self.charging = float(self.seen.offset), float(self.seen.charging)
+        self.held_above = 2.0 * model.joint.largest_voltage
+        self.wall = float(model.joint.q_stop)
+        self.offset = float(self.seen.offset)
+        self.charging = float(self.seen.charging)
 
     def drive(self, v: Values) -> Outputs:
         """Voltages without the probes' offsets; absurd ones are held."""
@@ -136,7 +142,8 @@ class _Joint:
 
     def rates(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
         """The law, with the corrections at q, under voltages of the membranes that `lag` has moved."""
-        c, squares = _corrections(x[0], self.basis, self.weights), [square(v) for v in u]
+        c = _corrections(x[0], self.basis, self.weights)
+        squares = [square(v) for v in u]
         return {"dx": [*inline(RATES, x=x[:STATES], u=squares, c=c, z=z, start=base, p=self.p)["rates"], 0.0, 0.0]}
 
     def flow(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
@@ -157,7 +164,8 @@ class _Joint:
         return {"y": [x[0] + self.offset, x[1], dx[1]]}
 
     def _forces(self, x: Values, u: Values) -> Outputs:
-        c, squares = _corrections(x[0], self.basis, self.weights), [square(v) for v in u]
+        c = _corrections(x[0], self.basis, self.weights)
+        squares = [square(v) for v in u]
         return inline(REST_FORCES, x=x[:STATES], u=squares, c=c, p=self.p)
 
 

@@ -23,7 +23,8 @@ def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Rea
         """The law of a run."""
         return {"dx": lagged_rates(model.law, x, u)}
 
-    squared, bend = model.inputs == "squared", 0.5 / model.width**2
+    squared = model.inputs == "squared"
+    bend = 0.5 / model.width**2
     constants = {"basis": model.basis, "centres": model.centres, "weights": model.law.weights, "bend": bend}
     return Realisation(
         functions=_functions(rates, lambda qdot0, u: [*qdot0], np.ones(model.input_count), squared, low, high, 3),

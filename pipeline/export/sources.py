@@ -93,7 +93,8 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
     The MAT file holds breakpoints and tables for Simulink's 1-D Lookup Table blocks under the names `q_bp`, `F_table`,
     `d_table`, …, the structs `units` and `validity`, and in `check` a log with the model's own run.
     """
-    script, data = folder / f"{subject.identifier}.m", folder / f"{subject.identifier}_data.mat"
+    script = folder / f"{subject.identifier}.m"
+    data = folder / f"{subject.identifier}_data.mat"
     write_text(script, function_source(subject))
     write_bytes(data, _mat_bytes(variables(subject), f"debist {program_version()}, {subject.identifier}"))
     return Exported([script, data])
@@ -113,7 +114,8 @@ def function_source(subject: Subject) -> str:
 
 def variables(subject: Subject) -> dict[str, Any]:
     """What the MAT file holds, all in SI."""
-    v, run = subject.validity, subject.model.simulate(subject.t, subject.v, *subject.start)
+    v = subject.validity
+    run = subject.model.simulate(subject.t, subject.v, *subject.start)
     arrays: dict[str, Any] = {
         "validity": {
             "q": np.array(v.q),
@@ -207,6 +209,7 @@ def _equations(subject: Subject) -> dict[str, Any] | None:
 def _check(subject: Subject) -> dict[str, Any]:
     """The start of a log with the model's own run."""
     rows = slice(0, CHECK_SAMPLES)
-    t, v = subject.t[rows], subject.v[rows]
+    t = subject.t[rows]
+    v = subject.v[rows]
     run = subject.model.simulate(t, v, *subject.start)
     return {"t_s": t, "v": v, "q0": subject.start[0], "qdot0": subject.start[1], "q": run.q, "status": run.status}

@@ -18,7 +18,8 @@ from ..system.names import slug
 from ..system.package import object_at
 from ..units.quantity import quantity
 
-_STRONGER, _FARTHER = 1.05, 0.6
+_STRONGER = 1.05
+_FARTHER = 0.6
 """Times the largest trained input, and the trained range from its middle, beyond which a model extrapolates."""
 _WEAKER = (0.2e-3, 3e-3)
 """Shares of the largest trained input between which another one looks like kV."""

@@ -21,7 +21,8 @@ _SPELT = str.maketrans({"²": "^2", "³": "^3", "·": ".", "−": "-", "µ": "u"
 _DOT = re.compile("(?P<letter>[qz])(?P<dots>[\u0307\u0308])")
 _ENDS = re.compile(r"(?<=\*)(?=/)|(?<=/)(?=[*/])|(?<=\?)(?=\?)")
 """Places in ASCII where two characters together end or begin a comment of C, or belong to a trigraph."""
-_AT_START, _AT_END = re.compile(r"^[*/?]"), re.compile(r"[*/?]$")
+_AT_START = re.compile(r"^[*/?]")
+_AT_END = re.compile(r"[*/?]$")
 _NOT_IN_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 

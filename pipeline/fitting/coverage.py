@@ -50,9 +50,11 @@ def coverage(centres: FloatArray, q: Sequence[FloatArray], v: Sequence[FloatArra
     v : sequence of FloatArray, shape (N, K)
         Inputs at these samples; an input acts above a tenth of its largest value, 1 % of a squared force.
     """
-    m, inputs = len(centres), v[0].shape[1]
+    m = len(centres)
+    inputs = v[0].shape[1]
     edges = 0.5 * (centres[1:] + centres[:-1])
-    visits, driven = np.zeros(m, dtype=np.int64), np.zeros((inputs, m), dtype=np.int64)
+    visits = np.zeros(m, dtype=np.int64)
+    driven = np.zeros((inputs, m), dtype=np.int64)
     peaks = np.max([np.abs(x).max(axis=0) for x in v], axis=0)
     for position, volts in zip(q, v, strict=True):
         nearest = np.searchsorted(edges, position)

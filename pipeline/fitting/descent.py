@@ -27,10 +27,13 @@ FAIR = 0.2
 """Share of the best fall of the cost that a smaller damping must bring to be taken: the smallest damping that does not
 waste the step leads to lower minima than the one that falls most (compared on one simulated joint)."""
 
-PROBED, LARGEST_BEND = 0.1, 0.75
+PROBED = 0.1
+LARGEST_BEND = 0.75
 """Share of a step over which its bend is measured, and the largest bend, relative to the step, that is trusted."""
 
-START, WEAKEST, STRONGEST = 1e-3, 1e-8, 1e6
+START = 1e-3
+WEAKEST = 1e-8
+STRONGEST = 1e6
 
 
 class ObservedProblem(Protocol):
@@ -90,9 +93,16 @@ class Descent:
         self, problem: Any, prior: Prior, gain: float, noise_inflation: float, theta: FloatArray, damping: float,
         residual: FloatArray,
     ) -> None:  # fmt: skip
-        self.problem, self.prior, self.gain, self.noise_inflation = problem, prior, gain, noise_inflation
-        self.theta, self.damping, self.residual, self.iterations = theta, damping, residual, 0
-        self.hessian, self._slope = np.zeros((len(theta), len(theta))), np.zeros(len(theta))
+        self.problem = problem
+        self.prior = prior
+        self.gain = gain
+        self.noise_inflation = noise_inflation
+        self.theta = theta
+        self.damping = damping
+        self.residual = residual
+        self.iterations = 0
+        self.hessian = np.zeros((len(theta), len(theta)))
+        self._slope = np.zeros(len(theta))
         self.jacobian = np.zeros((len(residual), len(theta)))
         self._linear: tuple[FloatArray, FloatArray] | None = None  # θ and residual where these two hold
         self.noise = noise_inflation * self._rms()
@@ -103,9 +113,13 @@ class Descent:
             return True
         with np.errstate(over="ignore", invalid="ignore"):
             residual, jacobian = self.problem.jacobian(self.theta, self.gain)
-            hessian, slope = jacobian.T @ jacobian, jacobian.T @ residual
+            hessian = jacobian.T @ jacobian
+            slope = jacobian.T @ residual
         if np.isfinite(hessian).all() and np.isfinite(slope).all():
-            self.residual, self.jacobian, self.hessian, self._slope = residual, jacobian, hessian, slope
+            self.residual = residual
+            self.jacobian = jacobian
+            self.hessian = hessian
+            self._slope = slope
             self._linear = self.theta, residual
             return True
         if self._linear is not None:
@@ -116,7 +130,8 @@ class Descent:
         """One accepted step; False once the cost falls by less than `tolerance` (relative) or not at all."""
         if not self.linearise():
             return False
-        cost, matrix = self._cost(self.residual, self.theta), self.prior.matrix
+        cost = self._cost(self.residual, self.theta)
+        matrix = self.prior.matrix
         full = self.hessian / self.noise**2 + matrix.T @ matrix
         slope = self._slope / self.noise**2 + matrix.T @ self.prior.residual(self.theta)
         lowered = self._lower(full, slope, cost)
@@ -193,7 +208,8 @@ class _Damped:
     """Solutions of (H + damping·diag H) x = b for several dampings."""
 
     def __init__(self, matrix: FloatArray, dampings: FloatArray) -> None:
-        self.dampings, self._scale = dampings, 1.0 / np.sqrt(np.diag(matrix))
+        self.dampings = dampings
+        self._scale = 1.0 / np.sqrt(np.diag(matrix))
         values, self._vectors = scipy.linalg.eigh(self._scale[:, None] * matrix * self._scale, check_finite=False)
         self._values = np.maximum(values, 0.0)
 

@@ -24,12 +24,16 @@ from .regression import InputLaw, input_signal
 _INTERMEDIATE = (0.15, 0.85)
 """Shares of the largest value between which an input is neither off nor full."""
 _POWER_SHARE = 0.95
-_SHORTEST, _WINDOW = 64, 8.0
+_SHORTEST = 64
+_WINDOW = 8.0
 """Samples of a stretch that is worth a spectrum, and length [s] of its windows."""
-_RINGING_ABOVE, _RINGING_BELOW = 4, 0.8
+_RINGING_ABOVE = 4
+_RINGING_BELOW = 0.8
 """Line of the spectrum and share of the Nyquist frequency between which a peak is the device's: below it is the
 excitation's, above it is noise or folded over."""
-_PEAK, _BAND, _BESIDE = 0.05, 0.1, (0.5, 1.5)
+_PEAK = 0.05
+_BAND = 0.1
+_BESIDE = (0.5, 1.5)
 """Half widths of a peak and of the bands beside it, and their places, shares of the peak's frequency."""
 _MOST_BESIDE = 0.45
 """Power in the bands beside a peak, of that at the peak."""
@@ -206,7 +210,8 @@ def _ringing(q: FloatArray, interval: float) -> float | None:
     if peak in (_RINGING_ABOVE, last):  # the spectrum falls, or rises, all along
         return None
     ratio = frequency / frequency[peak]
-    low, high = _BESIDE[0], min(_BESIDE[1], float(ratio[-1]) - _BAND)
+    low = _BESIDE[0]
+    high = min(_BESIDE[1], float(ratio[-1]) - _BAND)
     most, *beside = (
         power[np.abs(ratio - place) <= max(width, float(ratio[1]))].mean()
         for place, width in ((1.0, _PEAK), (low, _BAND), (high, _BAND))
@@ -293,7 +298,8 @@ def _of_places(
     excitation: Excitation, centres: int, displacement: str, *, conditioned: bool, bistable: bool
 ) -> list[Finding]:
     findings = []
-    fewest, condition = int(excitation.visits.visits.min()), excitation.conditioning
+    fewest = int(excitation.visits.visits.min())
+    condition = excitation.conditioning
     if fewest < LEAST_VISITS:
         place = quantity(float(excitation.centres[int(np.argmin(excitation.visits.visits))]), displacement)
         findings.append(
@@ -326,7 +332,8 @@ def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
     The second differences of q are regressed on place, way and input; Student's t of the input decides.
     """
     inner = (segment[:-2] == segment[2:]) & (segment[1:-1] >= 0) & np.isfinite(q[:-2] + q[1:-1] + q[2:])
-    way, turn = (q[2:] - q[:-2])[inner], (q[2:] - 2.0 * q[1:-1] + q[:-2])[inner]
+    way = (q[2:] - q[:-2])[inner]
+    turn = (q[2:] - 2.0 * q[1:-1] + q[:-2])[inner]
     regressors = np.column_stack([np.ones(len(way)), q[1:-1][inner], way])
     regressors, _ = np.linalg.qr(regressors)
     left = [signal - regressors @ (regressors.T @ signal) for signal in (u[1:-1][inner], turn)]

@@ -149,7 +149,8 @@ def fit_homotopy(
         Levels end early where the simulation or its sensitivities overflow, and where simulations part (chaos).
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
-    count, calls = len(theta), callbacks or Callbacks()
+    count = len(theta)
+    calls = callbacks or Callbacks()
     state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, (), list(schedule.gains), False, False)
     levels = _Levels(problem, prior, schedule, calls, descent)
     while state.pending:
@@ -194,13 +195,15 @@ class _Levels:
         ahead = self.problem.residual(before.theta, gain)
         if ahead is None:
             return self._overflown(before)
-        state, following = self._state(before, gain, ahead), pending[1:]
+        state = self._state(before, gain, ahead)
+        following = pending[1:]
         if not state.linearise():
             return self._overflown(before)
         done = self._descend(state, gain, last=not following)
         chaotic = bool(following) and gain == self.schedule.chaos_gain and self.calls.is_chaotic(state.theta)
         if chaotic:
-            following, done = [], self._descend(state, gain, last=True)
+            following = []
+            done = self._descend(state, gain, last=True)
         if not following:
             state.linearise()
         error = rms(state.residual)

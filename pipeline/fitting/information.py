@@ -71,7 +71,8 @@ class ScaledRegressor:
         InputError
             The displacement never changes.
         """
-        low, high = float(q.min()), float(q.max())
+        low = float(q.min())
+        high = float(q.max())
         centres = basis_centres(low, high, basis_functions)
         signals = np.where(largest > 0.0, input_signal(largest, inputs), 1.0)
         velocity = rms(qdot) or 1.0

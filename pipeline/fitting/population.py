@@ -19,7 +19,8 @@ from scipy.special import ndtr, stdtrit
 
 from ..numerics.arrays import FloatArray
 
-ROUNDS, MORE_ROUNDS = 50, 15
+ROUNDS = 50
+MORE_ROUNDS = 15
 """Steps of expectation-maximisation from the prior, and from the estimate with one member more."""
 
 FALSE_ALARMS = 1.0 / 40.0
@@ -100,13 +101,17 @@ def estimate_population(
     rounds : int
         Steps. Cost: 4 N P³ flops each.
     """
-    by, believed, count = shrinkage or Shrinkage(), np.linalg.inv(prior.covariance), len(members)
+    by = shrinkage or Shrinkage()
+    believed = np.linalg.inv(prior.covariance)
+    count = len(members)
     precisions = np.array([member.precision for member in members])
     vectors = np.array([member.vector for member in members])
-    mean, covariance = (start or prior).mean, (start or prior).covariance
+    mean = (start or prior).mean
+    covariance = (start or prior).covariance
     lost = _variance_within(by.cut)
     for _ in range(rounds):
-        inverse, spread = np.linalg.inv(covariance), np.sqrt(np.diag(covariance))
+        inverse = np.linalg.inv(covariance)
+        spread = np.sqrt(np.diag(covariance))
         own = np.linalg.inv(precisions + inverse)
         best = np.einsum("nij,nj->ni", own, vectors + inverse @ mean)
         middle = mean + np.clip(best - mean, -by.cut * spread, by.cut * spread).mean(axis=0)
@@ -138,7 +143,8 @@ def _variance_within(cut: float) -> float:
     """Variance of a standard normal number that is cut at ± `cut`."""
     if not np.isfinite(cut):
         return 1.0
-    inside, density = 2.0 * ndtr(cut) - 1.0, np.exp(-0.5 * cut**2) / np.sqrt(2.0 * np.pi)
+    inside = 2.0 * ndtr(cut) - 1.0
+    density = np.exp(-0.5 * cut**2) / np.sqrt(2.0 * np.pi)
     return float(inside - 2.0 * cut * density + cut**2 * (1.0 - inside))
 
 
@@ -173,5 +179,6 @@ def oddity(member: Information, others: NormalPopulation, count: int, entries: S
     shown = np.maximum(np.diag(inverse - turned @ inverse), np.finfo(float).tiny)
     farthest = max(entries, key=lambda entry: abs(score[entry]) / np.sqrt(shown[entry]))
     bound = float(stdtrit(max(count - 1, 1), 1.0 - 0.5 * FALSE_ALARMS / len(entries)))
-    size, error = score[farthest] / shown[farthest], 1.0 / np.sqrt(shown[farthest])
+    size = score[farthest] / shown[farthest]
+    error = 1.0 / np.sqrt(shown[farthest])
     return Oddity(farthest, float(size), float(error), bool(abs(size) > bound * error))

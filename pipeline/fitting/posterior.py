@@ -158,7 +158,8 @@ def first_order_curves(
     truth. Curves whose names are `nonnegative` are cut at zero. Cost: the curves of as many parameter vectors as S has
     rows that are not zero, and one.
     """
-    best, moved = curves(mean), np.flatnonzero(np.any(spread, axis=1))
+    best = curves(mean)
+    moved = np.flatnonzero(np.any(spread, axis=1))
     ahead = [curves(mean + step) for step in NUDGE * np.eye(len(mean))[moved]]
     deviations = posterior_draws(np.zeros(len(moved)), spread[moved], count, seed) / NUDGE
     drawn = {}

@@ -175,7 +175,8 @@ def pseudo_inverse_fit(factor: FloatArray, rows: int) -> LinearFit:
         Number of samples behind the factor.
     """
     p = factor.shape[1] - 1
-    matrix, right = factor[:, :p], factor[:, p]
+    matrix = factor[:, :p]
+    right = factor[:, p]
     norms = np.linalg.norm(matrix, axis=0)
     scale = np.where(norms > 0.0, norms, 1.0)
     left, singular, rows_v = np.linalg.svd(matrix / scale, full_matrices=False)

@@ -14,9 +14,11 @@ from scipy.special import stdtrit
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_95
 
-FEWEST, FEWEST_STEP = 4, 6
+FEWEST = 4
+FEWEST_STEP = 6
 """Measurements from which a line and a step are looked for: three lie near some line by chance."""
-_DRAWS, _SEED = 20_000, 2026
+_DRAWS = 20_000
+_SEED = 2026
 _WALKS = np.concatenate([[0.0], np.geomspace(1e-3, 1e4, 57)])
 """Variances of the random walk over the whole time, in mean squared errors."""
 
@@ -67,7 +69,8 @@ def trend(t: FloatArray, y: FloatArray, errors: FloatArray, alarm: float) -> Tre
         return Trend("unknown")
     places = np.arange(2, n - 1) if n >= FEWEST_STEP else np.arange(0)
     shapes = np.array([t - t[0], *(np.arange(n) >= place for place in places)], dtype=np.float64)
-    constant, weighted = 1.0 / errors, shapes / errors
+    constant = 1.0 / errors
+    weighted = shapes / errors
     constant /= np.linalg.norm(constant)
     free = weighted - np.outer(weighted @ constant, constant)
     lengths = np.linalg.norm(free, axis=1)
@@ -110,8 +113,10 @@ def smoothed(t: FloatArray, y: FloatArray, errors: FloatArray) -> tuple[FloatArr
     shape (n,). It is the Rauch–Tung–Striebel smoother, written with covariances.
     """
     size = float(np.mean(errors**2))
-    walk, anywhere = np.minimum.outer(t - t[0], t - t[0]) / max(float(t[-1] - t[0]), np.finfo(float).tiny), 1e6
-    moved, noise = (y - y.mean()) / np.sqrt(size), np.diag(errors**2 / size)
+    walk = np.minimum.outer(t - t[0], t - t[0]) / max(float(t[-1] - t[0]), np.finfo(float).tiny)
+    anywhere = 1e6
+    moved = (y - y.mean()) / np.sqrt(size)
+    noise = np.diag(errors**2 / size)
     priors = [speed * walk + anywhere for speed in _WALKS]
     unlikely = [moved @ np.linalg.solve(p + noise, moved) + np.linalg.slogdet(p + noise)[1] for p in priors]
     prior = priors[int(np.argmin(unlikely))]

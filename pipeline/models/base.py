@@ -246,7 +246,8 @@ def _time(t: FloatArray) -> FloatArray:
 
 
 def _voltages(v: FloatArray, model: DynamicModel, count: int) -> FloatArray:
-    voltages, inputs = _floats(v, "v"), model.input_count
+    voltages = _floats(v, "v")
+    inputs = model.input_count
     if voltages.ndim == 3 and not model.fine_voltages:
         raise InputError(f"v has the shape {voltages.shape}; this model takes voltages at the samples only, (N, K)")
     if voltages.ndim not in (2, 3) or voltages.shape[-1] != inputs or 0 in voltages.shape:

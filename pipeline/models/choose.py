@@ -33,7 +33,9 @@ UNKNOWN_BOUND = 2.0
 JUDGED_TIME = 2.5
 """Processor time [s] of a network that is judged beside the equations, at most."""
 
-QUICK_TIME, FOLLOWED, HOPELESS = 0.6, 0.02, 2.0
+QUICK_TIME = 0.6
+FOLLOWED = 0.02
+HOPELESS = 2.0
 """Processor time [s] of a first network, at most. One that follows what it is fitted to within this share of the
 operating range, and errs so many times as much as the equations on held-out data, is the last: 2.5 s instead of this
 changed the held-out error of such networks by −11 to +40 % (four simulated joints)."""
@@ -288,7 +290,8 @@ def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:
     """Errors after the horizons of scores that the samples have, log by log."""
     errors: list[HorizonError] = []
     for record in training.records:
-        interval, length = record.interval, float(record.t[-1] - record.t[0])
+        interval = record.interval
+        length = float(record.t[-1] - record.t[0])
         times = [time for time, _ in HORIZONS.values() if SHORTEST_HORIZON * interval <= time <= length / 2.0]
         v = record.drive if model.fine_voltages else record.v
         q, speed = (np.where(record.valid, signal, np.nan) for signal in (record.q, record.qdot))

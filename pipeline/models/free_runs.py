@@ -111,7 +111,8 @@ def followed_velocity(log: Log, v: FloatArray, model: DynamicModel) -> float:
         """Error of q at the first samples of a run that begins with this velocity."""
         return (model.simulate(log.t[part], v[part], float(q[0]), velocity).q - q)[seen]
 
-    best, least = start, error(start)
+    best = start
+    least = error(start)
     for _ in range(2):
         slope = (error(best + nudge) - least) / nudge
         steep = float(slope @ slope)
@@ -121,5 +122,6 @@ def followed_velocity(log: Log, v: FloatArray, model: DynamicModel) -> float:
         moved = error(trial) if np.isfinite(trial) else np.full_like(least, np.inf)
         if not moved @ moved < least @ least:
             break
-        best, least = trial, moved
+        best = trial
+        least = moved
     return best

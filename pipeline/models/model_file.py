@@ -34,12 +34,15 @@ from ..units.units import MASS
 LARGEST = 1e30
 """Largest magnitude of any number; products of a few of them are still finite."""
 MOST_INPUTS = 2
-_MOST_FACTS, _LONGEST_TEXT, _DEEPEST = 1000, 10_000, 4
+_MOST_FACTS = 1000
+_LONGEST_TEXT = 10_000
+_DEEPEST = 4
 
 Sizes = Mapping[str, tuple[int, int]]
 Positive = Annotated[float, Field(ge=1.0 / LARGEST, le=LARGEST)]
 Real = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
-SHORTEST_LAG, LONGEST_LAG = 1e-4, 10.0
+SHORTEST_LAG = 1e-4
+LONGEST_LAG = 10.0
 Lag = Annotated[float, Field(ge=SHORTEST_LAG, le=LONGEST_LAG)]
 """Time constant [s] of a lag; the steps of a simulation must follow it."""
 
@@ -101,7 +104,8 @@ def _rising(values: FloatArray) -> FloatArray:
     return values
 
 
-MOST_FACTORS, _HIGHEST_POWER = 4000, 12
+MOST_FACTORS = 4000
+_HIGHEST_POWER = 12
 """Most factors of all terms of a polynomial; an export writes each of them."""
 Exponents = Annotated[IntArray, Table("P X", 0, _HIGHEST_POWER, whole=True), AfterValidator(_short)]
 """Powers of X variables in P terms."""
@@ -315,7 +319,8 @@ def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[File
     for place in places:
         if place in QUANTITIES:  # of a joint's parameters
             return QUANTITIES[place].unit, QUANTITIES[place].meaning
-        field, help_of_part = part.model_fields[place], part.__doc__ or ""
+        field = part.model_fields[place]
+        help_of_part = part.__doc__ or ""
         part = field.annotation
     stated = next((mark.symbol for mark in field.metadata if isinstance(mark, Unit)), None)
     unit = stated or ("1" if part in (int, float, FloatArray, IntArray) else TEXT)

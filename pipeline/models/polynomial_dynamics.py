@@ -26,11 +26,17 @@ from ..numerics.fixed_step import (
 )
 from ..numerics.linear_filters import first_order_lag
 
-_variables, _lag_rate = formula(POLYNOMIAL_VARIABLES), formula(LAG_RATE)
+_variables = formula(POLYNOMIAL_VARIABLES)
+_lag_rate = formula(LAG_RATE)
 _turned = formula(trace(lambda q: {"of": [function("sin", q[0]), function("cos", q[0])]}, q=1))
 
 # Columns of an exponent table; one column per input follows, then one per lag.
-Q, QDOT, FRICTION, SINE, COSINE, FIRST_INPUT = 0, 1, 2, 3, 4, 5
+Q = 0
+QDOT = 1
+FRICTION = 2
+SINE = 3
+COSINE = 4
+FIRST_INPUT = 5
 _MOVING = 3
 """Columns that the displacement and the velocity scale."""
 
@@ -119,7 +125,9 @@ def _rates(system, x, node, dx, acceleration):
 @inlined
 def _move(system, x, dx):
     """C · monomials(x), the inputs being in `scaled`; powers by repeated multiplication."""
-    scaled, s, lags = system.scaled, system.scales, len(system.sources)
+    scaled = system.scaled
+    s = system.scales
+    lags = len(system.sources)
     moving = _variables((x[0], x[1], s[0], s[1], s[2]))
     for i in range(3):
         scaled[i] = moving[i]
@@ -141,7 +149,8 @@ def _move(system, x, dx):
 
 def polynomial_rates(dynamics: PolynomialDynamics, x: Sequence[Any], u: Sequence[Any]) -> list[Any]:
     """Rates of q, q̇ and the lag states under the scaled inputs u (K,): the law of a run for traced values."""
-    scaled, dx = np.empty(dynamics.exponents.shape[1], dtype=object), np.empty(len(x), dtype=object)
+    scaled = np.empty(dynamics.exponents.shape[1], dtype=object)
+    dx = np.empty(len(x), dtype=object)
     scaled[FIRST_INPUT : FIRST_INPUT + len(u)] = u
     _move(_system(dynamics, np.empty((0, 0)), 1, 1)._replace(scaled=scaled), x, dx)
     return list(dx)
@@ -203,7 +212,8 @@ def free_run(
         Samples simulated; N for a whole run.
         Cost: 4 evaluations of the table per step, about 1 ns per factor of a monomial.
     """
-    d, refined = dynamics, v.shape[1] if v.ndim == 3 else 1
+    d = dynamics
+    refined = v.shape[1] if v.ndim == 3 else 1
     steps = steps_between_samples(d, interval, refined)
     flat = np.ascontiguousarray(v.reshape(-1, v.shape[-1]))
     system = _system(d, flat, refined, 2 * steps)

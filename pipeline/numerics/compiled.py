@@ -13,10 +13,14 @@ numba: Any = import_configured("numba")
 # numba reads the file again at each compilation, by a name that is relative to the current folder.
 numba.config._config_fname = str(Path(__file__).with_name("numba.yaml"))
 extending: Any = import_configured("numba.extending")
-types, TypingError = numba.types, numba.TypingError
+types = numba.types
+TypingError = numba.TypingError
 njit: Any = numba.njit
-intrinsic, implement, inlinable = extending.intrinsic, extending.overload, extending.register_jitable
-type_callable, lower_builtin = extending.type_callable, extending.lower_builtin
+intrinsic = extending.intrinsic
+implement = extending.overload
+inlinable = extending.register_jitable
+type_callable = extending.type_callable
+lower_builtin = extending.lower_builtin
 
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 _kernels: list[Any] = []

@@ -100,7 +100,8 @@ def _locate(
     Next to a branch point the corrector's system is nearly singular and rounding decides whether it converges. Where
     it does not, the bracket is short already, and the line through its ends is exact to the square of its length.
     """
-    low, high = (0.0, before), (length, after)
+    low = (0.0, before)
+    high = (length, after)
     while high[0] - low[0] > 1e-4 * length:
         middle = 0.5 * (low[0] + high[0])
         x = _correct(residual, before.x + middle * before.tangent, before.tangent)
@@ -111,7 +112,8 @@ def _locate(
             low = (middle, point)
         else:
             high = (middle, point)
-    first, last = test(low[1]), test(high[1])
+    first = test(low[1])
+    last = test(high[1])
     return low[1].x + first / (first - last) * (high[1].x - low[1].x)
 
 
@@ -128,7 +130,9 @@ def _special(residual: Residual, old: _Point, new: _Point, step: float) -> Speci
 
 def _follow(residual: Residual, start: _Point, bounds: tuple[float, float]) -> tuple[list[_Point], list[SpecialPoint]]:
     """Follow the curve from `start` along its tangent until λ leaves `bounds` or |y| exceeds `FARTHEST`."""
-    points, special, step = [start], [], 0.25 * LONGEST
+    points = [start]
+    special = []
+    step = 0.25 * LONGEST
     while len(points) < 4000:
         old = points[-1]
         x = _correct(residual, old.x + step * old.tangent, old.tangent)

@@ -32,11 +32,15 @@ _OPTIONS: Any = {
 }
 _NAMED = (types.NamedTuple, types.NamedUniTuple)
 
-NODES, AHEAD = (0, 1, 1, 2), (0.5, 0.5, 1.0, 0.0)
+NODES = (0, 1, 1, 2)
+AHEAD = (0.5, 0.5, 1.0, 0.0)
 """The method's table: the half step of each stage, and by which part of the step its rates lead to the next stage."""
-SHARES, ALL_SHARES = (1.0, 2.0, 2.0, 1.0), 6.0
+SHARES = (1.0, 2.0, 2.0, 1.0)
+ALL_SHARES = 6.0
 """Shares of the stages' rates in the step, and their sum."""
-STAGE_NODES, STAGE_AHEAD, STAGE_SHARES = np.array(NODES), np.array(AHEAD), np.array(SHARES)
+STAGE_NODES = np.array(NODES)
+STAGE_AHEAD = np.array(AHEAD)
+STAGE_SHARES = np.array(SHARES)
 """The same for kernels, in which a look-up in a tuple is a chain of branches."""
 
 
@@ -142,7 +146,10 @@ def integrate(
         Cost: four evaluations of the rates a step, and as many after the last, and 12 S multiplications.
     """
     samples, _, width = out.shape
-    y, dx, total, acceleration = work[0], work[1], work[2], work[3, :width]
+    y = work[0]
+    dx = work[1]
+    total = work[2]
+    acceleration = work[3, :width]
     final = 2 * substeps * (samples - 1)
     for sample in range(samples):
         if low > -np.inf and not (low <= x[0] <= high and np.isfinite(x[width])):
@@ -161,7 +168,8 @@ def integrate(
                 if step == 0 and stage == 0:
                     for j in range(width):
                         out[sample, 2, j] = acceleration[j]
-                share, ahead = STAGE_SHARES[stage], STAGE_AHEAD[stage] * length
+                share = STAGE_SHARES[stage]
+                ahead = STAGE_AHEAD[stage] * length
                 for i in range(len(x)):
                     total[i] += share * dx[i]
                     y[i] = x[i] + ahead * dx[i]

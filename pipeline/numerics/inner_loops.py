@@ -92,7 +92,8 @@ else:
 
     from .compiled import intrinsic, types
 
-    _VECTOR, _INTEGER = ir.VectorType(ir.DoubleType(), 16), ir.IntType(64)
+    _VECTOR = ir.VectorType(ir.DoubleType(), 16)
+    _INTEGER = ir.IntType(64)
 
     @intrinsic(prefer_literal=True)
     def quintics(typing_context, table, cell, x, out, first, stride, count):
@@ -110,7 +111,8 @@ else:
             undefined = ir.Constant(_VECTOR, ir.Undefined)
             single = builder.insert_element(undefined, arguments[2], ir.Constant(ir.IntType(32), 0))
             broadcast = ir.Constant(ir.VectorType(ir.IntType(32), 16), [0] * 16)
-            spread, total = builder.shuffle_vector(single, undefined, broadcast), row(5)
+            spread = builder.shuffle_vector(single, undefined, broadcast)
+            total = row(5)
             for number in range(4, -1, -1):
                 product = builder.fmul(total, spread, flags=("contract",))
                 total = builder.fadd(product, row(number), flags=("contract",))

@@ -8,7 +8,9 @@ from .arrays import BoolArray, FloatArray, IntArray
 NORMAL_MEDIAN = 1.482602218505602
 """Standard deviation over median modulus of a normal variable."""
 
-NORMAL_90, NORMAL_95, NORMAL_99 = 1.6448536269514722, 1.959963984540054, 2.5758293035489004
+NORMAL_90 = 1.6448536269514722
+NORMAL_95 = 1.959963984540054
+NORMAL_99 = 2.5758293035489004
 """Standard deviations of half a normal variable's central 90 %, 95 % and 99 %."""
 
 
@@ -92,7 +94,8 @@ def nrmse(measured: FloatArray, calculated: FloatArray) -> float | None:
     InputError
         The two signals are not equally long vectors.
     """
-    error, span = rmse(measured, calculated), signal_range(measured)
+    error = rmse(measured, calculated)
+    span = signal_range(measured)
     if error is None or span is None or span == 0.0 or not np.isfinite(span):
         return None
     return error / span

@@ -29,7 +29,14 @@ from .inner_loops import factorise, solve_factorised
 
 STATES = 11
 """q_m (4), q̇_m (4), Maxwell strains (2), friction state (1)."""
-R_Q, R_V, R_Z, Z_Q, Z_V, Z_Z, R_S, SLOPES = 0, 16, 32, 44, 56, 68, 71, 79
+R_Q = 0
+R_V = 16
+R_Z = 32
+Z_Q = 44
+Z_V = 56
+Z_Z = 68
+R_S = 71
+SLOPES = 79
 """Where the blocks of `motion_slopes` begin: r_q, r_v (4, 4), r_z (4, 3), z_q, z_v (3, 4), z_z (3,), r_s (4, 2)."""
 
 
@@ -152,7 +159,9 @@ def _add(weights: FloatArray, stage: int, over: float, y: FloatArray, total: Flo
 @compiled(inline="always")
 def factorise_stages(shift: float, work: Work) -> bool:
     """Factorise the velocity block of ``shift·I − J``, multiplied by M: q_m and z are eliminated."""
-    slopes, factors, inverse = work.slopes, work.factors, 1.0 / shift
+    slopes = work.slopes
+    factors = work.factors
+    inverse = 1.0 / shift
     for i in range(4):
         for j in range(4):
             factors[i, j] = shift * work.mass[i, j] + slopes[R_V + 4 * i + j] + inverse * slopes[R_Q + 4 * i + j]
@@ -168,8 +177,13 @@ def factorise_stages(shift: float, work: Work) -> bool:
 @compiled(inline="always")
 def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> None:
     """Solve ``(shift·I − J) out = right``, with M⁻¹ `push` for the velocities beside, in all columns at once."""
-    mass, slopes, right, inverse, p = work.mass, work.slopes, work.right, 1.0 / shift, columns
-    velocity, internal = out[4 * p : 8 * p], out[8 * p :]
+    mass = work.mass
+    slopes = work.slopes
+    right = work.right
+    inverse = 1.0 / shift
+    p = columns
+    velocity = out[4 * p : 8 * p]
+    internal = out[8 * p :]
     for k in range(3):
         relaxed = shift - slopes[Z_Z + k]
         q0, q1, q2, q3 = _row(inverse, slopes, Z_Q + 4 * k)
@@ -179,7 +193,9 @@ def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> Non
     for i in range(4):
         m0, m1, m2, m3 = _row(1.0, mass[i], 0)
         q0, q1, q2, q3 = _row(inverse, slopes, R_Q + 4 * i)
-        z0, z1, z2 = slopes[R_Z + 3 * i], slopes[R_Z + 3 * i + 1], slopes[R_Z + 3 * i + 2]
+        z0 = slopes[R_Z + 3 * i]
+        z1 = slopes[R_Z + 3 * i + 1]
+        z2 = slopes[R_Z + 3 * i + 2]
         for c in range(p):
             value = work.push[i * p + c] - z0 * internal[c] - z1 * internal[p + c] - z2 * internal[2 * p + c]
             value += m0 * right[4 * p + c] + m1 * right[5 * p + c] + m2 * right[6 * p + c] + m3 * right[7 * p + c]
@@ -193,7 +209,10 @@ def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> Non
         relaxed = 1.0 / (shift - slopes[Z_Z + k])
         q0, q1, q2, q3 = _row(inverse, slopes, Z_Q + 4 * k)
         v0, v1, v2, v3 = _row(1.0, slopes, Z_V + 4 * k)
-        f0, f1, f2, f3 = relaxed * (q0 + v0), relaxed * (q1 + v1), relaxed * (q2 + v2), relaxed * (q3 + v3)
+        f0 = relaxed * (q0 + v0)
+        f1 = relaxed * (q1 + v1)
+        f2 = relaxed * (q2 + v2)
+        f3 = relaxed * (q3 + v3)
         for c in range(p):
             follows = f0 * velocity[c] + f1 * velocity[p + c] + f2 * velocity[2 * p + c] + f3 * velocity[3 * p + c]
             internal[k * p + c] += follows

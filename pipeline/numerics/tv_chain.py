@@ -99,7 +99,8 @@ def _determined(
     t: FloatArray, lam: FloatArray, delta: float, covariance: FloatArray, gains: FloatArray, adjoint: FloatArray,
     product: FloatArray,
 ) -> float:  # fmt: skip
-    n, order = t.size, len(product) - 1
+    n = t.size
+    order = len(product) - 1
     size = order + 1
     for i in range(size, n):
         variance = math.sqrt(t[i] * t[i] + delta * delta) / lam[i]

@@ -101,7 +101,8 @@ class _Iterate:
 
     def find_step(self, delta: float) -> tuple[float, float]:
         """Solve for the Newton step; return the longest dual step and the objective after a full one."""
-        problem, first_variance = self.problem, 1.0 if self.problem.fitted_start else 0.0
+        problem = self.problem
+        first_variance = 1.0 if self.problem.fitted_start else 0.0
         if problem.order == 1:
             return newton_step(self.at, self.step, delta, first_variance)
         return newton_step_high_order(self.at, self.step, delta, problem.order, first_variance)
@@ -134,7 +135,8 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     value = it.objective(delta)
     status: Status = "iteration limit"
     gap = 0.0
-    iteration, pulled_back = 0, 0
+    iteration = 0
+    pulled_back = 0
     while iteration < max_iterations:
         iteration += 1
         longest, full = it.find_step(delta)
@@ -171,7 +173,8 @@ def _descend(it: _Iterate, delta: float, highest: float, full: float) -> tuple[f
 
     `full` is the objective after the whole step.
     """
-    step, value = 1.0, full
+    step = 1.0
+    value = full
     while value > highest * (1.0 + _OBJECTIVE_ROUNDING):
         step *= 0.5
         if step < _LEAST_STEP:

@@ -145,7 +145,8 @@ def _filter(at: Iterate, step: NewtonStep, delta: float, m0: float, m1: float, p
     """Kalman filter from value `m0` and increment `m1`, covariance [[1, 1], [1, `p11`]]; mu to `dt`, v to `dy`."""
     b, y, t, q, p, lam = at
     dy, dt, _, gains = step
-    p00, p01 = 1.0, 1.0
+    p00 = 1.0
+    p01 = 1.0
     for i in range(2, b.size):
         mu, v = driving_noise(t[i], p[i], 1.0 / lam[i], delta)
         m0 += m1 + mu
@@ -259,7 +260,9 @@ def _step_of_chain(
 ) -> tuple[float, float]:  # fmt: skip
     b, y, _, q, _, _ = at
     dy, dt, dp, _ = step
-    size, mean, adjoint = len(start), room[0], room[1]
+    size = len(start)
+    mean = room[0]
+    adjoint = room[1]
     _filter_chain(at, step, delta, start, cov, mean)
     longest, variation, misfit = _smooth_chain(at, step, delta, adjoint)
     for j in range(size):

@@ -127,7 +127,8 @@ def tvregdiff(
     _check_positive(dt=dt, alpha=alpha, epsilon=epsilon)
     columns = data[:, None] if data.ndim == 1 else data
     factors = None if weights is None else _checked_weights(weights, data.shape[0])
-    derivative, integral = np.empty_like(columns), np.empty_like(columns)
+    derivative = np.empty_like(columns)
+    integral = np.empty_like(columns)
     solved = []
     for k in range(columns.shape[1]):
         problem = VariationProblem(

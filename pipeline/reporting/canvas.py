@@ -27,10 +27,8 @@ _METADATA: dict[str, dict[str, Any]] = {
 }
 _STYLE: Any = {"svg.hashsalt": "debist", "pdf.fonttype": 42}  # outlines: journals refuse fonts of type 3
 _DOTS_PER_INCH = 200
-WHOLE, PART = (
-    Look(width=8.4, panel_height=2.6, legend=False),
-    Look(width=5.6, panel_height=2.5, legend=False, letters=False),
-)
+WHOLE = Look(width=8.4, panel_height=2.6, legend=False)
+PART = Look(width=5.6, panel_height=2.5, legend=False, letters=False)
 _INLINE = re.compile(r' style="([^"]*)"')
 _MARKER = re.compile(r"<defs>\s*<path [^>]*>\s*</defs>")
 _STROKE = re.compile(r' stroke(?:-[a-z]+)?="[^"]*"')
@@ -51,7 +49,8 @@ def drawn(figure: Any, *endings: str, families: Sequence[str] | None = None) -> 
     import matplotlib as mpl
     from matplotlib.text import Text
 
-    files, fonts = [], families or sans()
+    files = []
+    fonts = families or sans()
     with mpl.rc_context(_STYLE | {"font.family": fonts, "svg.fonttype": "path"}), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)  # it is drawn as a box
         for text in figure.findobj(Text):

@@ -51,7 +51,8 @@ def _map(drawn_map: Mapping[str, Any]) -> Figure:
 
     probability = np.array(drawn_map["probability"])
     # At an edge the map does not resolve which draws switch: the band is at least as wide as the step of its grid.
-    most, least = maximum_filter(probability, 3, mode="nearest"), minimum_filter(probability, 3, mode="nearest")
+    most = maximum_filter(probability, 3, mode="nearest")
+    least = minimum_filter(probability, 3, mode="nearest")
     index = np.select([most < _LIKELY[0], least > _LIKELY[1]], [0, 2], 3).astype(np.int8)
     labels = ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws")
     cells = Cells(labels, np.array(drawn_map["durations"]), np.array(drawn_map["voltages"]), index)
@@ -64,7 +65,8 @@ def _map(drawn_map: Mapping[str, Any]) -> Figure:
 
 
 def _pulse(document: Mapping[str, Any]) -> Figure:
-    t, predicted = np.array(document["t_s"]), {k: np.array(v) for k, v in document["predicted"].items()}
+    t = np.array(document["t_s"])
+    predicted = {k: np.array(v) for k, v in document["predicted"].items()}
     v = np.array(document["v_V"])
     shown = predicted["t_s"] <= max(3.0 * t[-1], 0.6)
     at = predicted["t_s"][shown]

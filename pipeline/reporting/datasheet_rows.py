@@ -88,7 +88,8 @@ def _largest(facts: Mapping[str, DatasheetFact], keys: Sequence[str]) -> float:
 
 
 def _cell(facts: Mapping[str, DatasheetFact], keys: Sequence[str], like: float) -> SheetCell:
-    values, measured = [], ""
+    values = []
+    measured = ""
     for fact in (facts[key] for key in keys if key in facts):
         text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, fact.half_width), like).replace(" ", "\u00a0")
         if fact.key.startswith("switch"):
@@ -173,7 +174,8 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
             None if fact.get(key) is None else factor * fact[key]
             for key in ("value", "low", "high", "measured", "measured_spread", "free_run")
         )
-        model, limits = quantity(value, fact["unit"]), doubt(low, fact.get("in_draws")) or "–"
+        model = quantity(value, fact["unit"])
+        limits = doubt(low, fact.get("in_draws")) or "–"
         if low is not None and high is not None:
             model, limits = interval(value, low, high, fact["unit"], alike[_kind(fact)])
         facts.append((fact["title"], model, limits))

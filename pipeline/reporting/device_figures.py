@@ -62,7 +62,8 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
 def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
     """Quantities of the joint below one another, in standard deviations of its siblings."""
     rows = np.arange(len(places), dtype=np.float64)[::-1]
-    at, half = np.array([p.distance for p in places]), NORMAL_95 * np.array([p.error for p in places])
+    at = np.array([p.distance for p in places])
+    half = NORMAL_95 * np.array([p.error for p in places])
     ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
     bars = Line("what its logs leave open (95 %)", "measured", ends, np.repeat(rows, 3), dash="solid")
     usual = np.array([-NORMAL_95, NORMAL_95])
@@ -75,7 +76,8 @@ def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
         "The quantities that the siblings know best. Where the siblings were the prior of the fit, it has drawn the "
         "joint towards them."
     )
-    name, x = "standard deviations of the siblings from their mean", "1"
+    name = "standard deviations of the siblings from their mean"
+    x = "1"
     return Figure("siblings", "The joint among its siblings", caption, name, x, (panel,), tall=1.2)
 
 
@@ -87,7 +89,8 @@ def _study(data: RunData, study: Study) -> Figure:
         return figure
     order = int(notes[0]["order"])
     chosen = {s["alpha"] * n["unit_si"] for n in notes for s in n.get("stretches", ()) if s.get("alpha") is not None}
-    low, high = float(study.columns["alpha"].min()), float(study.columns["alpha"].max())
+    low = float(study.columns["alpha"].min())
+    high = float(study.columns["alpha"].max())
     marks = np.array(sorted(alpha for alpha in chosen if low <= alpha <= high))
     unit = figure.x_unit.replace("^order", power(order) if order > 1 else "")
     return replace(figure, x_unit=unit, marks={CHOSEN: marks} if marks.size else {})
@@ -99,7 +102,8 @@ def _electrostatic(data: RunData, squared: bool) -> bool:
 
 
 def _curves(data: RunData, sheet: Datasheet) -> Figure:
-    panels, outside = [], []
+    panels = []
+    outside = []
     for name, unit, visited, pick, measured in _wanted_curves(data, sheet):
         curves = _curves_of(sheet, pick)
         frame = _frame(curves, visited, widened=not data.joint)
@@ -117,7 +121,9 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
 
 def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
     """Force, damping as far as the headline has one, and the push of each input."""
-    first, units, measured = next(iter(sheet.curves.values())), data.curve_units, data.measured_curves
+    first = next(iter(sheet.curves.values()))
+    units = data.curve_units
+    measured = data.measured_curves
     electrostatic = _electrostatic(data, first.squared)
     factor, symbol, push = (2.0, "∂C{}/∂q", units["dC"]) if electrostatic else (1.0, "g{}", units["g"])
     visited = visited_range(data)
@@ -173,8 +179,10 @@ def _frame(curves: Sequence[_Curve], visited: tuple[float, float], *, widened: b
     It is `widened` by the central part of every other curve that is not too far away for the headline to be read.
     """
     inner = curves[0].inner(visited)
-    bottom, top = float(curves[0].low[inner].min()), float(curves[0].high[inner].max())
-    middle, half = (bottom + top) / 2, FRAME_MARGIN * (top - bottom) / 2
+    bottom = float(curves[0].low[inner].min())
+    top = float(curves[0].high[inner].max())
+    middle = (bottom + top) / 2
+    half = FRAME_MARGIN * (top - bottom) / 2
     frame = (middle - half, middle + half)
     room = max(WIDEST * half, abs(middle))
     for curve in curves[1:] if widened else ():
@@ -191,7 +199,9 @@ def _curve_panel(
     frame: tuple[float, float],
     measured: tuple[FloatArray, FloatArray] | None = None,
 ) -> Panel:
-    lines, bands, rows = [], [], slice(None, None, 6)
+    lines = []
+    bands = []
+    rows = slice(None, None, 6)
     for model, q, y, low, high in curves:
         if low is not y:
             visible = (low[rows] < frame[1]) & (high[rows] > frame[0])
@@ -229,7 +239,9 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         (f"v{k + 1} = {quantity(float(largest[k]), data.voltage)}", np.eye(len(curves.pushes))[k])
         for k in range(len(curves.pushes))
     ]
-    lines, points, ceiling = [], [], 0.0
+    lines = []
+    points = []
+    ceiling = 0.0
     rows = slice(None, None, 4)
     low, high = visited_range(data)
     inner = (curves.q >= low) & (curves.q <= high)
@@ -266,7 +278,8 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
         for log in (*data.role("validation"), *train)
     )
     points: list[Points] = []
-    cells, caption = None, f"Measured motion without {data.input_word}."
+    cells = None
+    caption = f"Measured motion without {data.input_word}."
     if sheet.model is not None:
         curves = sheet.curves[sheet.model]
         points = _marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1))

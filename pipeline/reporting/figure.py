@@ -26,7 +26,8 @@ def linear_ticks(low: float, high: float, about: int) -> tuple[FloatArray, int]:
     raw = (high - low) / max(1, about)
     power = math.floor(math.log10(raw))
     step = float(next(m for m in (1.0, 2.0, 5.0, 10.0) if m * 10.0**power >= raw * (1 - 1e-9)) * 10.0**power)
-    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    first = math.ceil(low / step - 1e-9)
+    last = math.floor(high / step + 1e-9)
     decimals = max(0, -math.floor(math.log10(step) + 1e-9))
     values: FloatArray = np.arange(first, last + 1, dtype=np.float64) * step
     return values, decimals
@@ -34,7 +35,8 @@ def linear_ticks(low: float, high: float, about: int) -> tuple[FloatArray, int]:
 
 def log_ticks(low: float, high: float) -> FloatArray:
     """Powers of ten from `low` to `high`; where there are fewer than three also 2 and 5 times them."""
-    first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
+    first = math.floor(math.log10(low))
+    last = math.ceil(math.log10(high))
     inside = (low * (1 - 1e-9), high * (1 + 1e-9))
     powers = [10.0**k for k in range(first, last + 1) if inside[0] <= 10.0**k <= inside[1]]
     if len(powers) > 2:
@@ -50,7 +52,8 @@ def tick_labels(values: FloatArray) -> list[str]:
     They are powers of ten where all are such powers, and one of them is too long as a number or the largest is more
     than a thousand times the smallest.
     """
-    exponents, plain = np.round(np.log10(values)), [tick_label(float(value)) for value in values]
+    exponents = np.round(np.log10(values))
+    plain = [tick_label(float(value)) for value in values]
     short = all(label.replace(".", "").isdecimal() for label in plain) and values[-1] <= MOST_PLAIN * values[0]
     if short or not np.allclose(values, 10.0**exponents, rtol=1e-9):
         return plain

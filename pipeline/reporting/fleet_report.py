@@ -16,8 +16,10 @@ from .legend import swatches
 from .page import render
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
-OUTLIER, LEAST_VALUES = 3.5, 6
-ERROR, TRAINING = "NRMSE of q", " (training)"
+OUTLIER = 3.5
+LEAST_VALUES = 6
+ERROR = "NRMSE of q"
+TRAINING = " (training)"
 LISTED = 200
 """Rows of the page; `fleet-facts.parquet` and `fleet.parquet` have all prototypes."""
 
@@ -88,7 +90,8 @@ def outliers(values: np.ndarray[tuple[int], np.dtype[np.float64]]) -> np.ndarray
 
 
 def _quantities(members: Sequence[Summary]) -> list[FleetColumn]:
-    errors, switches = np.array([m.error for m in members]), np.array([m.switches for m in members])
+    errors = np.array([m.error for m in members])
+    switches = np.array([m.switches for m in members])
     trained = np.array([m.training for m in members])
     unusual = outliers(np.log10(np.where(trained, np.nan, errors)))
     columns = [

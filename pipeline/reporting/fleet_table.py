@@ -75,7 +75,8 @@ def failed(name: str, reason: str) -> Summary:
 
 def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
     """The numbers of a prototype's ``datasheet.json`` that the page shows."""
-    scores, judged = sheet["scores"], sheet["judged_model"]
+    scores = sheet["scores"]
+    judged = sheet["judged_model"]
     return Summary(
         name,
         "",

@@ -88,7 +88,8 @@ def _log_lines(rows: Sequence[Row], title: str, line: str, displacement: str) ->
             name = _name(row)
             reads = _shown(row, "estimate", displacement, row["standard_error"])
             lines.append((title, name, reads, _shown(row, "limit", displacement), line))
-            title, line = "", ""
+            title = ""
+            line = ""
     return lines
 
 

@@ -19,7 +19,8 @@ COLOURED = ("first", "second", "both", "fourth", "fifth")
 _ROLES = {"off": "measured", "left": "v1", "right": "v2"}
 """Without voltage black; the left and the right membrane have their colours in all figures."""
 _STATES = {"off": "no voltage", "left": "left on", "right": "right on", "both": "both on"}
-PATH_REACH, PATH_DEGREE = 0.02, 9
+PATH_REACH = 0.02
+PATH_DEGREE = 9
 """Displacement [m] to which figure 6b reaches, and the degree of its polynomials."""
 
 
@@ -169,7 +170,8 @@ def _static_path(joint: "JointParameters") -> tuple[tuple[Line, ...], tuple[Line
 
 def motion_figure(motions: "Motions") -> Figure:
     """Figure 7: full-order and reduced motion under the same voltages."""
-    full, reduced = motions.full, motions.reduced
+    full = motions.full
+    reduced = motions.reduced
     voltages = tuple(Line(n, _role(n), full.t, motions.v[:, k], "solid") for k, n in enumerate(("left", "right")))
     panels = [Panel("v", "V", voltages)]
     for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot)):

@@ -36,7 +36,8 @@ def log_figures(data: RunData, log: LogData, wells: Wells | NoWells) -> dict[str
 def _timeline(
     data: RunData, log: LogData, wells: Wells | NoWells, kind: str, title: str, caption: str, panels: list[Panel]
 ) -> Figure:
-    t, q = log.kinematics["t"], log.kinematics["q"]
+    t = log.kinematics["t"]
+    q = log.kinematics["q"]
     v = voltages(log.kinematics)
     switched = {"voltage switched": voltage_switches(t, v)} if data.joint else {}
     marks = switched or {f"{data.input_word} steps": input_steps(t, v)}
@@ -91,15 +92,18 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 
 def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
     """The inputs over time, without stretches in which they are not known."""
-    t, sides = log.record["t"], {"v1": " (left)", "v2": " (right)"} if data.joint else {}
+    t = log.record["t"]
+    sides = {"v1": " (left)", "v2": " (right)"} if data.joint else {}
     recorded = {name: np.where(_unknown(log, t), np.nan, log.record[name]) for name in data.inputs}
     lines = tuple(Line(name + sides.get(name, ""), name, t, values) for name, values in recorded.items())
     return Panel(data.input_word + "s" * (len(lines) > 1), data.voltage, lines, low=low)
 
 
 def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
-    table, unit = log.kinematics, signal_units(data.displacement)
-    t, q = table["t"], table["q"]
+    table = log.kinematics
+    unit = signal_units(data.displacement)
+    t = table["t"]
+    q = table["q"]
     velocity = np.gradient(q, t)
     raw = {"qdot": velocity, "qddot": np.gradient(velocity, t)}
     panels = [Panel("q", unit["q"], (Line("q measured", "measured", t, q),), low=True)]
@@ -141,7 +145,8 @@ def measured_signals(log: LogData) -> dict[str, FloatArray]:
 
 
 def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
-    t, unit = log.kinematics["t"], signal_units(data.displacement)
+    t = log.kinematics["t"]
+    unit = signal_units(data.displacement)
     panels = []
     for name, measured in measured_signals(log).items():
         lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
@@ -168,9 +173,12 @@ def fit_note(measured: FloatArray, free: FloatArray) -> str:
 
 def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     """Q as measured and as the models run freely, with the fit of the main one that MATLAB's ``compare`` states."""
-    headline, t, measured = data.model_names[0], log.kinematics["t"], log.kinematics["q"]
+    headline = data.model_names[0]
+    t = log.kinematics["t"]
+    measured = log.kinematics["q"]
     others = tuple(Line(m, m, t, run["q"]) for m, run in log.predictions.items() if m != headline)
-    lines, below = [Line("measured", "measured", t, measured, wide=True), *others], [_inputs(data, log, low=True)]
+    lines = [Line("measured", "measured", t, measured, wide=True), *others]
+    below = [_inputs(data, log, low=True)]
     caption = f"Free run from the first sample under the measured {data.input_word}s; {FIT}."
     bands: tuple[Band, ...] = ()
     limits = _limits([measured])
@@ -180,7 +188,8 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         lines.append(Line(f"{headline}: {fit_note(measured, free)}", headline, t, free))
         error = Line("model − measured", "raw", t, free - measured, parts=(free, measured))
         about: tuple[Band, ...] = ()
-        limits, off = _limits([measured, free]), _limits([free - measured])
+        limits = _limits([measured, free])
+        off = _limits([free - measured])
         if "q_low" in predicted:
             bands = tuple(_tubes(predicted, headline))
             about = (Band(TUBE, headline, t, predicted["q_low"] - free, predicted["q_high"] - free),)
@@ -212,7 +221,8 @@ def _with_tubes(limits: tuple[float, float], tubes: Sequence[Band]) -> tuple[tup
     return shown, least < shown[0] or largest > shown[1]
 
 
-TUBE, OTHER_TUBE = "90 % tube", "90 % tube in the other well"
+TUBE = "90 % tube"
+OTHER_TUBE = "90 % tube in the other well"
 
 
 def _tubes(predicted: Mapping[str, FloatArray], model: str) -> Iterator[Band]:
@@ -223,7 +233,8 @@ def _tubes(predicted: Mapping[str, FloatArray], model: str) -> Iterator[Band]:
 
 
 def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
-    t, unit = log.kinematics["t"], signal_units(data.displacement)
+    t = log.kinematics["t"]
+    unit = signal_units(data.displacement)
     panels = []
     for name, measured in measured_signals(log).items():
         lines = [
@@ -241,7 +252,8 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 
 def residual_figures(data: RunData, wells: Wells | NoWells) -> dict[str, Figure]:
     """Correlations and spectrum for the worst validation log (training log without any); none of a short record."""
-    log, model = judged_log(data), data.model_names[0]
+    log = judged_log(data)
+    model = data.model_names[0]
     residual = headline_residual(data, log)
     if residual is None:
         return {}

@@ -41,7 +41,8 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
 
 SERIF = ("STIXGeneral", "DejaVu Serif", "DejaVu Sans")
-SANS, FONT = ("DejaVu Sans Figures", "DejaVu Sans"), "dejavu-sans-figures.ttf"
+SANS = ("DejaVu Sans Figures", "DejaVu Sans")
+FONT = "dejavu-sans-figures.ttf"
 """The first is an asset that `tests/reporting/figure_font.py` cuts out of the second: it embeds three times as fast."""
 PAGE_WIDTH, COLUMN_WIDTH = 7.16, 3.5  # in, of a journal's page and column
 LETTERS = 8.0  # pt
@@ -198,7 +199,9 @@ def _content(on: Axes, panel: Panel, models: Sequence[str], fx: float, fy: float
             band.x * fx, band.low * fy, band.high * fy, color=colour, alpha=BAND_OPACITY, linewidth=0, zorder=1
         )
     for line in panel.lines:
-        thin, kind, where = thinned(line, BUCKETS), line_kind(line), slot(line.role, models)
+        thin = thinned(line, BUCKETS)
+        kind = line_kind(line)
+        where = slot(line.role, models)
         on.plot(
             thin.x * fx, thin.y * fy, color=slot_colour(where), linewidth=WIDTHS[kind],
             dashes=_dashes(where, line.dash, WIDTHS[kind]), zorder=2, solid_joinstyle="round",

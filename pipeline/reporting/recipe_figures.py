@@ -34,7 +34,8 @@ def basis_figure(centres: FloatArray, width: float, weights: FloatArray) -> Figu
 
 def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
     """Rank and condition number at each accepted step of the search for T_z (§ 4.2)."""
-    lag, panels = search["lag_s"], []
+    lag = search["lag_s"]
+    panels = []
     for title, key in (("rank", "rank"), ("condition number", "condition")):
         path = Line("accepted steps", "measured", lag, search[key], "solid")
         taken = Points("taken", "rbf-paper", lag[-1:], search[key][-1:], "ring")
@@ -44,7 +45,8 @@ def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
 
 def signals_figure(log: LogData) -> Figure:
     """Figure 11a: voltages, position, velocity and acceleration of a log."""
-    table, t = log.kinematics, log.kinematics["t"]
+    table = log.kinematics
+    t = log.kinematics["t"]
     sides = (("left", "v1"), ("right", "v2"))
     panels = [Panel("v", "V", tuple(Line(side, name, t, table[name]) for side, name in sides if name in table))]
     for name, key, unit in (("q", "q", "m"), ("q̇", "qdot", "m/s"), ("q̈", "qddot", "m/s²")):
@@ -58,7 +60,8 @@ def basis_study_figure(
     """Figure 11b: errors and condition over M for several σ_n, the chosen pair marked."""
     figure = study_figure("basis", columns, units)
     here = (columns["basis_functions"] == chosen[0]) & (columns["smoothing"] == chosen[1])
-    x, values = columns["basis_functions"][here], ("mse", "condition", "nrmse")
+    x = columns["basis_functions"][here]
+    values = ("mse", "condition", "nrmse")
     factors = {"nrmse": 100.0}
     panels = tuple(
         replace(
@@ -175,7 +178,8 @@ def _data(columns: Columns, _: Mapping[str, str]) -> Figure:
 
 
 def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
-    roles, panels = ("measured", "v1", "v2"), []
+    roles = ("measured", "v1", "v2")
+    panels = []
     for drift in np.unique(columns["drift"]):
         lines = tuple(
             Line(

@@ -105,7 +105,8 @@ def series_rows(series: Series) -> list[tuple[str, ...]]:
 
 def change(fact: SeriesFact, unit: str) -> str:
     """What is claimed of a fact, in words; `unit` is that of the time."""
-    trend, large = fact.trend, float(np.abs(fact.values).max())
+    trend = fact.trend
+    large = float(np.abs(fact.values).max())
     if trend.kind == "unknown" or trend.slope is None:
         return f"{len(fact.at)} runs: too few"
     if trend.kind == "step":
@@ -159,7 +160,8 @@ def series_page(series: Series) -> str:
 
 def _figure(fact: SeriesFact, unit: str) -> Figure:
     """Values of the runs with their intervals, the values from all runs as a band, and the line or step."""
-    at, half = fact.at, NORMAL_95 * fact.errors
+    at = fact.at
+    half = NORMAL_95 * fact.errors
     gap = np.full(len(at), np.nan)
     ends = np.column_stack([fact.values - half, fact.values + half, gap]).ravel()
     bars = Line("95 % interval", "measured", np.repeat(at, 3), ends, dash="solid")

@@ -116,7 +116,8 @@ def _row(record: Mapping[str, Any], *, wells: bool) -> list[str]:
 def _cell(record: Mapping[str, Any], key: str) -> str:
     if record[key] is None:
         return "–"
-    low, high = record[f"{key}_low"], record[f"{key}_high"]
+    low = record[f"{key}_low"]
+    high = record[f"{key}_high"]
     band = "" if low is None else f" [{100 * low:.2f}, {100 * high:.2f}]"
     return f"{100 * record[key]:.2f}{band}{_MARKS[record[f'{key}_rank']]}"
 
@@ -149,7 +150,8 @@ def _online_conclusion(columns: Mapping[str, Any]) -> tuple[dict[str, Any], str]
     rows = []
     for forgetting, drift in dict.fromkeys(zip(columns["forgetting"], columns["drift"], strict=True)):
         stream = (columns["forgetting"] == forgetting) & (columns["drift"] == drift)
-        t, curve = columns["t"][stream], columns["curve_error"][stream]
+        t = columns["t"][stream]
+        curve = columns["curve_error"][stream]
         late = np.flatnonzero(~(curve <= _CONVERGED))  # NaN is no success
         since = t[0] if not late.size else t[late[-1] + 1] if late[-1] + 1 < t.size else np.nan
         rows.append((forgetting, drift, t[-1], since, curve[-1], columns["prediction_error"][stream][-1]))

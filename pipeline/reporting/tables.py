@@ -34,7 +34,8 @@ _HORIZONS = (
     f"NRMSE of q after {_LISTED} (none of less than {SHORTEST_HORIZON:g} samples or more than the log) from restarts "
     "in the measured state, hidden states from all of the measurement before (of the analytical models: at rest)."
 )
-TIED, BEST = " ≈", " *"
+TIED = " ≈"
+BEST = " *"
 _OF_ROWS = {
     "sindy-default": "sindy-default is pysindy with its defaults: quadratic terms, the strong form, no hidden state, "
     "no choice by free runs; sindy is the attempt at a good model."
@@ -265,7 +266,8 @@ def _latex(table: NrmseTable) -> str:
     columns = "ll" + "r" * (len(table.signals) + len(table.extras))
     extras = [_escape(column.heading) for column in table.extras]
     heading = ["log", "model", *(rf"{LATEX_HEADINGS[s]} [\%]" for s in table.signals), *extras]
-    body, last = [], ""
+    body = []
+    last = ""
     for r in table.rows:
         place = log_title(r.role, r.log)
         if last and place != last:

@@ -46,9 +46,11 @@ _WEIGHTS = 0.5 * np.polynomial.legendre.leggauss(6)[1]
 @compiled
 def tip(x: FloatArray, p: RigParameters, pose: FloatArray, jacobian: FloatArray) -> None:
     """Fill `pose` = (q, u_y, φ) of the tip and its `jacobian`, shape (3, n), at the coordinates `x`."""
-    n, l = x.size, p.length
+    n = x.size
+    l = p.length
     if p.beam == RITZ:
-        slope, shortening = 0.0, 0.0
+        slope = 0.0
+        shortening = 0.0
         pose[0] = 0.0
         for j in range(3):
             inner = 0.0
@@ -67,7 +69,8 @@ def tip(x: FloatArray, p: RigParameters, pose: FloatArray, jacobian: FloatArray)
     link = l / n
     pose[0], pose[1], pose[2] = 0.0, 0.0, x[n - 1]
     for i in range(n):
-        s, c = np.sin(x[i]), np.cos(x[i])
+        s = np.sin(x[i])
+        c = np.cos(x[i])
         pose[0] += link * s
         pose[1] += link * (c - 1.0)
         jacobian[0, i], jacobian[1, i], jacobian[2, i] = link * c, -link * s, 0.0
@@ -80,7 +83,8 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
 
     The equations of motion read ``M(x) v̇ + bias(x, v) = force(x, v)``.
     """
-    n, l = x.size, p.length
+    n = x.size
+    l = p.length
     if p.beam == RITZ:
         squared = 0.0
         row = np.zeros(4)
@@ -124,7 +128,8 @@ def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -
 
     The chain's includes the weight of the frame's offset, which the tip's vertical displacement does not carry.
     """
-    n, l = x.size, p.length
+    n = x.size
+    l = p.length
     for j in range(n):
         force[j] = 0.0
     if p.beam == RITZ:
@@ -132,7 +137,9 @@ def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -
         force[3] = -p.axial * l * x[3]
         for g in range(_NODES.size):
             xi = _NODES[g]
-            slope, bend, rate = 0.0, -p.curvature, 0.0
+            slope = 0.0
+            bend = -p.curvature
+            rate = 0.0
             for j in range(3):
                 slope += (j + 2) * xi ** (j + 1) * x[j]
                 bend += (j + 2) * (j + 1) * xi**j * x[j] / l
@@ -140,14 +147,16 @@ def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -
             stretch = 1.0 + slope * slope
             energy += 0.5 * p.bending * l * _WEIGHTS[g] * bend * bend * stretch
             for j in range(3):
-                d1, d2 = (j + 2) * xi ** (j + 1), (j + 2) * (j + 1) * xi**j / l
+                d1 = (j + 2) * xi ** (j + 1)
+                d2 = (j + 2) * (j + 1) * xi**j / l
                 moment = p.bending * (bend * stretch * d2 + bend * bend * slope * d1) + p.bending_loss * rate * d2
                 force[j] -= l * _WEIGHTS[g] * moment
         return float(energy)
     energy = 0.0
     natural = p.curvature * l / n
     for i in range(n):
-        angle, rate = x[i] - natural, v[i]
+        angle = x[i] - natural
+        rate = v[i]
         if i > 0:
             angle -= x[i - 1]
             rate -= v[i - 1]
@@ -197,8 +206,10 @@ def yielding(
 def stretch(side: int, pose: FloatArray, p: RigParameters, gradient: FloatArray) -> float:
     """λ1 of membrane `side` (0 left, 1 right) at `pose` = (q, u_y, φ); fills ∂λ1/∂pose, shape (3,)."""
     s = 2.0 * side - 1.0
-    sin, cos = math.sin(pose[2]), math.cos(pose[2])
-    arm, drop = s * p.arm[side], p.drop[side]
+    sin = math.sin(pose[2])
+    cos = math.cos(pose[2])
+    arm = s * p.arm[side]
+    drop = p.drop[side]
     dx = pose[0] + arm * cos - drop * sin - s * p.anchor_x[side]
     dy = p.length + pose[1] - drop * cos - arm * sin - p.anchor_y[side]
     length = math.sqrt(dx * dx + dy * dy)
@@ -276,7 +287,8 @@ def slide(z: FloatArray, shift: float, speed: float, dt: float, p: RigParameters
     """
     force = 0.0
     for i in range(z.size):
-        k, w = p.slip_stiffness[i], p.slip_force[i]
+        k = p.slip_stiffness[i]
+        w = p.slip_force[i]
         if p.friction == MAXWELL_SLIP:
             after[i] = min(max(z[i] + k * shift, -w), w)
         elif p.friction == BOUC_WEN:

@@ -35,7 +35,8 @@ SHARES: dict[str, tuple[float, float, float, float, float]] = {
 EXCITATIONS = (*SHARES, "alternating")
 """Excitations of a log; "alternating" is `switching_pulses`."""
 
-SHORT_PULSES, SHORT_PAUSES = 0.45, 0.6
+SHORT_PULSES = 0.45
+SHORT_PAUSES = 0.6
 
 
 @dataclass(frozen=True)
@@ -128,7 +129,8 @@ def random_excitation(rng: np.random.Generator, *, duration: float = 37.5, excit
         return switching_pulses(rng, duration=duration)
     none = np.empty(0)
     bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), MAX_VOLTAGE, 0.0, none, none)]
-    start, side = REST + bursts[0].duration + float(rng.uniform(0.05, 0.6)), 1
+    start = REST + bursts[0].duration + float(rng.uniform(0.05, 0.6))
+    side = 1
     while start < duration - 0.2:
         kind = int(rng.choice(5, p=SHARES[excitation]))
         burst = draw_burst(rng, kind, start, side, MAX_VOLTAGE, SHORT_PULSES)
@@ -161,11 +163,13 @@ def draw_burst(rng: np.random.Generator, kind: int, start: float, side: int, top
         levels = rng.uniform(-1.0, 1.0, int(rng.integers(6, 16)))
         length = STEP_HOLD * levels.size * float(rng.uniform(1.0, 4.0))
         return Burst("steps", start, length, top, top, none, levels)
-    lines, phases = rng.uniform(0.3, 8.0, MULTISINE_LINES), rng.uniform(0.0, 2 * np.pi, MULTISINE_LINES)
+    lines = rng.uniform(0.3, 8.0, MULTISINE_LINES)
+    phases = rng.uniform(0.0, 2 * np.pi, MULTISINE_LINES)
     return Burst("multisine", start, float(rng.uniform(2.0, 5.0)), amplitude, amplitude, lines, phases)
 
 
-TIME, INPUTS = "time", ("v1", "v2")
+TIME = "time"
+INPUTS = ("v1", "v2")
 """Names of the channels in the files: time [s], and the commands to the left and right converter [V]."""
 ENDINGS = (".csv", ".mat")
 

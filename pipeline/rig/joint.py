@@ -114,8 +114,10 @@ def saddle(p: RigParameters) -> FloatArray:
     """
     from scipy.optimize import root
 
-    step, none = 1e-5, np.zeros(2)
-    left, right = rest(p, side=-1), rest(p, side=1)
+    step = 1e-5
+    none = np.zeros(2)
+    left = rest(p, side=-1)
+    right = rest(p, side=1)
     scale = abs(potential(p, np.zeros(left.size), none) - potential(p, right, none))
 
     def gradient(x: FloatArray) -> FloatArray:
@@ -169,12 +171,16 @@ def membrane_capacitances(p: RigParameters, x: FloatArray) -> FloatArray:
 @compiled
 def _hermite(y: FloatArray, rate: FloatArray, n: int, stride: int, h: float) -> tuple[FloatArray, FloatArray]:
     """Cubic Hermite interpolant of `y`, `rate` and its slope at `n` samples, `stride` of them per step `h` [s]."""
-    out, slope = np.empty(n), np.empty(n)
+    out = np.empty(n)
+    slope = np.empty(n)
     for i in range(n):
         k = i // stride
         s = (i - k * stride) / stride
-        rise, a, b = y[k + 1] - y[k], h * rate[k], h * rate[k + 1]
-        square, cube = 3 * rise - 2 * a - b, a + b - 2 * rise
+        rise = y[k + 1] - y[k]
+        a = h * rate[k]
+        b = h * rate[k + 1]
+        square = 3 * rise - 2 * a - b
+        cube = a + b - 2 * rise
         out[i] = y[k] + s * (a + s * (square + s * cube))
         slope[i] = (a + s * (2 * square + 3 * s * cube)) / h
     return out, slope

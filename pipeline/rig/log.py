@@ -142,7 +142,8 @@ def _write_parquet(path: Path, t: FloatArray, channels: Channels) -> None:
     import pyarrow as pa
     from pyarrow import parquet
 
-    fields, columns = [pa.field("time", pa.float64(), metadata={"unit": "s"})], [pa.array(t)]
+    fields = [pa.field("time", pa.float64(), metadata={"unit": "s"})]
+    columns = [pa.array(t)]
     for name, (samples, unit) in channels.items():
         fields.append(pa.field(name, pa.float32(), metadata={"unit": unit}))
         columns.append(pa.array(samples.astype(np.float32)))
@@ -219,7 +220,8 @@ def inject_faults(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator)
     ``repeats``     single samples are written twice with the same stamp (3)
     """
     faults: list[Fault] = []
-    q, rail = log.q.copy(), _RAIL
+    q = log.q.copy()
+    rail = _RAIL
     for kind in KINDS:
         if kind not in kinds or kind in ("gaps", "repeats"):
             continue
@@ -232,7 +234,8 @@ def inject_faults(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator)
         for first, last in _places(log, (0.0, 0.0) if kind == "nan" else _DROPOUT, rng):
             q[first:last] = np.nan if kind == "nan" else rail
             faults.append(Fault(kind, float(log.t[first]), float(log.t[last - 1])))
-    damaged, intact = log.with_q(q), log.t
+    damaged = log.with_q(q)
+    intact = log.t
     for first, last in _places(log, _GAP, rng) if "gaps" in kinds else []:
         faults.append(Fault("gaps", float(intact[first - 1]), float(intact[last])))
         damaged = damaged.rows_where((damaged.t < intact[first]) | (damaged.t >= intact[last]))
@@ -245,7 +248,8 @@ def inject_faults(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator)
 
 def _places(log: RawLog, lengths: tuple[float, float], rng: np.random.Generator) -> list[tuple[int, int]]:
     """Ranges of samples [first, last), one in each third of the log, at least one sample long."""
-    dt, third = float(log.t[1] - log.t[0]), log.t.size // _COUNT
+    dt = float(log.t[1] - log.t[0])
+    third = log.t.size // _COUNT
     places = []
     for i in range(_COUNT):
         count = max(1, round(float(rng.uniform(*lengths)) / dt))

@@ -25,7 +25,8 @@ HALVES = 2
 """Time steps of the joint in a period of the controller, and rows of the log."""
 PERIOD = 1e-3
 """Period of the controller [s]."""
-GONE, FROZEN = 1.0, 2.0
+GONE = 1.0
+FROZEN = 2.0
 """Marks of a laser that gives no value, and of one that gives its last."""
 GIVE = 0.3e-3
 """How far [m] a wire gives way before it slides."""
@@ -99,7 +100,9 @@ def _charge(
     dt = h / FINE
     for side in range(2):
         decay = -np.expm1(-dt / around.lag[side])
-        total, rate, power = 0.0, around.rate_limit[side], around.power_over_capacitance[side]
+        total = 0.0
+        rate = around.rate_limit[side]
+        power = around.power_over_capacitance[side]
         for _ in range(FINE):
             before = membranes[side]
             v[side] = charged(v[side], command[side], decay, rate, power, dt)
@@ -153,12 +156,21 @@ def close_loop(
     -----
     Cost: 9 ms for a second of motion, and the controller's own time.
     """
-    n, h = start.size, PERIOD / HALVES
-    state, work = at_rest(p, start), workspace(p, n)
-    inverse, vm, total = np.zeros((n, n)), np.zeros(n), 0
-    pose, rate, v, membranes, command = np.zeros(2), np.zeros(2), np.zeros(2), np.zeros(2), np.zeros(2)
+    n = start.size
+    h = PERIOD / HALVES
+    state = at_rest(p, start)
+    work = workspace(p, n)
+    inverse = np.zeros((n, n))
+    vm = np.zeros(n)
+    total = 0
+    pose = np.zeros(2)
+    rate = np.zeros(2)
+    v = np.zeros(2)
+    membranes = np.zeros(2)
+    command = np.zeros(2)
     read_tip(state, p, work, pose, rate)
-    reading, anchor = 0.0, pose[0]
+    reading = 0.0
+    anchor = pose[0]
     for row in range(out.shape[0]):
         read_tip(state, p, work, pose, rate)
         if row == 0 or around.lost[row] != FROZEN:
@@ -372,7 +384,8 @@ def _surroundings(
     p: RigParameters, bench: Bench, scenario: Scenario, t: FloatArray, rng: np.random.Generator
 ) -> Surroundings:
     """Instruments of the bench and disturbances of the scenario, at the rows of the log."""
-    laser, converters = bench.laser, bench.converters
+    laser = bench.laser
+    converters = bench.converters
     phase = rng.uniform(0.0, 2.0 * np.pi, 2)
     noise = laser.hum * np.sin(2.0 * np.pi * laser.mains * t + phase[1])
     noise += scenario.noise * laser.noise * rng.standard_normal(t.size)

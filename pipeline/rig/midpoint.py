@@ -72,7 +72,8 @@ class _Work(NamedTuple):
 @inner
 def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: _Work, out: FloatArray) -> None:
     """Fill `out`, shape (n,), with the residual of the midpoint rule at the midpoint velocity `vm`."""
-    n, x = vm.size, work.x
+    n = vm.size
+    x = work.x
     for j in range(n):
         x[j] = state.x[j] + 0.5 * h * vm[j]
     elastic(x, vm, p, work.force)
@@ -158,7 +159,8 @@ def _newton(
 ) -> int:
     """Solve the step for `vm` in place; the iterations taken, or −1. `inverse` is the Jacobian's, renewed on demand."""
     n = vm.size
-    residual, tangent = np.empty(n), np.empty((n, n))
+    residual = np.empty(n)
+    tangent = np.empty((n, n))
     for iteration in range(_MAX_NEWTON):
         columns = n if (renew and iteration == 0) or iteration % 8 == 7 else 0
         for j in range(columns + 1):  # the last evaluation is the unperturbed one
@@ -175,7 +177,8 @@ def _newton(
                 for i in range(n):
                     tangent[i, j] = (tangent[i, j] - residual[i]) * (h / _NUDGE)
             _invert(tangent, inverse)
-        largest, size = 0.0, 1.0
+        largest = 0.0
+        size = 1.0
         for i in range(n):
             change = 0.0
             for j in range(n):
@@ -192,7 +195,8 @@ def _newton(
 @inner
 def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
     """Trapezoidal mean of `e` over the step of `stride` samples that begins at `first`; the last value is held."""
-    total, last = 0.0, e.shape[0] - 1
+    total = 0.0
+    last = e.shape[0] - 1
     for i in range(stride):
         total += 0.5 * (e[min(first + i, last), side] + e[min(first + i + 1, last), side])
     return total / stride
@@ -201,12 +205,15 @@ def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
 @inner
 def at_rest(p: RigParameters, start: FloatArray) -> _State:
     """The joint at rest at the coordinates `start`, shape (n,), its viscous branches and friction relaxed."""
-    n, branches, elements = start.size, p.branch_modulus.shape, p.slip_force.size
+    n = start.size
+    branches = p.branch_modulus.shape
+    elements = p.slip_force.size
     state = _State(
         start.copy(), np.zeros(n), np.zeros(branches), np.zeros(2), np.zeros(elements), np.zeros(1), np.zeros(2),
         np.zeros((p.plastic_share.size, n)), np.zeros(n), np.zeros(1), np.zeros(2),
     )  # fmt: skip
-    pose, jacobian = np.zeros(3), np.zeros((3, n))
+    pose = np.zeros(3)
+    jacobian = np.zeros((3, n))
     tip(state.x, p, pose, jacobian)
     state.sliding[0] = pose[0] + p.friction_arm * pose[2]
     for i in range(n):
@@ -305,11 +312,16 @@ def march(
     -----
     Cost: about 2.5 residuals of 1.5 µs a step, and n more every twelve steps.
     """
-    n, h = start.size, stride * dt
+    n = start.size
+    h = stride * dt
     steps = (e.shape[0] - 1) // stride + 1
-    poses, rates = np.empty((steps + 1, 2)), np.empty((steps + 1, 2))
-    state, work = at_rest(p, start), workspace(p, n)
-    inverse, vm, total = np.zeros((n, n)), np.zeros(n), 0
+    poses = np.empty((steps + 1, 2))
+    rates = np.empty((steps + 1, 2))
+    state = at_rest(p, start)
+    work = workspace(p, n)
+    inverse = np.zeros((n, n))
+    vm = np.zeros(n)
+    total = 0
     for step in range(steps + 1):
         read_tip(state, p, work, poses[step], rates[step])
         if step == steps:

@@ -8,13 +8,21 @@ import numpy as np
 from ..numerics.arrays import FloatArray
 
 # Beam theories
-RITZ, CHAIN = 0, 1
+RITZ = 0
+CHAIN = 1
 # Rubber laws
-NEO_HOOKEAN, GENT, MOONEY_RIVLIN, OGDEN = 0, 1, 2, 3
+NEO_HOOKEAN = 0
+GENT = 1
+MOONEY_RIVLIN = 2
+OGDEN = 3
 # Strain that the viscous branches see: thickness stretch λ3 (§3.2.4), or Hencky strain ln λ1
-THICKNESS, HENCKY = 0, 1
+THICKNESS = 0
+HENCKY = 1
 # Friction laws
-MAXWELL_SLIP, LUGRE, BOUC_WEN, DAHL = 0, 1, 2, 3
+MAXWELL_SLIP = 0
+LUGRE = 1
+BOUC_WEN = 2
+DAHL = 3
 
 EPS0 = 8.854e-12  # A s/(V m)
 LAYERS, FILM, AREA, PERMITTIVITY = 8, 50e-6, 1326e-6, 2.8  # Table 1: n, d0 [m], A0 [m²], εr
@@ -74,7 +82,11 @@ class RigParameters(NamedTuple):
 def nominal(*, links: int = 5) -> RigParameters:
     """The designer's drawing: Table 1 as corrected with E = 1.76 GPa, symmetric, without friction and creep."""
     pair = np.ones(2)
-    length, modulus, second_moment, section, density = 90e-3, 1.76e9, 1.1e-12, 11e-6, 1200.0
+    length = 90e-3
+    modulus = 1.76e9
+    second_moment = 1.1e-12
+    section = 11e-6
+    density = 1200.0
     link = length / links
     hinge = np.full(links, modulus * second_moment / link)
     hinge[0] *= 2.0  # the clamp's half cell
@@ -117,7 +129,8 @@ def nominal(*, links: int = 5) -> RigParameters:
 
 def table1() -> RigParameters:
     """Table 1 as printed, corrected: E = 1.62 GPa; it needs at least 2.4 kV to switch."""
-    p, ratio = nominal(), 1.62 / 1.76
+    p = nominal()
+    ratio = 1.62 / 1.76
     return p._replace(bending=p.bending * ratio, axial=p.axial * ratio, hinge_stiffness=p.hinge_stiffness * ratio)
 
 

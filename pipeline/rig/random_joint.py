@@ -165,7 +165,8 @@ def _stiffened(p: RigParameters, factor: float) -> RigParameters:
 
 def _tuned(p: RigParameters, target: float) -> RigParameters:
     """`p` with the bending stiffness at which the wells lie `target` [m] from the middle, on average."""
-    low, high = 0.55, 1.6
+    low = 0.55
+    high = 1.6
     for _ in range(9):
         factor = 0.5 * (low + high)
         left, right = wells(_stiffened(p, factor))
@@ -181,7 +182,8 @@ def _switches(p: RigParameters) -> bool:
     left, right = wells(p)
     if not (left < -_NEAREST and right > _NEAREST and abs(left + right) < _SKEW):
         return False
-    period, pulse = round(_PERIOD / _STEP), round(_PULSE / _STEP)
+    period = round(_PERIOD / _STEP)
+    pulse = round(_PULSE / _STEP)
     v = np.zeros((2 * period, 2))
     v[:pulse, 0] = v[period : period + pulse, 1] = _TRIAL
     q = simulate(p, v, _STEP, stride=1).q

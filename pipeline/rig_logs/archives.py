@@ -32,7 +32,8 @@ class UnpackedSource(View):
     def __init__(self, path: Path, packed: BinaryIO, csv: CsvOptions, limits: Limits) -> None:
         from .child import open_source
 
-        unpacked, left = temporary_path(self), limits.largest(path.stat().st_size)
+        unpacked = temporary_path(self)
+        left = limits.largest(path.stat().st_size)
         try:
             with unpacked.open("wb") as file:
                 while part := packed.read(PART):

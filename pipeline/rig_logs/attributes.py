@@ -92,7 +92,8 @@ def scales_among(attributes: Mapping[str, Any], channel: str = "") -> list[str]:
     """A note on numbers among attributes by which a channel might have to be converted; none where there are none."""
     named = []
     for name in filter(_SCALE.fullmatch, attributes):
-        number, neutral = _number(attributes[name]), 0.0 if re.search(_OFFSET, name, re.IGNORECASE) else 1.0
+        number = _number(attributes[name])
+        neutral = 0.0 if re.search(_OFFSET, name, re.IGNORECASE) else 1.0
         named += [f"{name} = {plain(attributes[name])}"] if number != neutral else []
     what = f"{', '.join(named)}, {NOT_APPLIED}" + (f" to {channel!r}" if channel else "")
     return [f"{what}: see scale and offset in [channels]"] if named else []

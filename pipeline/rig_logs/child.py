@@ -61,7 +61,8 @@ def read_log(send: Send, request: dict[str, Any]) -> None:
 
 
 def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
-    limits, path = Limits(**request["limits"]), Path(request["path"])
+    limits = Limits(**request["limits"])
+    path = Path(request["path"])
     for name in set(os.environ) - _ENVIRONMENT:
         del os.environ[name]
     size = path.stat().st_size
@@ -177,7 +178,8 @@ class _Spool:
         self.places: dict[str, list[list[int]]] = {}
         self._path = path
         self._largest = limits.largest(path.stat().st_size)
-        self._file, self._position = file, 0
+        self._file = file
+        self._position = 0
         if declared > self._largest:
             raise _RefusedError(f"{self._beyond(f'declares {declared / 1e6:.0f} MB')}; refused unread")
 
@@ -205,7 +207,8 @@ class _Spool:
         return written
 
     def _beyond(self, what: str) -> str:
-        size, largest = self._path.stat().st_size / 1e6, self._largest / 1e6
+        size = self._path.stat().st_size / 1e6
+        largest = self._largest / 1e6
         return f"{self._path}: {what} of samples in a file of {size:.3g} MB, beyond the limit of {largest:.0f} MB"
 
 

@@ -72,7 +72,8 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
             raster = text_of(axes.get(i, "Raster")) or str(i + 1)
             names.append(text_of(axes.get(i, "Name")) or ("time" if axes.count == 1 else f"time ({raster})"))
         for i, name in enumerate(unique_names(names)):
-            data, unit = axes.get(i, "Data"), text_of(axes.get(i, "Unit")).strip() or "s"
+            data = axes.get(i, "Data")
+            unit = text_of(axes.get(i, "Unit")).strip() or "s"
             if not isinstance(data, MatArray) or not data.size:
                 lengths.append((name, 0))
                 continue
@@ -93,7 +94,8 @@ def _scaled(read: Reader, factor: float) -> Reader:
 
 
 def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int]], list[MatChannel]]:
-    capture, channels = record.get(0, "Capture"), record.get(0, "Y")
+    capture = record.get(0, "Capture")
+    channels = record.get(0, "Y")
     if not (is_struct(capture) and is_struct(channels)):
         return [], []
     period = scalar_of(capture.get(0, "SamplingPeriod"))

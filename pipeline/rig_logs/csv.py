@@ -40,14 +40,17 @@ from .source import (
 )
 
 _BLOCK_BYTES = 1 << 20
-_LARGEST_HEAD, _FEWEST_LINES, _MOST_NAMED = 1 << 24, 20, 3
+_LARGEST_HEAD = 1 << 24
+_FEWEST_LINES = 20
+_MOST_NAMED = 3
 _COUNT = re.compile(r"[+-]?\d{16,19}")
 """Whole numbers beyond what float64 holds exactly, such as nanoseconds since 1970."""
 _WHOLE = re.compile(r"[+-]?\d{1,18}|[+-]?[1-8]\d{18}")
 """A whole number that a count of 64 bits holds."""
 _WHOLE_SECONDS = re.compile(r":\d\d:\d\d\b(?![.,:]\d| \d{3}\b)")
 """In a time of day without parts of a second."""
-_FIRST_YEAR, _LAST_YEAR = "1678", "2261"
+_FIRST_YEAR = "1678"
+_LAST_YEAR = "2261"
 """Whose times a count of nanoseconds since 1970 holds."""
 _MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
 
@@ -55,7 +58,8 @@ _MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
 class CsvSource(Source):
     """A CSV log, parsed in blocks of rows, all wanted columns in one pass."""
 
-    format, one_pass = "CSV", True
+    format = "CSV"
+    one_pass = True
 
     def __init__(self, path: Path, options: CsvOptions, *_: object) -> None:
         super().__init__()
@@ -71,7 +75,8 @@ class CsvSource(Source):
         self._origins: dict[str, float] = {}
         self.rates = {name: rate for name, _, rate in self._dialect.rates}
         self._rewritten = self._dialect.rewritten
-        self._words, self._remarks = dict[str, list[int]](), list[str]()
+        self._words = dict[str, list[int]]()
+        self._remarks = list[str]()
         self._firsts = dict(zip(self._columns, self._dialect.firsts, strict=True))
         self._look_ahead()
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
@@ -157,7 +162,8 @@ class CsvSource(Source):
             self._note(f"time of {name!r} {self._clocks[name].note}")
         rows = Counter[str]()
         while True:
-            rewritten, read = self._rewritten, Counter[str]()
+            rewritten = self._rewritten
+            read = Counter[str]()
             try:
                 for name, samples in self._delimited(list(names)):
                     new = samples[max(0, rows[name] - read[name]) :]
@@ -196,7 +202,8 @@ class CsvSource(Source):
         """
         width = len(self._columns)
         wanted = [j for j, name in enumerate(self._columns) if name in names]
-        self._words, self._remarks = {}, []
+        self._words = {}
+        self._remarks = []
         dialect = self._dialect
         named = dialect.delimiter != " " and any(len(row) == width + 1 for row in dialect.above)  # a column of comments
         counts = any(map(_COUNT.fullmatch, self._firsts.values()))
@@ -264,7 +271,10 @@ class CsvSource(Source):
             There is none, and they may well stand between thousands.
         """
         self._open.remove(name)
-        column, decimal, marked, plain = self._columns.index(name), self._dialect.decimal, "", False
+        column = self._columns.index(name)
+        decimal = self._dialect.decimal
+        marked = ""
+        plain = False
         for number, line in self._lines():
             row = self._dialect.split(line)
             cell = row[column] if len(row) > column else ""
@@ -303,7 +313,8 @@ class CsvSource(Source):
         """The rows of some columns in these types of Arrow, block by block."""
         from pyarrow import csv
 
-        dialect, plain = self._dialect, self._rewritten
+        dialect = self._dialect
+        plain = self._rewritten
         return csv.open_csv(
             written(self._plain_rows(names), self)
             if plain

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from .csv_cells import NUMBER, clock_of
 
-_HOUR, _DAY = 3600.0, 86_400.0
+_HOUR = 3600.0
+_DAY = 86_400.0
 
 
 class Clock:
@@ -21,7 +22,8 @@ class Clock:
     """
 
     def __init__(self, first: str) -> None:
-        self._origin, self._last = np.nan, 0.0
+        self._origin = np.nan
+        self._last = 0.0
         self._form, match = clock_of(first) or ("", None)
         self._turn = _DAY if match and match["h"] else _HOUR
         begins = min((match.start(part) for part, text in match.groupdict().items() if text), default=0) if match else 0

@@ -198,7 +198,8 @@ def _with_counted_names(options: CsvOptions, table: SampleTable) -> tuple[CsvOpt
     return replace(options, header_row=table.first), replace(table, first=table.first + 1)
 
 
-_LABVIEW, _END_OF_HEADER = "LabVIEW Measurement", "***End_of_Header***"
+_LABVIEW = "LabVIEW Measurement"
+_END_OF_HEADER = "***End_of_Header***"
 
 
 def _as_labview(lines: Sequence[str], options: CsvOptions) -> CsvOptions:
@@ -259,7 +260,8 @@ def _check_decimal_commas(table: SampleTable) -> None:
     """Commas that separate and are decimal marks too: more cells than names, at most twice as many."""
     width = len(table.numeric)
     above = table.rows[table.first - 1] if table.first else []
-    names, cells = len(above), width - [*map(bool, _firsts(table))][::-1].index(True)
+    names = len(above)
+    cells = width - [*map(bool, _firsts(table))][::-1].index(True)
     marked = table.has_marks or table.delimiter != ","
     if not marked and 2 <= names < cells <= 2 * names and not any(map(NUMBER.match, above)):
         raise UnreadableLogError(

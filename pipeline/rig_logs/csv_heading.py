@@ -16,7 +16,8 @@ _BEFORE_BRACKET = re.compile(r"\s+(?=[\[(])")
 _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
 _TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
 _QUANTITY = re.compile(rf"{NUMBER.pattern.removesuffix('$')} ?[A-Za-zµμ%]{{0,3}}$")
-_HEAD, _MOST_LINES = 100, 20
+_HEAD = 100
+_MOST_LINES = 20
 """Lines among which a heading stands, and over how many it may be written."""
 _ROW_KEY = re.compile(r"(?i)(units?|names?|channels?|labels?|einheit(en)?)\s*[:=]\s*(?=\S)")
 """Before a row of units or names, as in ``#UNITS:s,V,V`` of Hantek."""
@@ -177,7 +178,8 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
     """Name and unit of each column; a unit in brackets behind a name is its unit where no row of units says it."""
     if not headings:
         return tuple(f"column {j + 1}" for j in range(width)), ("",) * width
-    names, units = [], []
+    names = []
+    units = []
     by_strokes = _with_units_behind_strokes(headings)
     matches = [_UNIT_IN_NAME.match(heading) or _unit_behind(heading, by_strokes) for heading in headings[:width]]
     bare = Counter(match["name"] if match else heading for match, heading in zip(matches, headings, strict=False))
@@ -203,7 +205,8 @@ def _with_units_behind_strokes(headings: Row) -> bool:
     return len(units) > 1 and all(unit in PLAIN or unit.lower() in _UNITS - {"v", "a", "k"} for unit in units)
 
 
-_VERTICAL, _HORIZONTAL = "Vertical Units", "Horizontal Units"
+_VERTICAL = "Vertical Units"
+_HORIZONTAL = "Horizontal Units"
 _UNITS_KEY = re.compile(r"(?i)(y_unit_label|(vertical |[vy]_?)units?)")
 _NAMES_KEY = re.compile(r"(?i)((trace|channel|signal) ?)?names?")
 

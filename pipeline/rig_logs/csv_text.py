@@ -52,7 +52,8 @@ def written(lines: Iterable[str], owner: object) -> Any:
     """Lines in a file of Arrow's own, which vanishes with it, on Windows with the `owner`."""
     import pyarrow as pa
 
-    path, rest = temporary_path(owner), iter(lines)
+    path = temporary_path(owner)
+    rest = iter(lines)
     with path.open("wb") as file:
         while some := list(islice(rest, PART)):
             file.write("".join(some).encode())
@@ -170,7 +171,8 @@ def whole_rows(path: Path, dialect: Dialect) -> tuple[int, list[str]]:
     """
     with path.open("rb") as file:
         content = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-    size, notes = len(content), list[str]()
+    size = len(content)
+    notes = list[str]()
     if not dialect.encoding.startswith("utf-16") and (size := _written(content)) < len(content):
         notes.append(f"{len(content) - size} zero bytes at the end are left out; did the recorder lose its power?")
     try:

@@ -23,7 +23,8 @@ from .recording import as_other_logs
 from .source import rates_beside
 
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
-_MOST_LISTED, _MOST_NAMED = 100, 5
+_MOST_LISTED = 100
+_MOST_NAMED = 5
 _LONGEST = 80
 """Letters of a description that are shown."""
 _MONITOR = 12.0
@@ -201,11 +202,14 @@ def _ingest_lines(log: Inspection) -> list[str]:
 
 def _interval_lines(log: Inspection, step: float) -> list[str]:
     """The sample interval where a log's step [s] is longer than the usual one, or q moves too fast for that."""
-    usual, most = Ingest().sample_interval, _cycles_per_sample(log) / step
+    usual = Ingest().sample_interval
+    most = _cycles_per_sample(log) / step
     if step > UNTOLD_STEP * usual:
-        interval, why = float(f"{step:.4g}"), "the log's step"
+        interval = float(f"{step:.4g}")
+        why = "the log's step"
     elif most * usual * LEAST_PER_PERIOD > 1.0:
-        interval, why = advised_interval(most, step), f"q moves up to {most:.3g} Hz"
+        interval = advised_interval(most, step)
+        why = f"q moves up to {most:.3g} Hz"
     else:
         return []
     return [f"{f'sample_interval = {interval:g}':<46}# s, suggested: {why}"]
@@ -246,7 +250,8 @@ def _listing(channel: InspectedChannel) -> str:
 
 
 def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], log: Inspection) -> list[str]:
-    names, role = suggestion.candidates, suggestion.role
+    names = suggestion.candidates
+    role = suggestion.role
     if role == "v2" and not names:
         taken = {each.only for each in log.suggestions}.union(log.apart)
         others = [quoted(name) for name in by_name if name not in taken][:_MOST_NAMED]
@@ -306,7 +311,8 @@ def _seldom(channel: InspectedChannel, log: Inspection) -> bool:
     """Whether a channel may have been recorded on change only."""
     if channel.every > 1:
         return False
-    quality, base = channel.quality, None if channel.time_base is None else log.time_bases[channel.time_base]
+    quality = channel.quality
+    base = None if channel.time_base is None else log.time_bases[channel.time_base]
     step, lasts = (1.0, quality.n) if base is None else (base.step, base.stop - base.start)
     finest = max(Ingest().sample_interval, min((each.step for each in log.time_bases), default=0.0))
     far = base is not None and step > COARSEST_STEP * finest

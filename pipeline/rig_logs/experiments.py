@@ -76,11 +76,14 @@ def _held_out(names: Sequence[str]) -> dict[str, str]:
 
 def _signal_and_purpose(name: str) -> tuple[str, Purpose]:
     """A name without the words that say what it is for, and what the last of them says."""
-    left, last = list[str](), purpose_of("")
+    left = list[str]()
+    last = purpose_of("")
     for part in _PARTS.split(name):
-        purpose, signal = _word_purpose(part), ""
+        purpose = _word_purpose(part)
+        signal = ""
         if not purpose and (joined := _JOINED.fullmatch(part)):
-            purpose, signal = _word_purpose(joined["purpose"]), joined["signal"]
+            purpose = _word_purpose(joined["purpose"])
+            signal = joined["signal"]
         left.append(signal if purpose else part)
         last = purpose or last
     return _JOINTS.sub("", "".join(left)).casefold(), last

@@ -22,7 +22,8 @@ from .recording import (
 from .source import CsvOptions, Limits
 
 _READER_IMPORTS = ("numpy", full_name("system.isolation"), full_name("rig_logs.child"))
-_READER, _PATIENCE = child.read_log, 10
+_READER = child.read_log
+_PATIENCE = 10
 
 
 def read_recording(

@@ -24,7 +24,8 @@ from .recording import RecordedChannel, Recording
 from .remarks import Clock, Context, counted, remarks_on, stamped
 from .source import CsvOptions, note_on_rate, stated_rate
 
-_UNEVEN, _MOSTLY = 0.5, 0.95
+_UNEVEN = 0.5
+_MOSTLY = 0.95
 """Share of a step by which those of a clock may differ, and how many of them do not by more."""
 
 _SERIAL_DATES = ((35_000.0, 60_000.0), (725_000.0, 750_000.0))
@@ -266,7 +267,8 @@ def _time_column(
     unit = suggested_unit(channel.name, channel.unit)
     stated = f"in {unit}" if unit in SECONDS else "in s, of which the log says nothing"
     if unit not in SECONDS and any(first <= np.nanmin(channel.samples) <= last for first, last in _SERIAL_DATES):
-        unit, stated = "day", "in days, as serial dates of a spreadsheet or MATLAB are"
+        unit = "day"
+        stated = "in days, as serial dates of a spreadsheet or MATLAB are"
     elif unit not in SECONDS and _WRITTEN_DATES[0] <= np.nanmin(channel.samples) <= _WRITTEN_DATES[1]:
         stated += ", though its digits look like a date (20260131235959.5): export seconds"
     notes.append(f"described as if {name!r} were time {stated}; the settings decide")

@@ -127,7 +127,8 @@ class MatSource(Source):
         members = {field: value.get(index, field) for field in value.fields}
         units = next((members[field] for field in members if is_unit(field)), None)
         second = SECONDS.get(time_unit(text_of(members.get("TimeUnit"))), 1.0)
-        several, channels = sum(isinstance(each, MatArray) for each in members.values()) > 1, []
+        several = sum(isinstance(each, MatArray) for each in members.values()) > 1
+        channels = []
         for field, member in members.items():
             if is_unit(field):
                 continue

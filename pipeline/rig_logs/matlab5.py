@@ -17,7 +17,9 @@ from .mat_source import MatSource
 from .mat_values import MatArray, MatObject, MatValue
 from .source import CsvOptions, Limits, UnreadableLogError
 
-_HEADER, _TAG, _COMPRESSED = 128, 8, 15
+_HEADER = 128
+_TAG = 8
+_COMPRESSED = 15
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,8 @@ def open_log(path: Path, csv: CsvOptions, limits: Limits) -> MatSource:
     """
     from scipy.io import loadmat
 
-    declared, most = _declared_bytes(path), limits.largest(path.stat().st_size)
+    declared = _declared_bytes(path)
+    most = limits.largest(path.stat().st_size)
     if declared > most:
         raise UnreadableLogError(
             f"its variables declare {declared / 1e6:.0f} MB, beyond the limit of {most / 1e6:.0f} MB; refused unread"

@@ -110,7 +110,8 @@ def _numbers(name: str, column: Any, counted: Counted) -> NDArray[Any]:
     if pa.types.is_time(kind):
         ticks = column.cast(pa.int32() if pa.types.is_time32(kind) else pa.int64())
         column = ticks.cast(pa.int64()).cast(pa.duration(kind.unit))
-    samples, is_filled = np.full(len(column), np.nan), column.is_valid().to_numpy()
+    samples = np.full(len(column), np.nan)
+    is_filled = column.is_valid().to_numpy()
     samples[is_filled] = counted(name, column.drop_null().to_numpy())
     return samples
 

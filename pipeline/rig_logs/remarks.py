@@ -7,7 +7,8 @@ import numpy as np
 
 from ..signals.signal_quality import SignalQuality
 
-_FROZEN_SECONDS, _FROZEN_SAMPLES = 0.05, 20
+_FROZEN_SECONDS = 0.05
+_FROZEN_SAMPLES = 20
 _SHOWS = 1e-4
 """Share of the range of a signal that a hum is worth a remark from."""
 _LONG_AGO = 1e5
@@ -40,7 +41,8 @@ class Context:
 
 def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[str, ...]:
     """What a person should look at."""
-    clock, remarks = context.clock, []
+    clock = context.clock
+    remarks = []
     if quality.not_finite:
         remarks.append(f"{counted(quality.not_finite, 'sample')} not finite{_first(quality.not_finite_at, clock)}")
     if quality.constant:

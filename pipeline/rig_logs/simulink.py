@@ -15,8 +15,11 @@ def is_simulink_log(value: MatValue) -> bool:
 
 def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[MatChannel]:
     """Time, called ``variable.time``, and the signals by their labels; what is left out is added to `notes`."""
-    channels, time, signals = [], log.get(0, "time"), log.get(0, "signals")
-    clock, rows = f"{variable}.time", 0
+    channels = []
+    time = log.get(0, "time")
+    signals = log.get(0, "signals")
+    clock = f"{variable}.time"
+    rows = 0
     if isinstance(time, MatArray) and time.size > 1:
         rows = time.size
         channels.append(MatChannel(Entry(clock, "s", time.dtype, rows), time.read, time.step))

@@ -121,7 +121,8 @@ class Source(ABC):
         Columns of times of day without parts of a second.
     """
 
-    format, one_pass = "", False
+    format = ""
+    one_pass = False
 
     def __init__(self) -> None:
         self.notes: list[str] = []
@@ -286,7 +287,9 @@ def temporary_path(owner: object) -> Path:
 def unique_names(names: list[str]) -> list[str]:
     """Names made unique by " (2)", " (3)", … in the order of the log; an empty one is ``column k``."""
     names = [name or f"column {k}" for k, name in enumerate(names, start=1)]
-    taken, numbers, unique = set(names), dict[str, Iterator[int]](), list[str]()
+    taken = set(names)
+    numbers = dict[str, Iterator[int]]()
+    unique = list[str]()
     for name in names:
         given = name
         if name in numbers:

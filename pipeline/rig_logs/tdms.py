@@ -107,7 +107,8 @@ class TdmsSource(Source):
         """A channel, with the time of its waveform where it has one."""
         properties = channel.properties
         kind = "s" if channel.dtype.kind == "M" else unit_among(properties)
-        step, axis = float(properties.get("wf_increment", 0.0)), str(properties.get("wf_xunit_string") or "s")
+        step = float(properties.get("wf_increment", 0.0))
+        axis = str(properties.get("wf_xunit_string") or "s")
         factor = SECONDS.get(time_unit(axis), 0.0)
         if step > 0.0 and not factor:
             self.notes.append(

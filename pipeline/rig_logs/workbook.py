@@ -23,10 +23,12 @@ from .csv import CsvSource
 from .csv_heading import names_and_units
 from .source import CsvOptions, UnreadableLogError, View, temporary_path
 
-_STYLES, _NO_STYLES = b"xl/styles.xml", b"xl/unread.xml"
+_STYLES = b"xl/styles.xml"
+_NO_STYLES = b"xl/unread.xml"
 _LOCAL_HEADER = 30
 """Bytes before the name of a member in a ZIP file."""
-_DAY_0, _DAY_1 = datetime(1899, 12, 30), datetime(1899, 12, 31)
+_DAY_0 = datetime(1899, 12, 30)
+_DAY_1 = datetime(1899, 12, 31)
 """From where Excel counts days; calamine takes the first ones of 1900 for what Excel shows."""
 _OPEN_FORMULA = re.compile(rb"(?:</f>|<f[^>]*/>)\s*(?:<v\s*/>|<v></v>)?\s*</c>")
 _START = 100
@@ -56,7 +58,8 @@ class WorkbookSource(View):
         _check_order(of_table, rows, raw)
         if plain and any(cell == "" for each in rows.values() for row in each for cell in row):
             _check_formulas(content)
-        written, mark = temporary_path(self), options.decimal or "."
+        written = temporary_path(self)
+        mark = options.decimal or "."
         kinds = _clocks(rows[of_table[0]])
         with written.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")

@@ -122,7 +122,10 @@ def fold_score(
     wells : Wells or NoWells
         `find_wells` of all logs of the device.
     """
-    squares, agreeing, samples, diverged = dict.fromkeys(ranges, 0.0), 0.0, 0, 0
+    squares = dict.fromkeys(ranges, 0.0)
+    agreeing = 0.0
+    samples = 0
+    diverged = 0
     for x in held_out:
         run = model.simulate(x.t, x.drive_of(fine=model.fine_voltages), float(x.q[0]), float(x.qdot[0]))
         for signal in ranges:
@@ -159,7 +162,8 @@ def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     interval : Interval or None
         None with fewer than three folds.
     """
-    k, mean = values.size, float(values.mean())
+    k = values.size
+    mean = float(values.mean())
     if k < 3:
         return mean, None
     reach = scipy.special.stdtrit(k - 1, (1.0 + LEVEL) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1))

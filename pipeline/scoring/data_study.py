@@ -114,7 +114,8 @@ def noise_study(
 
 
 def _point(level: float, draws: Sequence[Sequence[Log]], held_out: Sequence[Log], identify: Identify) -> StudyPoint:
-    errors, refused = [], 0
+    errors = []
+    refused = 0
     for draw in draws:
         try:
             model = identify(draw)
@@ -134,10 +135,12 @@ def held_out_error(model: Simulator, held_out: Sequence[Log]) -> float:
 def _stretch(training: Sequence[Log], start: int, amount: int) -> list[Log]:
     """`amount` consecutive samples from row `start` of the joined training data, wrapping at its end."""
     offsets = np.cumsum([0, *(len(x.t) for x in training)])
-    total, taken = int(offsets[-1]), []
+    total = int(offsets[-1])
+    taken = []
     for low, high in ((start, min(start + amount, total)), (0, start + amount - total)):
         for x, offset in zip(training, offsets, strict=False):
-            a, b = max(low - int(offset), 0), min(high - int(offset), len(x.t))
+            a = max(low - int(offset), 0)
+            b = min(high - int(offset), len(x.t))
             if b - a >= 2:
                 taken.append(Log(x.t[a:b], x.q[a:b], x.qdot[a:b], x.qddot[a:b], x.v[a:b]))
     return taken

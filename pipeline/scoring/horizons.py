@@ -98,7 +98,8 @@ def horizon_errors(
     -----
     Cost: a simulation of the record, one of at most as much for each horizon, and the call overhead of the restarts.
     """
-    q, interval = path.q, sample_interval(path.t)
+    q = path.q
+    interval = sample_interval(path.t)
     aheads = [samples_of(horizon, interval) for horizon in horizons]
     starts = [_starts(path, ahead, most_starts) for ahead in aheads]
     farthest: dict[int, int] = {}
@@ -152,7 +153,9 @@ def _error(
 
 def _starts(path: MeasuredPath, ahead: int, most: int, apart: int | None = None) -> IntArray:
     """Rows whose state, target and inputs between are measured, at least `apart` (`ahead`) apart, at most `most`."""
-    q, qdot, last = path.q, path.qdot, path.q.size - ahead
+    q = path.q
+    qdot = path.qdot
+    last = path.q.size - ahead
     if last < 1:
         return np.zeros(0, dtype=np.int64)
     rows = np.arange(0, last, max(ahead if apart is None else apart, -(-last // most)))

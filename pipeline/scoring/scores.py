@@ -88,7 +88,8 @@ def score_run(
         score = Score(name, None, None, None, n, status, diverged_at_s)
         block = block_of((calculated - measured,), interval, joint=joint)
         if status == "ok":
-            fraction, span = nrmse(measured, calculated), signal_range(measured)
+            fraction = nrmse(measured, calculated)
+            span = signal_range(measured)
             band = rms_interval(calculated - measured, block, rng) if fraction is not None else None
             of_range = band.over(span) if band and span else None
             score = replace(score, nrmse=fraction, rmse=rmse(measured, calculated), nrmse_interval=of_range)

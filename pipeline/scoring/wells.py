@@ -20,7 +20,9 @@ WELL_REACHED = 0.5  # of the way from the barrier to a well: beyond it the devic
 SHORT_PAUSE = 0.1  # s; where no rest tells of the other well, a joint that rings about it in such a pause does, roughly
 # Of the range of q in such a window: a joint that swings further says little of where it would rest; beyond half of the
 # range it is in no well; where slow passages over the barrier fill the gap, rests this calm alone tell.
-LARGEST_SWING, WITHIN_WELL, CALM = 0.25, 0.5, 0.05
+LARGEST_SWING = 0.25
+WITHIN_WELL = 0.5
+CALM = 0.05
 LEAST_SAMPLES = 20  # of a rest of another device: its sample interval may be longer than the joint's whole rest
 STANDS = 0.02  # of the range of q: what moves less in the time over which q remembers where it was stands still
 TURNS = 3  # passages of q through the middle of its rest, each from half a standard deviation out: it rings
@@ -66,7 +68,8 @@ def outermost_pair(stable: Sequence[bool], height: Sequence[float]) -> tuple[int
     wells = [i for i, is_stable in enumerate(stable) if is_stable]
     if len(wells) < 2:
         return None
-    left, right = wells[0], wells[-1]
+    left = wells[0]
+    right = wells[-1]
     between = [i for i in range(left, right) if not stable[i]]
     return (left, max(between, key=height.__getitem__), right) if between else None
 
@@ -162,7 +165,8 @@ def find_wells(
     Wells or NoWells
     """
     pairs: list[tuple[float, float]] = []
-    low, high = np.inf, -np.inf
+    low = np.inf
+    high = -np.inf
     for q, v, interval in records:
         low = min(low, float(np.min(q, where=np.isfinite(q), initial=np.inf)))
         high = max(high, float(np.max(q, where=np.isfinite(q), initial=-np.inf)))
@@ -196,7 +200,8 @@ def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
     k = int(np.argmax(gaps))
     if gaps[k] < CLUSTER_GAP * (ordered[-1] - ordered[0]) or gaps[k] <= 0.1 * span:
         return NoWells("the rest positions form one cluster: not bistable, or only one well is visited", True)
-    left, right = float(np.median(ordered[: k + 1])), float(np.median(ordered[k + 1 :]))
+    left = float(np.median(ordered[: k + 1]))
+    right = float(np.median(ordered[k + 1 :]))
     return Wells(left, right, float(ordered[k] + ordered[k + 1]) / 2.0)
 
 

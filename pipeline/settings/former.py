@@ -60,7 +60,8 @@ def translated(stored: Mapping[str, Any], *, used: bool = False) -> dict[str, An
     quality = tables.get("quality")
     if not used and isinstance(quality, dict) and isinstance(accepted := quality.get("accept"), list | tuple):
         quality["accept"] = [gate for gate in accepted if gate not in GATES]
-    differentiate, identify = tables.get("differentiate"), tables.get("identify")
+    differentiate = tables.get("differentiate")
+    identify = tables.get("identify")
     if not used and isinstance(differentiate, dict) and differentiate.get("method") == "rts":
         del differentiate["method"]
     if isinstance(identify, dict) and (moved := {key: identify.pop(key) for key in STRUCTURE if key in identify}):

@@ -130,7 +130,8 @@ class LogPart(SettingsTable):
     @property
     def span(self) -> tuple[float, float]:
         """From when to when it lasts [s]."""
-        start, stop = self.start, self.stop
+        start = self.start
+        stop = self.stop
         return (
             -math.inf if start is None else parse_quantity(start, TIME, "start"),
             math.inf if stop is None else parse_quantity(stop, TIME, "stop"),

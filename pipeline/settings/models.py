@@ -52,7 +52,8 @@ ENTRIES = (
     ),
 )
 
-CENTRES, SMOOTHING = 10, 0.5
+CENTRES = 10
+SMOOTHING = 0.5
 """M and σ_n of the paper (section 5.2)."""
 
 LAG_START = 0.02

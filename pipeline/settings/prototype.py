@@ -27,7 +27,8 @@ class Quantity(SettingsTable):
     """Its unit in pint notation."""
 
 
-FILM_THICKNESS, FIELD_LIMIT = 50.0, 60.0
+FILM_THICKNESS = 50.0
+FIELD_LIMIT = 60.0
 """Values of the paper's joint [µm, V/µm]: 3 kV on an undeformed film of 50 µm."""
 
 

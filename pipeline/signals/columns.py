@@ -11,7 +11,8 @@ from ..numerics.arrays import BoolArray, FloatArray
 
 CHUNK = 1 << 17
 """Rows at a time."""
-BLOCKS, BLOCK = 64, 4096
+BLOCKS = 64
+BLOCK = 4096
 """Blocks spread over a long column, and rows of each, from which a median is taken."""
 _LONG = 1 << 22
 """Bytes from which on a column is not held in memory."""
@@ -80,7 +81,8 @@ def held(time: FloatArray, stamps: FloatArray, samples: FloatArray) -> FloatArra
     Cost: O(N log M); memory for the finite samples.
     """
     usable = finite(stamps) & finite(samples)
-    at, values = stamps[usable], np.concatenate(([np.nan], samples[usable]))
+    at = stamps[usable]
+    values = np.concatenate(([np.nan], samples[usable]))
     parts = (values[np.searchsorted(at, time[rows], side="right")] for rows in chunks(time.size))
     return column(time.size, parts, np.float64)
 

@@ -63,7 +63,8 @@ def corrected(log: Log, by: Corrections) -> Log:
         qdot=speed * log.qdot,
         qddot=speed / by.clock * log.qddot,
     )
-    before, within = np.zeros((0, *log.drive.shape[1:])) if log.past is None else log.past, log.drive
+    before = np.zeros((0, *log.drive.shape[1:])) if log.past is None else log.past
+    within = log.drive
     samples = np.concatenate([before, within]) * np.array(by.gains)
     if by.delay:
         samples = _delayed(samples, by.delay / log.interval)

@@ -15,9 +15,11 @@ from .rails import IN_A_ROW
 from .signal_quality import OF_BESIDE, SignalQuality, span
 from .timebase import ONE_LOST
 
-_OF_INPUT, _ANSWER = 0.05, 0.03
+_OF_INPUT = 0.05
+_ANSWER = 0.03
 """Share of the range of an input that its change exceeds, and time [s] that a device which jumps takes to answer."""
-_TOGETHER, _BY_CHANCE = 0.75, 0.01
+_TOGETHER = 0.75
+_BY_CHANCE = 0.01
 """Share of the jumps that answer an input where the device makes them, and the probability below which that is no
 chance: a single jump may show it."""
 
@@ -39,7 +41,8 @@ def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArra
     from scipy.special import bdtrc
 
     anywhere = stamps[:: max(1, stamps.size // BLOCK)]
-    answers, chance = np.zeros(times.size, dtype=np.bool_), np.zeros(anywhere.size, dtype=np.bool_)
+    answers = np.zeros(times.size, dtype=np.bool_)
+    chance = np.zeros(anywhere.size, dtype=np.bool_)
     for signal in inputs:
         answers |= _changed(signal, times, step)
         chance |= _changed(signal, anywhere, step)
@@ -59,7 +62,8 @@ def _changed(signal: Signal, times: FloatArray, step: float) -> BoolArray:
     return changed
 
 
-_LEAST, _LOST = 0.01, 0.03
+_LEAST = 0.01
+_LOST = 0.03
 """Share of the usual range that a jump exceeds, and where rows are missing: encoders and potentiometers slip by 2 %."""
 _LONGEST = 0.25
 """Duration [s] of the longest burst; what is longer and far outside is a lost target, what is not may be a place."""
@@ -155,7 +159,9 @@ def _jumps(samples: FloatArray, least: float) -> IntArray:
 
 def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> tuple[IntArray, FloatArray]:
     """Rows of what lies between a jump to a level and one back, and these levels."""
-    bursts, levels, last = [], [], -1
+    bursts = []
+    levels = []
+    last = -1
     for before, end in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
         if before <= last or not 2 <= end - before <= longest:
             continue
@@ -175,7 +181,8 @@ def _with_code(samples: FloatArray, bursts: IntArray, levels: FloatArray) -> Int
     codes = values[counts >= IN_A_ROW]
     if not codes.size:
         return bursts
-    spans, previous = [bursts], np.zeros(0, dtype=np.int64)
+    spans = [bursts]
+    previous = np.zeros(0, dtype=np.int64)
     for rows in chunks(samples.size):
         previous = np.concatenate((previous, rows.start + np.flatnonzero(np.isin(samples[rows], codes))))
     runs = np.split(previous, np.flatnonzero(np.diff(previous) > 1) + 1)

@@ -188,7 +188,8 @@ class Log:
 
 def _farther(whole: Log, later: Log) -> bool:
     """Whether a log goes farther than its later part by more than `_FARTHER` of its range."""
-    low, high = whole.known_q.min(), whole.known_q.max()
+    low = whole.known_q.min()
+    high = whole.known_q.max()
     return bool(max(later.known_q.min() - low, high - later.known_q.max()) > _FARTHER * (high - low))
 
 

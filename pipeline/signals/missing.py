@@ -64,9 +64,13 @@ def missing(q: Signal, beside: Mapping[str, Signal]) -> dict[str, Missing]:
 def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
     """First and last stamp of a finite sample, the number of samples that are not finite, and their first stamp."""
     time, samples = signal
-    low, high, count, bad = np.inf, -np.inf, 0, np.nan
+    low = np.inf
+    high = -np.inf
+    count = 0
+    bad = np.nan
     for rows in chunks(samples.size):
-        stamps, finite = time[rows], np.isfinite(samples[rows])
+        stamps = time[rows]
+        finite = np.isfinite(samples[rows])
         timed = stamps[finite & np.isfinite(stamps)]
         if timed.size:
             low, high = min(low, float(timed.min())), max(high, float(timed.max()))
@@ -117,7 +121,10 @@ def codes_in(
     """
     wanted = _CODES if declared is None else np.array(declared, dtype=np.float64)
     counts = dict.fromkeys(wanted.tolist(), 0)
-    low, high, largest, huge = np.inf, -np.inf, 0.0, 0
+    low = np.inf
+    high = -np.inf
+    largest = 0.0
+    huge = 0
     for rows in chunks(samples.size):
         part = samples[rows]
         part = part[np.isfinite(part)]
@@ -126,7 +133,8 @@ def codes_in(
             huge += int(np.count_nonzero(beyond))
             largest = max(largest, part[beyond].max(), key=abs)
             part = part[~beyond]
-        least, most = part.min(initial=np.inf), part.max(initial=-np.inf)
+        least = part.min(initial=np.inf)
+        most = part.max(initial=-np.inf)
         for code in (c for c in counts if least <= c + _CLOSE * abs(c) and c - _CLOSE * abs(c) <= most):
             at_code = _is_any(part, (code,))
             if at_code.any():

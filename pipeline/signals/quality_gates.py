@@ -84,7 +84,8 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequen
     Samples at rails that are masked are kept out of the fit, but the motion beyond the sensor's range is missing all
     the same.
     """
-    span, hum = q.largest - q.smallest, max(q.hum, key=lambda line: line.amplitude, default=None)
+    span = q.largest - q.smallest
+    hum = max(q.hum, key=lambda line: line.amplitude, default=None)
     shares = {
         "masked": masked,
         "missing": q.lost / q.n,

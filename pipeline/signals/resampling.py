@@ -67,7 +67,8 @@ def decimated(
     if time.size == 1:
         yield np.array([np.full(t_out.size, column[0]) for column in columns], dtype=np.float64)
         return
-    slopes, apart = _Slopes(time, columns, t_out, interval), _BLOCK * t_out.size // time.size
+    slopes = _Slopes(time, columns, t_out, interval)
+    apart = _BLOCK * t_out.size // time.size
     for first, moments, sums in _moments(time, columns, t_out, interval, kernel, (2, 1)):
         values: FloatArray = sums[0] / moments[0]
         shift = moments[1] / moments[0]
@@ -145,7 +146,8 @@ def _moments(
     sums : FloatArray, shape (powers[1], k, m)
     """
     origin = float(t_out[0])
-    moments, sums = np.zeros((powers[0], 3)), np.zeros((powers[1], len(columns), 3))
+    moments = np.zeros((powers[0], 3))
+    sums = np.zeros((powers[1], len(columns), 3))
     for bins in _blocks(time, origin, interval, t_out.size):
         # Grid point p counts as number p + 3, so that none is negative; bin b reaches the numbers b … b + 3.
         width = bins.last - bins.first
@@ -216,7 +218,9 @@ def _blocks(time: FloatArray, origin: float, interval: float, points: int) -> It
 
     Where a block ends depends on the samples alone, not on how they are read.
     """
-    first, end, most = 0, points + 3, _BLOCK
+    first = 0
+    end = points + 3
+    most = _BLOCK
     low = int(np.searchsorted(time, _edges(origin, interval, 0, 1)[0]))
     while first < end:
         before = min(low, 1)
@@ -295,8 +299,10 @@ def _slopes(time: FloatArray, samples: FloatArray) -> FloatArray:
     step h by 4/27 of d h at most, so at 1.5 times the changes beside it by less than a quarter of these; on even steps
     the limit is never reached.
     """
-    steps, changes = np.diff(time), np.abs(np.diff(samples))
-    longer, beside = np.maximum(steps[1:], steps[:-1]), changes[1:] + changes[:-1]
+    steps = np.diff(time)
+    changes = np.abs(np.diff(samples))
+    longer = np.maximum(steps[1:], steps[:-1])
+    beside = changes[1:] + changes[:-1]
     limit = _STEEPEST * np.pad(beside / longer, 1, mode="edge")
     bounded: FloatArray = np.clip(np.gradient(samples, time, edge_order=2), -limit, limit)
     return bounded

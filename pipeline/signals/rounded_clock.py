@@ -123,7 +123,8 @@ def _lattice(steps: FloatArray, rounding: float) -> tuple[FloatArray, FloatArray
     ordered = np.sort(np.where(np.isnan(steps), np.fmin.reduce(steps, axis=1)[:, None], steps), axis=1)
     at = np.argmax(np.nan_to_num(np.diff(ordered, axis=1)), axis=1)
     block = np.arange(len(ordered))
-    low, high = ordered[block, at], ordered[block, at + 1]
+    low = ordered[block, at]
+    high = ordered[block, at + 1]
     missed = (low - ordered[:, 0]) + (ordered[:, -1] - high)
     step = 0.5 * (high + ordered[:, -1] - low - ordered[:, 0])
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -200,7 +201,8 @@ def _line(stamps: FloatArray, count: IntArray, half: FloatArray, fuzz: float, pa
     """The line through the middle of what the stamps of a part allow, None where they allow none."""
     from scipy.optimize import linprog
 
-    start, first = float(stamps[part.start]), int(count[part.start])
+    start = float(stamps[part.start])
+    first = int(count[part.start])
     length = int(count[part.stop - 1]) - first
     if length == 0:
         return _Line(part, first, start, 0.0)

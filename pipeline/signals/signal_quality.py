@@ -138,7 +138,8 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     """
     usable = finite(samples)
     values = select(samples, usable)
-    stamps, missing = select(time, usable), samples.size - values.size
+    stamps = select(time, usable)
+    missing = samples.size - values.size
     located = tuple(time[_first_not_taken(usable)].tolist()) if missing else ()
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
@@ -201,11 +202,13 @@ def takes_both_signs(smallest: float, largest: float) -> bool:
 
 def usual_span(samples: FloatArray) -> tuple[float, float]:
     """Smallest and largest value that three samples in a row reach: no spike of one or two does."""
-    lowest, highest = np.nan, np.nan
+    lowest = np.nan
+    highest = np.nan
     for rows in chunks(samples.size, overlap=2):
         part = samples[rows]
         first, *others = (part[:-2], part[1:-1], part[2:]) if part.size >= 3 else part[:, None]
-        largest, smallest = first, first
+        largest = first
+        smallest = first
         for other in others:
             largest, smallest = np.maximum(largest, other), np.minimum(smallest, other)
         lowest, highest = np.fmin(lowest, np.fmin.reduce(largest)), np.fmax(highest, np.fmax.reduce(smallest))
@@ -221,7 +224,8 @@ def _first_not_taken(taken: BoolArray) -> IntArray:
 
 def single_spikes(values: FloatArray, noise: float) -> tuple[int, IntArray]:
     """Single samples far off the line between neighbours that agree with each other: how many, and the first ones."""
-    count, first = 0, np.empty(0, dtype=np.int64)
+    count = 0
+    first = np.empty(0, dtype=np.int64)
     for rows in chunks(values.size):
         begin = max(rows.start - BESIDE_SPIKE, 0)
         spikes = begin + 1 + np.flatnonzero(spikes_in(values[begin : rows.stop + BESIDE_SPIKE], noise))
@@ -283,7 +287,10 @@ def _rests(values: FloatArray, begin: int, end: int) -> bool:
 
 def _longest_run(values: FloatArray) -> tuple[int, int]:
     """Length and first index of the longest run of equal values, the first of several."""
-    longest, at, began, last = 0, 0, 0, np.nan
+    longest = 0
+    at = 0
+    began = 0
+    last = np.nan
     for rows in chunks(values.size):
         part = values[rows]
         changes = rows.start + np.flatnonzero(np.diff(part, prepend=last) != 0.0)
@@ -291,6 +298,7 @@ def _longest_run(values: FloatArray) -> tuple[int, int]:
         edges = np.concatenate(([began], changes))
         lengths = np.diff(edges)
         if lengths.size and lengths.max() > longest:
-            longest, at = int(lengths.max()), int(edges[np.argmax(lengths)])
+            longest = int(lengths.max())
+            at = int(edges[np.argmax(lengths)])
         began = int(edges[-1])
     return (longest, at) if longest >= values.size - began else (values.size - began, began)

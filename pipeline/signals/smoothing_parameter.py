@@ -106,8 +106,10 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
     shape = SHAPE_REWEIGHTED if reweighted else SHAPE
     tolerance = _SEARCH_TOLERANCE_REWEIGHTED if reweighted else _SEARCH_TOLERANCE
     weights = np.ones(samples.size)
-    log_scale, before = float(np.log(sigma)), None
-    settled, t = False, None
+    log_scale = float(np.log(sigma))
+    before = None
+    settled = False
+    t = None
     for _ in range(_ROUNDS):
         scale = float(np.exp(log_scale))  # of the differences in steps [signal]
         if reweighted and t is not None:

@@ -46,7 +46,8 @@ def bandwidth(samples: FloatArray, step: float, noise: float) -> Bandwidth:
     Cost: the spectra of at most 64 windows of 2¹⁴ samples, spread over the signal: 6 ms of 10⁶ samples.
     """
     size = min(samples.size, _WINDOW)
-    window, power = np.hanning(size), np.zeros(size // 2 + 1)
+    window = np.hanning(size)
+    power = np.zeros(size // 2 + 1)
     windows = min(BLOCKS, 2 * samples.size // size - 1)
     starts = np.linspace(0, samples.size - size, windows).astype(np.int64).tolist()
     for start in starts:

@@ -171,7 +171,8 @@ def finite_stretches(
         bounds = _cut(segments(stamps, default_gap_limit(rows.step)), stamps, rows.ends)
         edges = stamps[np.stack((bounds[:, 0], bounds[:, 1] - 1), axis=1)]
         picked = tuple(select(columns[j], valid) for j in members)
-        kinds, missed = tuple(smooth[j] for j in members), tuple(not_finite[j] for j in members)
+        kinds = tuple(smooth[j] for j in members)
+        missed = tuple(not_finite[j] for j in members)
         stretches.append(Stretches(stamps, picked, kinds, bounds, edges, rows.step, missed))
     return stretches
 
@@ -210,7 +211,8 @@ class Stream:
 
     def read(self, count: int) -> FloatArray:
         """The values at the next `count` points, shape (k, count)."""
-        parts, held = [self._ready], self._ready.shape[1]
+        parts = [self._ready]
+        held = self._ready.shape[1]
         while held < count:
             parts.append(next(self._pieces))
             held += parts[-1].shape[1]
@@ -249,7 +251,8 @@ def _stretch(
     group: Stretches, rows: slice, points: FloatArray, interval: float, decimate: bool
 ) -> Iterator[FloatArray]:
     """Values of one gap-free stretch at its grid points."""
-    time, columns = group.time[rows], [samples[rows] for samples in group.columns]
+    time = group.time[rows]
+    columns = [samples[rows] for samples in group.columns]
     if decimate:
         yield from decimated(time, columns, points, interval)
         return

@@ -140,13 +140,19 @@ def examine(time: FloatArray) -> TimeQuality:
     stamps = select(time, finite(time))
     step = nominal_step(stamps)
     limit = default_gap_limit(step)
-    repeated_at, backward_at, gaps_at = list[float](), list[float](), list[tuple[float, float]]()
+    repeated_at = list[float]()
+    backward_at = list[float]()
+    gaps_at = list[tuple[float, float]]()
     repeated = backward = gaps = dropped = regular = 0
-    shortest, longest, square = np.inf, 0.0, 0.0
+    shortest = np.inf
+    longest = 0.0
+    square = 0.0
     for rows in chunks(stamps.size, overlap=1):
         part = stamps[rows]
         steps = np.diff(part)
-        same, back, gap = np.flatnonzero(steps == 0.0), np.flatnonzero(steps < 0.0), np.flatnonzero(steps > limit)
+        same = np.flatnonzero(steps == 0.0)
+        back = np.flatnonzero(steps < 0.0)
+        gap = np.flatnonzero(steps > limit)
         repeated, backward, gaps = repeated + same.size, backward + back.size, gaps + gap.size
         repeated_at += part[same[:LOCATED]].tolist()
         backward_at += part[back[:LOCATED]].tolist()
@@ -204,7 +210,8 @@ def unwrapped(time: FloatArray) -> FloatArray:
 
     def parts() -> Iterator[FloatArray]:
         """Chunk by chunk."""
-        last, added = np.nan, 0.0
+        last = np.nan
+        added = 0.0
         for rows in chunks(time.size):
             part = time[rows].copy()
             usable = np.isfinite(part)

@@ -171,7 +171,8 @@ def survey(
         if time is not rows[-1].time:
             groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], names)
             rows.append(advancing_rows(time, time_reversal, cuts))
-            together, names = [], []
+            together = []
+            names = []
         together.append(column)
         names.append(name)
     groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], names)

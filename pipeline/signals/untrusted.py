@@ -25,7 +25,8 @@ _LOST_FOR = 0.05
 """Least mean time [s] that a sensor stays at the level of a lost target."""
 _FAR = 0.5
 """Gap between that level and the rest, as a share of the range of the rest."""
-_THINNEST, _WIDEST = 1e-3, 0.03
+_THINNEST = 1e-3
+_WIDEST = 0.03
 """Least and largest width of it, as a share of the usual range: what is wider moves, and is measured."""
 _MOST = 0.5
 """Share of a log that may be without a target."""
@@ -117,7 +118,8 @@ def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, step:
         before = bool(there[-1])
     if not 3 * runs <= at_level < _MOST * samples.size or at_level * step < _LOST_FOR * runs:
         return None
-    top, jumps = np.empty(0), _JUMP * runs
+    top = np.empty(0)
+    jumps = _JUMP * runs
     for rows in chunks(samples.size):
         part = sign * samples[rows]
         top = np.sort(np.concatenate((top, part[part < bottom])))[-jumps - 1 :]
@@ -241,7 +243,8 @@ def trusted(
         """The samples with NaN, chunk by chunk; what is left out is counted beside."""
         for rows in chunks(samples.size):
             first = max(rows.start - _NEAR, 0)
-            part, own = samples[first : rows.stop + _NEAR], slice(rows.start - first, rows.stop - first)
+            part = samples[first : rows.stop + _NEAR]
+            own = slice(rows.start - first, rows.stop - first)
             missed: BoolArray = (part < bounds[0]) | (part > bounds[1])
             missed |= _in_spans(spans, first, part.size)
             at_rail = _at_rail(part, at) & ~missed

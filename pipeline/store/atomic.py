@@ -17,7 +17,8 @@ from ..errors import InputError
 TEMPORARY_MARK = ".debist-tmp"
 _PAUSES = (0.05, 0.1, 0.2, 0.4)
 """Seconds between tries to move a file; Windows refuses while another program, such as a virus scanner, has it open."""
-_LONGEST_PATH, _ADDED = 259, 40
+_LONGEST_PATH = 259
+_ADDED = 40
 """Characters of a path on Windows, and those that a temporary name adds."""
 _NO_FOLDER_SYNC = (errno.EINVAL, errno.ENOTSUP, errno.EBADF)
 

@@ -296,7 +296,8 @@ def _of_wells(kind: str, title: str, unit: str, row: str, help_: str, fleet: str
 
 
 def _switches() -> Iterator[FactColumn]:
-    row, help_ = "lowest steady input that switches out of it", "voltage at which the well vanishes (a fold)"
+    row = "lowest steady input that switches out of it"
+    help_ = "voltage at which the well vanishes (a fold)"
     for membrane in ("v1", "v2"):
         for side, out_of in (("right", "left"), ("left", "right")):
             yield FactColumn(
@@ -305,7 +306,8 @@ def _switches() -> Iterator[FactColumn]:
             )  # fmt: skip
 
 
-_RING, _SHARE = "of a small free oscillation without input", "share of critical damping in that oscillation"
+_RING = "of a small free oscillation without input"
+_SHARE = "share of critical damping in that oscillation"
 _SLOPE = "slope of the restoring force at rest without input"
 # {q}, {v}, {U}, {k} stand for the device's units of displacement, input, energy and stiffness.
 FACT_COLUMNS = (

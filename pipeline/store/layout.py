@@ -19,7 +19,8 @@ SIBLINGS = "siblings.h5"
 REPORT = "report.html"
 PAPER = "paper.html"
 DATASHEET = "datasheet.json"
-STUDIES, EXPORTS = "studies", "exports"
+STUDIES = "studies"
+EXPORTS = "exports"
 """Folders with files beside the artifacts, each with a list of what was written."""
 
 
@@ -113,7 +114,8 @@ def control(title: str) -> str:
 
 def command_of(name: str) -> str:
     """The command that makes an artifact which `debist run` does not; empty for those of its stages."""
-    folder, title = name.partition("/")[0], PurePosixPath(name).stem
+    folder = name.partition("/")[0]
+    title = PurePosixPath(name).stem
     if folder == STUDIES:
         return "study folds" if name.startswith(f"{STUDIES}/folds") else f"study {title}"
     if folder == "control":

@@ -19,7 +19,8 @@ LOCK = ".lock"
 _NOTE = "-holder.json"
 HOLDER = LOCK + _NOTE
 _NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP)
-_LONGEST_NOTE, _LONGEST_HOST = 4096, 100
+_LONGEST_NOTE = 4096
+_LONGEST_HOST = 100
 
 
 @contextmanager

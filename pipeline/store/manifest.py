@@ -35,7 +35,8 @@ MANIFEST = "manifest.json"
 NEXT_MANIFEST = ".manifest.next.json"
 """A manifest whose commit was interrupted: where it is there, it is the valid one."""
 FORMAT: Literal["debist-run/1"] = "debist-run/1"
-STAGES, STAGED_MARK = "stages", ".debist-staged"
+STAGES = "stages"
+STAGED_MARK = ".debist-staged"
 _LARGEST = 256 << 20
 _INTACT: set[bytes] = set()
 """SHA-256 of manifests that this process checked; its digest costs three times as much as all else."""
@@ -234,7 +235,8 @@ def to_json(value: Any) -> Any:
 
 def changes(settings: Mapping[str, Any], before: Mapping[str, Any]) -> list[str]:
     """What differs between settings and those of before, one sentence for each key."""
-    mine, theirs = dict(flatten(settings, separator=".")), dict(flatten(before, separator="."))
+    mine = dict(flatten(settings, separator="."))
+    theirs = dict(flatten(before, separator="."))
     return [
         f"setting {key} changed from {theirs.get(key)} to {mine.get(key)}"
         for key in sorted(mine.keys() | theirs.keys())

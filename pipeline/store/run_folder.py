@@ -39,7 +39,8 @@ from .tables import read_buffer
 # Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
 _NO_RUN_YET = (".lock", STAGES)
 CORRUPT_MARK = ".corrupt-"
-_TRIES, _PAUSE = 50, 0.02
+_TRIES = 50
+_PAUSE = 0.02
 
 T = TypeVar("T")
 _Read = Callable[[Path], tuple[T, str]]
@@ -141,7 +142,9 @@ class RunFolder:
         recover(root)
         sweep(root)
         stored = load_manifest(root)
-        manifest.artifacts, manifest.stages, manifest.set_aside = stored.artifacts, stored.stages, stored.set_aside
+        manifest.artifacts = stored.artifacts
+        manifest.stages = stored.stages
+        manifest.set_aside = stored.set_aside
         if (stored.prototype, stored.prototype_file) != (manifest.prototype, manifest.prototype_file):
             replace(stored, prototype=manifest.prototype, prototype_file=manifest.prototype_file).save(root)
         return cls(root, manifest)
@@ -236,7 +239,8 @@ class RunFolder:
     def _intact(self, name: str, read: _Read[T]) -> T:
         content, problem = self._examine(name, read)
         if problem is not None or content is None:
-            command, stage = layout.command_of(name), self.record(name).recipe.stage
+            command = layout.command_of(name)
+            stage = self.record(name).recipe.stage
             remedy = f"`debist {command}` makes it anew" if command else f"redoes stage {stage}"
             raise CorruptArtifactError(f"{self.path(name)}: {problem}; `debist run` sets it aside and {remedy}")
         if newer := self._newer(name):
@@ -260,7 +264,8 @@ class RunFolder:
 
         While a commit awaits its completion the file is at its staging place, from which it may just be moved.
         """
-        record, path = self.record(name), self.path(name)
+        record = self.record(name)
+        path = self.path(name)
         content, problem = _look_up(self.root, path, record.bytes, record.sha256, read)
         if problem is not None and load_manifest(self.root).artifacts.get(name) != record:
             raise SupersededError(f"{path}: was replaced by another run while it was read; do it again")
@@ -268,7 +273,8 @@ class RunFolder:
 
     def stage_problem(self, stage: str) -> str | None:
         """What is wrong with the manifest of a stage, or None; errors as for `problem`."""
-        content, path = self.manifest.stages[stage], self.path(stage_file(stage))
+        content = self.manifest.stages[stage]
+        path = self.path(stage_file(stage))
         text = stage_text(stage, content).encode()
         _, problem = _look_up(self.root, path, len(text), hashlib.sha256(text).hexdigest(), _hashed)
         if problem is not None and load_manifest(self.root).stages.get(stage) != content:
@@ -311,7 +317,8 @@ class RunFolder:
         for name, artifact in written.items():
             staged = staging_place(self.path(name))
             with reading(staged):
-                sha256, size = file_sha256(staged), staged.stat().st_size
+                sha256 = file_sha256(staged)
+                size = staged.stat().st_size
             notes = to_json(artifact.notes)
             self.manifest.artifacts[name] = ArtifactRecord(recipe, sha256, artifact.content_hash, size, notes)
         self.manifest.versions = recorded_versions()
@@ -341,7 +348,8 @@ class RunFolder:
 
     def set_aside(self, name: str) -> Path:
         """Move a damaged artifact out of the way, never deleting it; returns its new path."""
-        path, aside = self.path(name), f"{name}{CORRUPT_MARK}{datetime.now(UTC).strftime('%Y%m%dT%H%M%S%f')}"
+        path = self.path(name)
+        aside = f"{name}{CORRUPT_MARK}{datetime.now(UTC).strftime('%Y%m%dT%H%M%S%f')}"
         self.manifest.set_aside.append(aside)
         commit(self.root, self.manifest, [])
         move(path, self.root / aside, within=self.root)

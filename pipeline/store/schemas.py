@@ -199,5 +199,6 @@ def checked_notes(notes: Mapping[str, Any], where: str) -> Notes:
 def first_mistake(error: ValidationError) -> str:
     """The first key whose value is not what it must be, and why."""
     first = error.errors(include_url=False, include_input=False)[0]
-    place, reason = ".".join(map(str, first["loc"])), f"{first['msg'][0].lower()}{first['msg'][1:]}"
+    place = ".".join(map(str, first["loc"]))
+    reason = f"{first['msg'][0].lower()}{first['msg'][1:]}"
     return f"{place}: {reason}; {ADVICE}" if place else f"damaged ({reason}); {ADVICE}"

@@ -17,7 +17,8 @@ from .schemas import Schema
 Table = dict[str, np.ndarray[Any, Any]]
 
 _ROW_GROUP = 1 << 20
-_SMALL_FILE, _LARGEST_RATIO = 256 << 20, 200
+_SMALL_FILE = 256 << 20
+_LARGEST_RATIO = 200
 """Bytes that any file may declare, and those for each of its own bytes."""
 _WIDEST = 8
 
@@ -151,7 +152,8 @@ def read_buffer(path: Path) -> Any:
     with open_plain(path) as stream:
         size = os.fstat(stream.fileno()).st_size
         content = pa.allocate_buffer(size)
-        view, filled = memoryview(content).cast("B"), 0
+        view = memoryview(content).cast("B")
+        filled = 0
         while filled < size and (count := stream.readinto(view[filled:])):
             filled += count
     return content.slice(0, filled)

@@ -25,7 +25,9 @@ _FILTERS = {1, 2, 3}
 """HDF5's numbers of gzip, byte shuffling and Fletcher-32."""
 _MOST_FROM_GZIP = 1100
 """Bytes from one byte; deflate cannot give more than 1032."""
-_SMALL, _LARGEST_RATIO, _LEAST_ENTRY = 1 << 12, 200, 16
+_SMALL = 1 << 12
+_LARGEST_RATIO = 200
+_LEAST_ENTRY = 16
 """Bytes that need no look, bytes declared in a file for each of its own, and bytes that an entry takes at least."""
 _SMALL_FILE = 256 << 20
 
@@ -41,7 +43,8 @@ def write_tree(
     The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it. Where it
     gets no memory while it closes a dataset, it reports nothing. So the bytes are read back first, which takes as long.
     """
-    digest, content = tree_hash(tree), _laid_out(tree, columns)
+    digest = tree_hash(tree)
+    content = _laid_out(tree, columns)
     if tree_hash(parse_tree(content, target)) != digest:
         raise MemoryError
     write_bytes(target, content, within=within)
@@ -148,7 +151,8 @@ class _Reader:
         """Make sure that the samples are in this file, and as many as it declares."""
         import h5py
 
-        layout, width = dataset.id.get_create_plist(), dataset.dtype.itemsize
+        layout = dataset.id.get_create_plist()
+        width = dataset.dtype.itemsize
         if layout.get_layout() == h5py.h5d.VIRTUAL or layout.get_external_count():
             raise ValueError(f"{name!r} lies in other files")
         filters = [layout.get_filter(i)[0] for i in range(layout.get_nfilters())]
@@ -156,7 +160,8 @@ class _Reader:
             raise ValueError(f"{name!r} is packed as debist packs nothing")
         if dataset.dtype.kind not in "biufO" or (dataset.dtype.kind == "O" and filters):
             raise ValueError(f"{name!r} is of type {dataset.dtype}")
-        declared, stored = (dataset.size or 0) * width, dataset.id.get_storage_size()
+        declared = (dataset.size or 0) * width
+        stored = dataset.id.get_storage_size()
         self._bytes -= max(declared, width * math.prod(dataset.chunks or (1,)))
         if self._bytes < 0 or (declared > _SMALL and declared > stored * (_MOST_FROM_GZIP if filters else 1)):
             raise ValueError(f"{name!r} declares {declared / 1e6:.3g} MB and stores {stored / 1e6:.3g}")

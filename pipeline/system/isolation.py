@@ -46,12 +46,14 @@ _SURROUNDINGS = {
 }
 _LONGEST_FOLDER = 70
 """Characters of the temporary folder beyond which the socket of the server would have too long a name."""
-_LONGEST_MESSAGE, _LONGEST_WORDS = 1 << 28, 1 << 16
+_LONGEST_MESSAGE = 1 << 28
+_LONGEST_WORDS = 1 << 16
 _DESCRIPTORS = 12
 """Descriptors that are free before a process is started."""
 _GRACE = 5.0
 """Time [s] for a process to end by itself before it is killed."""
-_starting, _preloaded = threading.RLock(), list[str]()
+_starting = threading.RLock()
+_preloaded = list[str]()
 
 
 def preload(modules: Sequence[str]) -> None:
@@ -122,7 +124,8 @@ class Isolated:
 
     def __init__(self, work: Callable[..., None], *arguments: Any, time_limit: float = math.inf) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="debist-", ignore_cleanup_errors=True)
-        self._words, self.late = Path(self._folder.name) / "words", False
+        self._words = Path(self._folder.name) / "words"
+        self.late = False
         context = process_context()
         self.channel, theirs = context.Pipe(duplex=False)
         with theirs, apart():
@@ -240,7 +243,8 @@ def apart() -> Iterator[None]:
     `multiprocessing` has each import the main module, which need not have the guard that this takes.
     """
     with _starting:
-        main, path = sys.modules["__main__"], sys.path
+        main = sys.modules["__main__"]
+        path = sys.path
         before = {name: os.environ.get(name) for name in _SURROUNDINGS}
         sys.modules["__main__"], sys.path = ModuleType("__main__"), import_path()
         os.environ.update(_SURROUNDINGS)
@@ -257,7 +261,8 @@ def apart() -> Iterator[None]:
 
 def import_path() -> list[str]:
     """Where this process finds its modules, without the current folder, unless debist or the interpreter lies there."""
-    here, own = _current_folder(), {_HOME, *(sysconfig.get_path(name) for name in _STANDARD)}
+    here = _current_folder()
+    own = {_HOME, *(sysconfig.get_path(name) for name in _STANDARD)}
     entries = [os.path.join(here or "", entry) for entry in sys.path if entry or here]  # noqa: PTH118
     entries = [entry for entry in entries if entry in own or not here or Path(entry) != Path(here)]
     return entries if _HOME in entries else [*entries, _HOME]

@@ -12,7 +12,8 @@ from typing import Any, Literal
 ROLE_WORDS = {"train": "training", "validation": "validation"}
 SAFE = re.compile(r"[A-Za-z0-9._-]{1,64}")
 _NOT_WRITABLE = frozenset('<>:"|?*\\/`')
-_LONGEST, _LONGEST_LOG = 64, 250
+_LONGEST = 64
+_LONGEST_LOG = 250
 _RESERVED = frozenset({"con", "prn", "aux", "nul", *(f"{d}{i}" for d in ("com", "lpt") for i in range(1, 10))})
 _SPELT = {"ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "ß": "ss", "æ": "ae", "ø": "o", "µ": "u"}
 
@@ -51,7 +52,8 @@ def slug(name: str) -> str:
     if SAFE.fullmatch(name) and not reserved and not name.endswith("."):
         return name
     spelt = "".join(map(_spelt, unicodedata.normalize("NFC", name)))
-    short, digest = re.sub(r"-{2,}", "-", spelt).strip("-."), hashlib.sha256(name.encode()).hexdigest()[:8]
+    short = re.sub(r"-{2,}", "-", spelt).strip("-.")
+    digest = hashlib.sha256(name.encode()).hexdigest()[:8]
     if not re.search(r"[A-Za-z0-9]", short) or short.split(".")[0].lower() in _RESERVED:
         return f"name-{digest}"
     return short if len(short) <= _LONGEST else f"{short[: _LONGEST - 9]}-{digest}"

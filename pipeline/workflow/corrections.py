@@ -20,7 +20,8 @@ def corrections(prototype: Prototype) -> dict[tuple[Role, str], Corrections]:
     InputError
         A zero in another unit than that of q, or a gain of an input that the device has not.
     """
-    plant, stated = device(prototype), dict[tuple[Role, str], Corrections]()
+    plant = device(prototype)
+    stated = dict[tuple[Role, str], Corrections]()
     for role, log, part in layout.log_parts(prototype):
         where = f"{prototype.name}: logs.{role}: {part.file}"
         if len(plant.inputs) == 1 and part.gain.v2 != 1.0:

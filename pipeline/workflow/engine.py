@@ -207,7 +207,8 @@ def check_sources(task: Task, recipe: Recipe, before: Mapping[Path, Seen]) -> No
     """
     after = seen(task)
     for name, path in (task.sources or {}).items():
-        was, now = before.get(path), after.get(path)
+        was = before.get(path)
+        now = after.get(path)
         same = was is not None and now is not None and was.identity == now.identity
         if same and was is not None and was.recent:
             same = file_sha256(path) == recipe.inputs[name]

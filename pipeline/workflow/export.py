@@ -80,7 +80,8 @@ def export_run(
 
 def stale_exports(root: Path) -> list[str]:
     """Files in ``RUN/exports`` that were made from another model, or design, than the run now holds."""
-    run, stale = RunFolder.open(root), []
+    run = RunFolder.open(root)
+    stale = []
     for name, entry in written_files(root / layout.EXPORTS).items():
         origin = entry.get("made_from")
         if not isinstance(origin, dict) or not (root / layout.EXPORTS / name).is_file():
@@ -179,7 +180,8 @@ def _recorded_parameters(run: RunFolder, name: str) -> str:
 
 def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], dict[str, Path]]:
     """The settings with paths into the crate, and the files that go there."""
-    settings, inputs = prototype.model_dump(mode="json"), dict[str, Path]()
+    settings = prototype.model_dump(mode="json")
+    inputs = dict[str, Path]()
     home = Path(run.manifest.prototype_file)
     for role in ROLES:
         moved = []

@@ -135,7 +135,8 @@ def _frequencies(excitation: Excitation, names: Sequence[str]) -> Iterator[Short
 
 def _places(excitation: Excitation, rows: slice, factor: float, unit: str) -> str:
     places = factor * excitation.centres[rows]
-    first, last = places[0], places[-1]
+    first = places[0]
+    last = places[-1]
     return f"q = {first:.1f} {unit}" if len(places) == 1 else f"q = {first:.1f} … {last:.1f} {unit}"
 
 
@@ -199,7 +200,8 @@ def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExc
 def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitation:
     from ..signals.uniform_record import Resampling, survey
 
-    plant, ingest = device(prototype), prototype.ingest
+    plant = device(prototype)
+    ingest = prototype.ingest
     signals = read_si(log, prototype, plant)
     record = Resampling(survey(signals.q, signals.beside, time_reversal="split"), ingest.sample_interval).record()
     excitation = examine_excitation(

@@ -33,11 +33,14 @@ def load_settings(prototype_file: Path) -> Prototype:
     """
     document = read_document(prototype_file)
     try:
-        prototype, mistakes = parse_prototype(document, str(prototype_file)), list[str]()
+        prototype = parse_prototype(document, str(prototype_file))
+        mistakes = list[str]()
     except SeveralMistakesError as error:
-        prototype, mistakes = None, list(error.lines[1:])
+        prototype = None
+        mistakes = list(error.lines[1:])
     except InputError as error:
-        prototype, mistakes = None, [str(error).removeprefix(f"{prototype_file}: ")]
+        prototype = None
+        mistakes = [str(error).removeprefix(f"{prototype_file}: ")]
     mistakes += _wrong_units(document)
     if prototype is not None and not mistakes:
         device(prototype)  # whether the units suit each other
@@ -119,7 +122,8 @@ def refuse_training_as_validation(prototype: Prototype, prototype_file: Path) ->
     """
     try:
         raw = layout.raw_logs(prototype, prototype_file)
-        train, validation = raw[: len(prototype.logs.train)], raw[len(prototype.logs.train) :]
+        train = raw[: len(prototype.logs.train)]
+        validation = raw[len(prototype.logs.train) :]
         sizes = [(*log, log[1].stat().st_size) for log in train]
         for log, path, span in validation:
             size = path.stat().st_size
@@ -178,7 +182,9 @@ def before_any_work(place: Place, reading_tasks: Sequence[Task], *, replace: boo
     InputError
         The folder holds another prototype's run, a raw file is missing, or a validation log is a training log.
     """
-    prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
+    prototype = place.prototype
+    prototype_file = place.prototype_file
+    root = place.root
     with reading(root):
         continued = holds_run(root) and (root / MANIFEST).is_file() and not replace
     if continued:

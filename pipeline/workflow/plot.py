@@ -93,7 +93,8 @@ class RunFigures:
         if part.start is None and part.stop is None:
             return figure
         low, high = x_range(figure)
-        first, last = low if part.start is None else part.start, high if part.stop is None else part.stop
+        first = low if part.start is None else part.start
+        last = high if part.stop is None else part.stop
         if first >= last and part.start is not None and part.stop is not None:
             raise InputError(f"--from {first:g} is not below --to {last:g}; exchange them")
         if not max(low, first) < min(high, last):

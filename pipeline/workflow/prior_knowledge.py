@@ -75,7 +75,8 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{path}: cannot be read as text: {error}; correct its name in the settings") from error
     units = column_units(plant)
-    names, factors = [], []
+    names = []
+    factors = []
     for cell in heading:
         match = _HEADING.fullmatch(cell)
         if match is None or match["name"] not in units:
@@ -183,7 +184,8 @@ def prior_knowledge_in(settings_file: Path, prototype: Prototype, parameters: Jo
     InputError
         A file is missing or cannot be read, or the siblings have another parameter set.
     """
-    curves, siblings = prototype.plant.curves, prototype.plant.siblings
+    curves = prototype.plant.curves
+    siblings = prototype.plant.siblings
     return PriorKnowledge(
         None if curves is None else read_measured_curves(layout.source(curves, settings_file), device(prototype)),
         None if siblings is None else taught(read_siblings(layout.source(siblings, settings_file)), parameters),

@@ -136,7 +136,8 @@ def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
     for model, error in choice["held_out_error"].items():
         facts[f"held-out error of {model} [%]"] = 100.0 * error
     if (excess := choice["excess_of_the_other"]) is not None:
-        low, high = 100.0 * excess["low"], 100.0 * excess["high"]
+        low = 100.0 * excess["low"]
+        high = 100.0 * excess["high"]
         facts["the other's error is higher by, 95 % interval"] = f"{low:.2f} to {high:.2f} % of the range"
     return facts
 
@@ -160,7 +161,8 @@ def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: s
 
 def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
     """Where every number comes from: settings, raw logs, artifacts, versions. No times, no machine's paths."""
-    artifacts, sources = [], []
+    artifacts = []
+    sources = []
     for role, name, path in layout.logs(prototype):
         recipe = run.record(layout.record(role, name)).recipe
         sources += [{"log": log_title(role, name), "file": path, "sha256": digest} for digest in recipe.inputs.values()]

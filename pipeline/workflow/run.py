@@ -58,7 +58,9 @@ def run_prototype(
         Bad settings or data, another prototype's run folder, a damaged manifest, or a run that is locked.
     """
     place = given if isinstance(given, Place) else place_of(given, output)
-    prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
+    prototype = place.prototype
+    prototype_file = place.prototype_file
+    root = place.root
     before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
     stages = [only] if only else [name for name in STAGE_NAMES if with_report or name != "report"]
     with run_lock(root):
@@ -155,7 +157,9 @@ def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
     DebistError
         What `run_prototype` would raise before any work.
     """
-    prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
+    prototype = place.prototype
+    prototype_file = place.prototype_file
+    root = place.root
     before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
     if (root / MANIFEST).is_file():
         return in_snapshot(root, lambda run: status(run, plan(Planned(run, prototype, prototype_file))))
@@ -167,7 +171,8 @@ def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
     """Whether `run_prototype` would find nothing to do; false where only doing it would show that."""
     try:
-        prototype, run = load_prototype(prototype_file), RunFolder.open(root)
+        prototype = load_prototype(prototype_file)
+        run = RunFolder.open(root)
         made_for = (run.manifest.prototype, run.manifest.prototype_file)
         if made_for != (prototype.model_dump(mode="json"), str(prototype_file.resolve())):
             return False

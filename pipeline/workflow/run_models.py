@@ -52,7 +52,8 @@ def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tu
     InputError
         The run holds no such model.
     """
-    identified, compared = identified_models(run, prototype), compared_models(run, prototype)
+    identified = identified_models(run, prototype)
+    compared = compared_models(run, prototype)
     wanted = identified[0] if name is None else name
     if name is not None and name == _beside(run):
         return name, layout.MODELS
@@ -87,7 +88,8 @@ def load_design(run: RunFolder) -> dict[str, Any]:
     InputError
         None was designed for the present model.
     """
-    name, makes = layout.control("design"), f"`debist control design {shell_word(run.root)}`"
+    name = layout.control("design")
+    makes = f"`debist control design {shell_word(run.root)}`"
     if name not in run.manifest.artifacts:
         raise InputError(f"{run.root}: no controller was designed yet; {makes} does it")
     document = read_document(run, name)
@@ -140,8 +142,10 @@ def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None
 def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
     """A model of the run, the headline if none is named, and what travels along with it."""
     chosen, artifact = model_artifact(run, prototype, name)
-    model, check = load_run_model(run, prototype, chosen), _check_log(run, prototype)
-    logs, origin = load_logs(run, prototype, "train"), run.record(artifact).content_hash
+    model = load_run_model(run, prototype, chosen)
+    check = _check_log(run, prototype)
+    logs = load_logs(run, prototype, "train")
+    origin = run.record(artifact).content_hash
     return subject_on(check, model, prototype, logs, chosen, origin)
 
 

@@ -244,7 +244,8 @@ def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
 def _si(recording: "Recording", log_column: LogColumn, unit: SiUnit, name: str, notes: list[str]) -> FloatArray:
     """A column in SI units, NaN in place of codes for no value, which are noted under its name in a record."""
     read = recording.channel(log_column.channel)
-    factor, offset = unit.factor * log_column.scale, unit.factor * log_column.offset
+    factor = unit.factor * log_column.scale
+    offset = unit.factor * log_column.offset
     if log_column.scale == 1.0:  # else the log's own unit is that of its data acquisition
         _check_unit(recording.path, read.name, read.unit, log_column.unit, unit)
         notes += [f"{name}: {note}" for note in recording.unapplied(log_column.channel) if not log_column.offset]
@@ -274,7 +275,8 @@ def _bases(
     notes : list of str
         Gets what is remarkable.
     """
-    of_all, bases = prototype.channels.time, list[FloatArray]()
+    of_all = prototype.channels.time
+    bases = list[FloatArray]()
     without = [each for each in channels.values() if not (each.time or of_all)]
     own = _own_bases(recording, without, prototype.ingest.sample_rate)
     read: dict[LogColumn, FloatArray] = {}

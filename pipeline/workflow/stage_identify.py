@@ -70,7 +70,8 @@ def _identify(
     parameters: JointParameters | None,
     settings: Mapping[str, Any],
 ) -> dict[str, Written]:
-    plant, data = device(prototype), load_logs(run, prototype, "train")
+    plant = device(prototype)
+    data = load_logs(run, prototype, "train")
     prior = prior_knowledge_of(run, prototype, parameters)
     models, notes = identified(data, prototype, parameters, prior, on_progress)
     tree: dict[str, Any] = {

@@ -133,7 +133,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         )  # fmt: skip
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
-    quality, left_out = trusted.quality, _left_out(trusted, warnings, prototype)
+    quality = trusted.quality
+    left_out = _left_out(trusted, warnings, prototype)
     _refuse_no_record(where, usable.span, settings.sample_interval, usable.raw_rows * raw_step)
     _refuse_other_clock(where, clock := examine(signals.q[0]), quality, prototype)
     masked = Resampling(usable, settings.sample_interval).report
@@ -165,7 +166,8 @@ def _without_spikes(signals: SiLog, settings: Ingest) -> SiLog:
     from ..signals.timebase import nominal_step
     from ..signals.untrusted import without_spikes
 
-    texts, inputs = list[str](), []
+    texts = list[str]()
+    inputs = []
     for k, signal in enumerate(signals.inputs if settings.spikes == "mask" else (), start=1):
         bridged, count, first = without_spikes(signal, nominal_step(signal[0]))
         what = f"v{k}: {counted(count, 'single-sample spike')}, the first at {stamped(first)} s: bridged"
@@ -254,7 +256,8 @@ def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]
     from ..signals.missing import missing
     from ..signals.quality_gates import missing_findings
 
-    beside, texts = missing(signals.q, signals.beside), []
+    beside = missing(signals.q, signals.beside)
+    texts = []
     for name, lacks in beside.items():
         if lacks.not_finite:
             place = f", the first at {stamped(lacks.first)} s" if np.isfinite(lacks.first) else ""
@@ -271,7 +274,8 @@ def _discarded(rows: "TimeRows") -> list[str]:
         return []
     from ..rig_logs.remarks import counted, stamped
 
-    share, places = rows.backward / rows.time.size, counted(int(rows.turns.size), "place")
+    share = rows.backward / rows.time.size
+    places = counted(int(rows.turns.size), "place")
     much = "; give the parts as logs of their own, or repair the clock" if share > _MUCH_DISCARDED else ""
     return [
         f"time steps back at {places}, first after {stamped(float(rows.turns[0]))} s: {rows.backward} of "
@@ -333,7 +337,8 @@ def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> 
 def _pieces(
     resampling: "Resampling", names: Sequence[str], on_progress: OnProgress
 ) -> Iterator[Mapping[str, FloatArray]]:
-    rows, done = resampling.report.rows, 0
+    rows = resampling.report.rows
+    done = 0
     for piece in resampling.pieces():
         yield record_columns(piece, names)
         done += piece.t.size
@@ -373,7 +378,8 @@ def _warnings(signals: SiLog, prototype: Prototype, trusted: "Trusted") -> list[
     from ..signals.signal_quality import span
     from ..signals.timebase import nominal_step
 
-    warnings, plant = [f"q: {remark}" for remark in remarks_on(trusted.quality)], device(prototype)
+    warnings = [f"q: {remark}" for remark in remarks_on(trusted.quality)]
+    plant = device(prototype)
     warnings += _hum_against_rate(signals, prototype.ingest.sample_rate)
     for k, ((time, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1):
         warnings += [f"v{k}: {remark}" for remark in saturation(time, column, nominal_step(time), unit.symbol)]

@@ -155,7 +155,8 @@ def _drawings(
 ) -> Mapping[str, Written]:
     from ..reporting.canvas import paper_figure
 
-    contents, written = prepared(run), {}
+    contents = prepared(run)
+    written = {}
     for name, figure in contents.figures.items():
         drawn = paper_figure(figure, contents.data.model_names, *FORMATS, typeface=typeface)
         for ending, content in zip(FORMATS, drawn, strict=True):

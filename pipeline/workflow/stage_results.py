@@ -34,7 +34,8 @@ def differentiated(run: RunFolder) -> list[dict[str, Any]]:
     results = []
     for role, log, path in layout.logs(run.prototype):
         notes = run.record(layout.kinematics(role, log)).notes
-        of_velocity, regularised = notes["of"] == "velocity", notes["method"] == "tvregdiff"
+        of_velocity = notes["of"] == "velocity"
+        regularised = notes["method"] == "tvregdiff"
         results.append(
             {
                 "log": log_title(role, true_name(path)),

@@ -72,7 +72,8 @@ def _score(
     rotation = rotation_map(parameters)
     names = [(role, log) for role, log, _ in layout.logs(prototype)]
     logs = [(role, log, log_of(run.read_table(layout.kinematics(role, log)))) for role, log in names]
-    plant, rows = device(prototype), []
+    plant = device(prototype)
+    rows = []
     wells = _wells(run, [measured for _, _, measured in logs], plant, layout.logs(prototype)[0][:2], models)
     for role, log, measured in logs:
         runs = {}

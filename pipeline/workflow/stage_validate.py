@@ -62,7 +62,8 @@ def task(prototype: Prototype, parameters: JointParameters | None, stage: str, m
 def _predict(
     run: RunFolder, prototype: Prototype, parameters: JointParameters | None, name: str, source: str
 ) -> Mapping[str, Written]:
-    plant, model = device(prototype), model_from_tree(name, run.read_tree(source, name))
+    plant = device(prototype)
+    model = model_from_tree(name, run.read_tree(source, name))
     rotation = rotation_map(parameters)
     written: dict[str, Written] = {}
     logs = {(role, name): load_motion(run, prototype, role, name) for role, name, _ in layout.logs(prototype)}
@@ -101,7 +102,8 @@ def measured_path(log: Log, model: DynamicModel) -> tuple[MeasuredPath, Predict]
 
 def _horizons(log: Log, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
-    shortest, longest = SHORTEST_HORIZON * log.interval, log.duration
+    shortest = SHORTEST_HORIZON * log.interval
+    longest = log.duration
     possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
     path, predict = measured_path(log, model)

@@ -64,7 +64,8 @@ def write_matrix(prototype_file: Path, sets: Sequence[str], folder: Path) -> lis
     combinations = [dict(zip(varied, values, strict=True)) for values in itertools.product(*varied.values())]
     if not varied or len(combinations) > LARGEST:
         raise InputError(f"--set: {len(combinations)} combinations; a matrix has at least one --set and {LARGEST} runs")
-    digits, documents = len(str(len(combinations))), []
+    digits = len(str(len(combinations)))
+    documents = []
     for number, values in enumerate(combinations, start=1):
         named = anchored(with_values(document, values), prototype_file.resolve().parent)
         named["name"] = f"{document['name']}-{number:0{digits}d}"

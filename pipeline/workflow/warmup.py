@@ -46,7 +46,9 @@ def _hybrid() -> None:
     from ..models.hybrid.statics import static_curves, substeps
 
     k = constants(NOMINAL, nominal_deviations(), static_slope_ratio(NOMINAL))
-    basis, weights, dt = np.array([-0.01, 0.01, 0.01]), np.zeros((9, 3)), 0.01
+    basis = np.array([-0.01, 0.01, 0.01])
+    weights = np.zeros((9, 3))
+    dt = 0.01
     substeps(k, basis, weights, dt)
     u = np.zeros((2, 5, 2))
     undisturbed = instruments(np.zeros(len(nominal_deviations())))
@@ -85,10 +87,15 @@ def _network() -> None:
     from ..models.rbf.dynamics import slid
     from ..models.rbf.observed_run import Coupling, Drive, observed_run
 
-    x, u, single, none = np.zeros(2), np.zeros((3, 2)), np.ones(1), np.zeros(0)
-    two, curves = np.zeros(2), np.zeros((5, 5))
+    x = np.zeros(2)
+    u = np.zeros((3, 2))
+    single = np.ones(1)
+    none = np.zeros(0)
+    two = np.zeros(2)
+    curves = np.zeros((5, 5))
     joint = Coefficients(curves, single, single, single, two, single, 1.0, -1.0, 1.0, two, 0.0, none, curves[:2], two)
-    drive, coupling = Drive(u, np.zeros((0, 3, 2)), np.zeros(2), False), Coupling(x, x, 0.0)
+    drive = Drive(u, np.zeros((0, 3, 2)), np.zeros(2), False)
+    coupling = Coupling(x, x, 0.0)
     observed_run(joint, drive, coupling, (0.0, 0.0), 0.01, 1, no_sensitivities())
     basis_rows(x, joint)
     slid(x, 1.0)
@@ -102,7 +109,8 @@ def _analytical() -> None:
     from ..models.analytical.statics import tip_values
     from ..numerics.stiff import STATES
 
-    t, v = np.array([0.0, 1e-4]), np.zeros((2, 2))
+    t = np.array([0.0, 1e-4])
+    v = np.zeros((2, 2))
     simulate(NOMINAL, t, v, rest_state(NOMINAL, 0.001, 0.001, v[0]))
     tip_values(reduce_joint(NOMINAL).path.qm[0], NOMINAL.vector())
     friction_state(np.zeros(2), 1.0)
@@ -130,8 +138,10 @@ def _rig() -> None:
     from ..rig.loop import Scenario, played, run_loop
     from ..rig.parameters import nominal
 
-    p, bench = nominal(), Bench(rate=2000.0)
-    t, x = bench.clock(0.002), rest(p, side=1)
+    p = nominal()
+    bench = Bench(rate=2000.0)
+    t = bench.clock(0.002)
+    x = rest(p, side=1)
     record(p, bench, t, np.zeros((t.size, 2)), np.random.default_rng(1))
     potential(p, x, np.zeros(2))
     tip_displacement(p, x)
@@ -149,7 +159,8 @@ def _control() -> None:
     from ..models.hybrid.problem import CondensedJoint
 
     joint = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, static_slope_ratio(NOMINAL))
-    theta, state = joint.start(), np.zeros(CONTROLLER_STATE)
+    theta = joint.start()
+    state = np.zeros(CONTROLLER_STATE)
     plant = plant_of(HybridModel(joint, theta, np.eye(theta.size), np.eye(theta.size)))
     law = design(plant, Settings(3000.0, (0.003, 0.003)))
     begin_control(0.0, law, state)

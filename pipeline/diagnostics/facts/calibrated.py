@@ -51,11 +51,14 @@ def calibrated(model: DynamicModel | None) -> list[Calibrated]:
 
 def _one(model: HybridModel, i: int) -> Calibrated:
     """Deviation number i as a quantity: what it is at the set's size, times the device's size."""
-    entry, name = DEVIATIONS[i], DEVIATIONS[i].quantity
+    entry = DEVIATIONS[i]
+    name = DEVIATIONS[i].quantity
     nominal = model.joint.parameters.value(name) if name in VECTOR_NAMES else None
     begin = nominal if nominal is not None else (entry.typical or float(entry.logarithm))
-    powers, row = np.array(POWERS[entry.unit]), np.zeros(len(DEVIATIONS))
-    at, by_size = model.theta[: len(DEVIATIONS)] * PRIOR_STD, powers[1:] * PRIOR_STD[_SIZES]
+    powers = np.array(POWERS[entry.unit])
+    row = np.zeros(len(DEVIATIONS))
+    at = model.theta[: len(DEVIATIONS)] * PRIOR_STD
+    by_size = powers[1:] * PRIOR_STD[_SIZES]
     units = np.log([getattr(model.joint.similarity, unit) for unit in ("mass", "length", "time", "voltage")])
     if i not in OF_INSTRUMENTS:
         units[1:] += at[_SIZES]

@@ -202,9 +202,11 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
     On the way the input's force must exceed the restoring one everywhere: u > max F/g_k over the path. None where the
     input pushes the other way, or not at all, somewhere on the way.
     """
-    low, high = min(start, saddle), max(start, saddle)
+    low = min(start, saddle)
+    high = max(start, saddle)
     path = (curves.q > low) & (curves.q < high)
-    force, push = curves.force[path], curves.pushes[k][path]
+    force = curves.force[path]
+    push = curves.pushes[k][path]
     toward = np.sign(saddle - start)
     resisting = force * toward > 0.0
     if not resisting.any() or (curves.squared and np.any(push[resisting] * toward <= 0.0)):
@@ -229,7 +231,8 @@ def device_facts(curves: Curves, *, joint: bool) -> dict[str, float | None]:
         return {"rest": stable[0].q, "stiffness": stable[0].stiffness} if stable else {}
     if len(stable) > 2 and not joint:
         return {f"{STABLE}{number}": e.q for number, e in enumerate(stable, start=1)}
-    left, right = stable[0], stable[-1]
+    left = stable[0]
+    right = stable[-1]
     facts: dict[str, float | None] = {
         "well_left": left.q,
         "well_right": right.q,

@@ -16,13 +16,15 @@ from ...signals.noise import REACH, noise_std
 
 BLOCK = 2e-3
 """Window [s] in which a voltage step is sought."""
-STILL, SETTLED = 6, 24
+STILL = 6
+SETTLED = 24
 """Blocks without a change that make a plateau, and those of its beginning that are looked at."""
 CHANGE = 0.02
 """Share of the largest voltage by which a plateau's blocks may differ."""
 HIGH = 0.8
 """Share that is left of a step, from which on its decay is looked at, until noise reaches it."""
-LEAST_SAMPLES, LEAST_STEPS = 4, 3
+LEAST_SAMPLES = 4
+LEAST_STEPS = 3
 CROOKED = 0.02
 """RMS share of a step that its exponential may miss; a ramp has 0.05 and more."""
 
@@ -93,7 +95,8 @@ def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:
     lags = []
     for before, after in pairwise(plateaus):
         end = _end(after)
-        first, last = float(means[before.stop - STILL // 2 : before.stop - 1].mean()), float(means[end].mean())
+        first = float(means[before.stop - STILL // 2 : before.stop - 1].mean())
+        last = float(means[end].mean())
         low = reached / abs(last - first)
         if not low < HIGH:
             continue
@@ -120,7 +123,8 @@ def _decay(share: FloatArray, interval: float, low: float) -> float | None:
     if not (gone.size and started.size) or gone[0] - started[0] < LEAST_SAMPLES:
         return None
     part = share[started[0] : gone[0]]
-    time, weights = interval * np.arange(part.size), part**2
+    time = interval * np.arange(part.size)
+    weights = part**2
     time = time - np.average(time, weights=weights)
     line = np.log(part)
     middle = np.average(line, weights=weights)

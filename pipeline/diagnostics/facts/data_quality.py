@@ -118,9 +118,12 @@ def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
 
 def _signal_numbers(data: RunData) -> tuple[float, float, float]:
     """Range of q, its largest noise and rail share over the logs."""
-    spans, noises, rails = [], [], []
+    spans = []
+    noises = []
+    rails = []
     for log in data.logs:
-        t, q = log.record["t"], log.record["q"]
+        t = log.record["t"]
+        q = log.record["q"]
         quality = examine_signal(t, q, sample_interval(t))
         spans.append(quality.largest - quality.smallest)
         rails.append(quality.low_rail + quality.high_rail)
@@ -152,7 +155,8 @@ def _outside(data: RunData) -> float | None:
     if not validation:
         return None
     trained = [np.column_stack((log.kinematics["q"], voltages(log.kinematics))) for log in data.role("train")]
-    low, high = np.nanmin(np.concatenate(trained), axis=0), np.nanmax(np.concatenate(trained), axis=0)
+    low = np.nanmin(np.concatenate(trained), axis=0)
+    high = np.nanmax(np.concatenate(trained), axis=0)
     rows = np.concatenate([np.column_stack((g.kinematics["q"], voltages(g.kinematics))) for g in validation])
     margin = 0.01 * (high - low)
     rows = rows[np.isfinite(rows).all(axis=1)]

@@ -210,7 +210,8 @@ def make_datasheet(data: RunData) -> Datasheet:
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
         believed = believed_wells(wells, source, stable, joint=data.joint)
         if believed is not wells:
-            wells, rests = believed, rest_facts(records, believed, hum, joint=data.joint)
+            wells = believed
+            rests = rest_facts(records, believed, hum, joint=data.joint)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, in_draws, rests, wells, events)
@@ -247,7 +248,8 @@ def _simulated_ring_downs(
     amplitude = RING_AMPLITUDE * float(curves.q[-1] - curves.q[0])
     mass = float(getattr(model, "mass", 1.0))
     for key, side in (("well_left", "_left"), ("well_right", "_right"), ("rest", "")):
-        place, stiffness = values.get(key), values.get(f"stiffness{side}")
+        place = values.get(key)
+        stiffness = values.get(f"stiffness{side}")
         if place is None or stiffness is None:
             continue
         run = model.simulate(t, np.zeros((t.size, inputs)), place, amplitude * float(np.sqrt(stiffness / mass)))
@@ -267,7 +269,8 @@ def _rest_errors(
     """
     if isinstance(wells, NoWells):
         return None
-    measured, both = _measured(rests, wells), ("well_left", "well_right")
+    measured = _measured(rests, wells)
+    both = ("well_left", "well_right")
     if all(key in events and key in measured for key in both):
         return events["well_left"] - measured["well_left"].mean(), events["well_right"] - measured["well_right"].mean()
     left, right = (values.get(key) for key in both)
@@ -335,7 +338,8 @@ def _listed(values: Mapping[str, float | None]) -> Iterator[tuple[str, str, str]
 
 def _scattered(places: FloatArray, motions: Sequence[FloatArray]) -> bool:
     """Whether places of rest are too far apart for one: of a drive that stays anywhere, or of a log without rests."""
-    low, high = min(float(np.nanmin(q)) for q in motions), max(float(np.nanmax(q)) for q in motions)
+    low = min(float(np.nanmin(q)) for q in motions)
+    high = max(float(np.nanmax(q)) for q in motions)
     return bool(np.std(places) > SCATTERED * (high - low))
 
 

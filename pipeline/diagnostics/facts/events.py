@@ -50,7 +50,8 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
 
     if q.size < LEAST_SAMPLES:
         return None
-    time, span = t - t[0], float(t[-1] - t[0])
+    time = t - t[0]
+    span = float(t[-1] - t[0])
     trend = np.column_stack((np.ones_like(time), time / span))
     oscillation = q - trend @ np.linalg.lstsq(trend, q, rcond=None)[0]
     size = float(np.linalg.norm(oscillation))
@@ -114,7 +115,8 @@ def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
     for column in v.T:
         size = float(np.ptp(column))
         moving = runs_of(np.abs(np.diff(column)) > LEVEL_MOVES * size)
-        begins, ends = np.array([rows.start for rows in moving]), np.array([rows.stop for rows in moving])
+        begins = np.array([rows.start for rows in moving])
+        ends = np.array([rows.stop for rows in moving])
         stays = np.concatenate(([LEVEL_SAMPLES], begins[1:] - ends[:-1], [LEVEL_SAMPLES])) >= LEVEL_SAMPLES
         for begin, end, before, after in zip(begins, ends, stays[:-1], stays[1:], strict=False):
             short = before and after and end - begin <= STEP_SAMPLES
@@ -169,7 +171,8 @@ def rest_facts(
     places: tuple[list[float], list[float]] = ([], [])
     rings: tuple[list[RingDown], list[RingDown]] = ([], [])
     for t, q, v in records:
-        interval, quiet = sample_interval(t), rests(v, sample_interval(t), joint=joint)
+        interval = sample_interval(t)
+        quiet = rests(v, sample_interval(t), joint=joint)
         standing = [rest.start for rest in places_of_rest(q, v, interval, joint=joint)]
         step = -(-len(quiet) // MOST_RING_DOWNS)
         for number, rest in enumerate(quiet):

@@ -121,7 +121,8 @@ def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> 
     if not checks:
         return []
     ratio, seconds, error, own_error, best = max(checks, key=lambda check: check[0])
-    log, models = log_title(best["role"], best["log"]), f"{best['model']}, {judged[0]['model']}"
+    log = log_title(best["role"], best["log"])
+    models = f"{best['model']}, {judged[0]['model']}"
     numbers = {"error": Number(error), "own": Number(own_error), "horizon": Number(seconds, "s")}
     return [graded("model", "rival", ratio, log=log, subject=models, numbers=numbers)]
 

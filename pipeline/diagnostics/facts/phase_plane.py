@@ -11,7 +11,8 @@ from ...signals.inputs import peaks
 from ...signals.log import voltages
 from .run_data import LogData, RunData
 
-BASIN_COLUMNS, BASIN_ROWS = 81, 57
+BASIN_COLUMNS = 81
+BASIN_ROWS = 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
 UNFORCED = 0.05  # of the largest input: its square is a quarter of a per cent, within what probes read at rest
 LEAST_UNFORCED = 10  # samples in a row: fewer, or an input that moves on, are the zero crossings of a steady signal
@@ -157,7 +158,8 @@ def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatA
         ends = settled(model, states, BASIN_TIME, BASIN_STEP, len(data.inputs))
         return np.where(np.isnan(ends), 2, ends > saddle).astype(np.int8)
 
-    places, speeds = _span(data, "q", BASIN_COLUMNS), _span(data, "qdot", BASIN_ROWS)
+    places = _span(data, "q", BASIN_COLUMNS)
+    speeds = _span(data, "qdot", BASIN_ROWS)
     return places, speeds, basins(outcomes, places, speeds)
 
 

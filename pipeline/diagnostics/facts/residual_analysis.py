@@ -15,7 +15,9 @@ from ...numerics.metrics import NORMAL_99
 from ...signals.log import voltages
 from .run_data import LogData, RunData
 
-LONGEST_LAG, FEWEST_LAGS, SHARE = 1.0, 50, 8
+LONGEST_LAG = 1.0
+FEWEST_LAGS = 50
+SHARE = 8
 """Largest lag [s]; of a slow device, or a log too short for that, so many samples; and how many times as long as the
 largest lag a stretch is at least."""
 
@@ -71,11 +73,13 @@ def analyse_residual(
         Sample interval [s].
     """
     rows = longest_run(np.isfinite(measured) & np.isfinite(calculated))
-    length, second = rows.stop - rows.start, samples_of(LONGEST_LAG, interval)
+    length = rows.stop - rows.start
+    second = samples_of(LONGEST_LAG, interval)
     count = max(second if SHARE * second <= len(measured) else 1, min(FEWEST_LAGS, length // SHARE))
     if length < SHARE * count:
         return None
-    q, u = measured[rows], inputs[rows]
+    q = measured[rows]
+    u = inputs[rows]
     residual = calculated[rows] - q
     n = len(residual)
     own = _correlation(residual, residual, count)
@@ -97,7 +101,8 @@ def _correlation(x: FloatArray, y: FloatArray, count: int) -> FloatArray:
     """Correlation of x(t) with y(t + lag) at lags from −count to count samples, shape (2 count + 1,)."""
     from scipy.signal import correlate
 
-    a, b = x - x.mean(), y - y.mean()
+    a = x - x.mean()
+    b = y - y.mean()
     scale = float(np.sqrt(np.sum(a**2) * np.sum(b**2)))
     whole: FloatArray = correlate(b, a, method="fft") / (scale or np.inf)
     return whole[len(x) - 1 - count : len(x) + count]

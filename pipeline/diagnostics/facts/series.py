@@ -16,7 +16,8 @@ from .calibrated import calibrated
 
 ALARM = 0.05
 """Probability with which a series of an unchanged device has any change claimed."""
-DRAWS, PLACES = 64, 121
+DRAWS = 64
+PLACES = 121
 _LEFT_OUT = ("asymmetry", "stable")
 """Beginnings of the keys of facts that follow from others, or that another run may number otherwise."""
 _QUANTITIES = {
@@ -112,7 +113,8 @@ def facts_of(
         yield from _gains(model.curves(q), model.curve_ensemble(q, DRAWS), gain_unit)
     for quantity in calibrated(model):
         if quantity.name in _QUANTITIES:
-            key, title = quantity.name.partition(",")[0].replace(" ", "_"), _QUANTITIES[quantity.name]
+            key = quantity.name.partition(",")[0].replace(" ", "_")
+            title = _QUANTITIES[quantity.name]
             yield RunFact(key, title, quantity.unit, quantity.value, _error(quantity.low, quantity.high))
 
 
@@ -144,7 +146,8 @@ def common_stroke(sheets: Sequence[Mapping[str, Any]]) -> tuple[float, float] | 
     rests = [{f["key"]: f["value"] for f in sheet["facts"] if f["key"].startswith("well_")} for sheet in sheets]
     if any(len(run) < 2 or None in run.values() for run in rests):
         return None
-    left, right = max(run["well_left"] for run in rests), min(run["well_right"] for run in rests)
+    left = max(run["well_left"] for run in rests)
+    right = min(run["well_right"] for run in rests)
     return (left, right) if left < right else None
 
 

@@ -72,7 +72,8 @@ def with_screw_height(parameters: JointParameters, z_b: float) -> JointParameter
 def over_screw(parameters: JointParameters, v: FloatArray) -> Family:
     """λ = z_b [m] under constant voltages (figure 3)."""
     columns = [VECTOR_NAMES.index("left.b"), VECTOR_NAMES.index("right.b")]
-    drawn, own_height = parameters.vector(), screw_height(parameters)
+    drawn = parameters.vector()
+    own_height = screw_height(parameters)
 
     def vector(z_b: float) -> FloatArray:
         p = drawn.copy()
@@ -89,10 +90,12 @@ def over_screw(parameters: JointParameters, v: FloatArray) -> Family:
 
 def over_voltage(parameters: JointParameters, side: int) -> Family:
     """λ = voltage [V] of one side (0 left, 1 right), the other zero."""
-    p, on = parameters.vector(), np.eye(2)[side]
+    p = parameters.vector()
+    on = np.eye(2)[side]
 
     def slope(qm: FloatArray, value: float) -> FloatArray:
-        farads, jacobian = np.empty(2), np.empty((2, 4))
+        farads = np.empty(2)
+        jacobian = np.empty((2, 4))
         capacitance(qm, p, farads, jacobian)
         return np.asarray(-jacobian[side] * value)
 
@@ -101,13 +104,15 @@ def over_voltage(parameters: JointParameters, side: int) -> Family:
 
 def over_force(parameters: JointParameters, v: FloatArray) -> Family:
     """λ = external force [N] under constant voltages (figure 4)."""
-    levers, p = parameters.levers, parameters.vector()
+    levers = parameters.levers
+    p = parameters.vector()
     return Family(lambda force: (p, v, force), lambda qm, force: -levers, 0.1)
 
 
 def _residual(family: Family, scale: FloatArray) -> Residual:
     """The scaled static gradient: y = q_m / scale, λ in units of `family.unit`."""
-    gradient, hessian = np.empty(4), np.empty((4, 4))
+    gradient = np.empty(4)
+    hessian = np.empty((4, 4))
     outer = np.outer(scale, scale)
 
     def residual(y: FloatArray, value: float) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -152,7 +157,8 @@ def equilibrium_diagram(family: Family, bounds: tuple[float, float]) -> list[Equ
 def _lies_on(branch: Branch, qm: FloatArray, value: float, scale: FloatArray, unit: float) -> bool:
     """Whether (q_m, λ) is within the chord error of a traced curve."""
     x = np.column_stack([branch.y / scale, branch.parameter / unit])
-    along, target = np.diff(x, axis=0), np.append(qm / scale, value / unit)
+    along = np.diff(x, axis=0)
+    target = np.append(qm / scale, value / unit)
     lengths = np.maximum((along**2).sum(axis=1), 1e-300)
     share = np.clip(((target - x[:-1]) * along).sum(axis=1) / lengths, 0.0, 1.0)
     return bool(np.min(np.linalg.norm(x[:-1] + share[:, None] * along - target, axis=1)) < 2e-3)
@@ -251,8 +257,10 @@ class Characteristics:
 def characteristics(parameters: JointParameters, *, voltage: float = 3000.0) -> Characteristics:
     """Equilibrium diagram, F(q), C_i(q) and what they say as numbers, at a driving voltage [V]."""
     rest = equilibria(parameters, np.zeros(2))
-    wells, saddles = [e.energy for e in rest if e.stable], [e.energy for e in rest if not e.stable]
-    paths, diagrams = {}, {}
+    wells = [e.energy for e in rest if e.stable]
+    saddles = [e.energy for e in rest if not e.stable]
+    paths = {}
+    diagrams = {}
     for name, state in VOLTAGE_STATES.items():
         v = voltage * np.array(state)
         paths[name] = _held_joint(parameters, v)
@@ -272,7 +280,8 @@ def _held_joint(parameters: JointParameters, v: FloatArray) -> StaticPath:
     try:
         return static_path(parameters, SHOWN, v)
     except InputError:
-        family, start = over_force(parameters, v), equilibria(parameters, v)[0]
+        family = over_force(parameters, v)
+        start = equilibria(parameters, v)[0]
         branch = branch_through(family, start.qm, 0.0, (-1.0, 1.0))
         q = branch.y[:, :4] @ parameters.levers
         return describe_path(parameters, branch.y[np.abs(q) <= SHOWN[-1]], v)

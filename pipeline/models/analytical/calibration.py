@@ -134,15 +134,14 @@ def calibrate(
     starts 2 to 4 s (nine simulated joints).
     """
     taken = within(motions, MOST_SAMPLES)
-    short, wide = cut_windows(taken, WINDOW), cut_windows(taken, 7.5 * WINDOW)
+    short = cut_windows(taken, WINDOW)
+    wide = cut_windows(taken, 7.5 * WINDOW)
     share = _Share(report, starts * 5 + 3 * MOST_EVALUATIONS)
     with ThreadPoolExecutor(jobs) as pool:
         problem = CalibrationProblem(start, names, pool)
-        sample, every, final = (
-            problem.at(short.thinned(3), SEARCH),
-            problem.at(short, SEARCH),
-            problem.at(wide, REFINEMENT),
-        )
+        sample = problem.at(short.thinned(3), SEARCH)
+        every = problem.at(short, SEARCH)
+        final = problem.at(wide, REFINEMENT)
 
         def improve(name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float) -> Ended:
             """A search from x0 over some windows, reported under a name."""
@@ -169,7 +168,9 @@ class _Share:
     """Counts iterations for the progress report."""
 
     def __init__(self, report: Report | None, total: int) -> None:
-        self.report, self.total, self.done = report, total, 0
+        self.report = report
+        self.total = total
+        self.done = 0
 
     def at(self, text: str) -> Callable[[], None]:
         """A callable that counts one iteration of what `text` names."""
@@ -203,12 +204,14 @@ def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -
 
 def _lost(windows: Windows, residuals: FloatArray) -> BoolArray:
     """Mask of the windows that the simulation leaves: their errors do not show the way back."""
-    errors, labels = RESOLUTION * np.abs(residuals[: windows.samples]), windows.labels
+    errors = RESOLUTION * np.abs(residuals[: windows.samples])
+    labels = windows.labels
     return np.array([errors[labels == w].max(initial=0.0) > WRONG_WELL_ERROR_M for w in range(len(windows.spans))])
 
 
 def _result(simulated: SimulatedProblem, final: Ended, reached: FloatArray) -> Calibration:
-    problem, windows = simulated.problem, simulated.windows
+    problem = simulated.problem
+    windows = simulated.windows
     residuals = simulated.residuals(final.x)
     covariance = _covariance(simulated.jacobian(final.x), residuals, windows.labels)
     deviations = np.sqrt(np.diag(covariance))

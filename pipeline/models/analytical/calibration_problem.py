@@ -28,7 +28,8 @@ class ParameterPrior:
     relative: bool = True
 
 
-_ELASTIC, _VISCOUS = ParameterPrior(1.1, 0.7, 1.4), ParameterPrior(2.0, 0.05, 20.0)
+_ELASTIC = ParameterPrior(1.1, 0.7, 1.4)
+_VISCOUS = ParameterPrior(2.0, 0.05, 20.0)
 _LENGTH = ParameterPrior(3e-4, -1.5e-3, 1.5e-3, False)
 PRIORS = {
     "Y": _ELASTIC, "E": _ELASTIC, "eps_r": _ELASTIC, "rho": _ELASTIC, "m": ParameterPrior(1.02, 0.9, 1.1),
@@ -69,12 +70,15 @@ class CalibrationProblem:
     """
 
     def __init__(self, start: JointParameters, names: Sequence[str], pool: ThreadPoolExecutor) -> None:
-        self.start, self.names = start, tuple(names)
+        self.start = start
+        self.names = tuple(names)
         self.priors = [prior_of(name) for name in names]
         self.origin = np.array([start.value(name if name in VECTOR_NAMES else f"left.{name}") for name in names])
         low, high = zip(*(self._bounds(prior) for prior in self.priors), strict=True)
-        self.lower, self.upper = np.array(low), np.array(high)
-        self.pool, self.evaluations = pool, 0
+        self.lower = np.array(low)
+        self.upper = np.array(high)
+        self.pool = pool
+        self.evaluations = 0
 
     @staticmethod
     def _bounds(prior: ParameterPrior) -> tuple[float, float]:
@@ -105,12 +109,15 @@ class SimulatedProblem:
     """Residuals and their derivatives; a Jacobian uses the solution that its residuals came from."""
 
     def __init__(self, problem: CalibrationProblem, windows: Windows, tolerance: float) -> None:
-        self.problem, self.windows, self.tolerance = problem, windows, tolerance
+        self.problem = problem
+        self.windows = windows
+        self.tolerance = tolerance
         self._made: dict[bytes, WindowRuns] = {}
 
     def residuals(self, x: FloatArray) -> FloatArray:
         """Errors of q over `RESOLUTION`, then the prior's residuals, shape (samples + P,)."""
-        problem, key = self.problem, x.tobytes()
+        problem = self.problem
+        key = x.tobytes()
         if key not in self._made:
             problem.evaluations += 1
             self._made[key] = simulate_windows(problem.parameters(x), self.windows, self.tolerance, problem.pool)
@@ -118,7 +125,8 @@ class SimulatedProblem:
 
     def jacobian(self, x: FloatArray) -> FloatArray:
         """Derivatives of the residuals where they were computed, shape (samples + P, P)."""
-        problem, runs = self.problem, self._made[x.tobytes()]
+        problem = self.problem
+        runs = self._made[x.tobytes()]
         self._made = {x.tobytes(): runs}  # a search never goes back behind a point that it took
         steps = np.where(x + STEP <= problem.upper, STEP, -STEP)
         moved = [problem.parameters(x + step * unit) for step, unit in zip(steps, np.eye(x.size), strict=True)]

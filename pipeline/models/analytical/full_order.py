@@ -77,7 +77,8 @@ def rest_state(
     InputError
         No shape holds the tip at q0.
     """
-    measured, internal = np.array([[q0, qdot0]]), np.zeros((1, 3)) if z is None else z[None]
+    measured = np.array([[q0, qdot0]])
+    internal = np.zeros((1, 3)) if z is None else z[None]
     try:
         path = unactuated_path(parameters)
     except InputError:
@@ -101,10 +102,17 @@ def _rest_states(
     parameters: JointParameters, measured: FloatArray, v: FloatArray, z: FloatArray, shapes: FloatArray
 ) -> FloatArray:
     """The states that Newton's method reaches from `shapes` (W, 4). Cost: 40 µs each."""
-    p, scale, lever = parameters.vector(), length_scales(parameters.l), np.array([1.0, 1.0, 1.0, 0.0])
-    states, tangent = np.empty((len(measured), STATES)), np.empty(4)
-    gradient, hessian, system = np.empty(4), np.empty((4, 4)), np.zeros((5, 5))
-    damping, coupling, thickness = np.empty((4, 4)), np.empty((4, 3)), np.empty((2, 4))
+    p = parameters.vector()
+    scale = length_scales(parameters.l)
+    lever = np.array([1.0, 1.0, 1.0, 0.0])
+    states = np.empty((len(measured), STATES))
+    tangent = np.empty(4)
+    gradient = np.empty(4)
+    hessian = np.empty((4, 4))
+    system = np.zeros((5, 5))
+    damping = np.empty((4, 4))
+    coupling = np.empty((4, 3))
+    thickness = np.empty((2, 4))
     for x, (q, qdot), volts, internal, shape in zip(states, measured, v, z, shapes, strict=True):
         x[:4] = shape
         if not np.isfinite(hold_tip(q, x[:4], volts**2, p, tangent)[0]):
@@ -128,7 +136,8 @@ def _walked(parameters: JointParameters, q0: float) -> FloatArray:
     if not rests:
         return np.full(4, np.nan)
     start = min(rests, key=lambda e: abs(e.q - q0))
-    qm, tangent = start.qm.copy(), np.empty(4)
+    qm = start.qm.copy()
+    tangent = np.empty(4)
     for q in np.linspace(start.q, q0, 2 + int(min(abs(q0 - start.q) / 2.5e-4, 1e4))):
         hold_tip(q, qm, np.zeros(2), parameters.vector(), tangent)
     return qm
@@ -165,14 +174,18 @@ def simulate(
     -----
     Cost: about 4 µs a step of the integrator.
     """
-    count, solution = t.size, no_solution(t.size)
+    count = t.size
+    solution = no_solution(t.size)
     states, rates, steps = solution
     load = np.zeros(count) if force is None else np.ascontiguousarray(force)
     drive = Inputs(np.ascontiguousarray(t), np.ascontiguousarray(v), load)
     valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
     states[valid:], rates[valid:] = np.nan, np.nan
-    qm, qm_dot, qm_ddot = states[:, :4], states[:, 4:8], rates[:, 4:8]
-    levers, slopes = parameters.levers, parameters.slopes
+    qm = states[:, :4]
+    qm_dot = states[:, 4:8]
+    qm_ddot = rates[:, 4:8]
+    levers = parameters.levers
+    slopes = parameters.slopes
     return FullOrderMotion(
         t, qm, qm_dot, qm_ddot, states[:, 8:], qm @ levers, qm_dot @ levers, qm_ddot @ levers, np.arctan(qm @ slopes),
         None if valid == count else float(t[min(valid, count - 1)]), int(steps[0]), int(steps[1]),
@@ -254,7 +267,8 @@ def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: Float
 @part
 def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
     """∂f/∂t by the inputs' rates where the step starts, whose mass matrix has just been factorised."""
-    n, lever = s.sample[0], s.p[0] * s.p[0]
+    n = s.sample[0]
+    lever = s.p[0] * s.p[0]
     for i in range(4):
         s.f_t[4 + i] = 0.0
         for side in range(2):
@@ -340,7 +354,9 @@ def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, r
 
 @compiled(nogil=True)
 def _integrate(t: FloatArray, s: _Motion, work: Work, scale: FloatArray, reach: float, solution: Solution) -> int:
-    p, x, f0 = s.p, s.x, s.f0
+    p = s.p
+    x = s.x
+    f0 = s.f0
     states, rates, counts = solution
     counts[0], counts[1], h_next = 0, 0, 1e-4
     for sample in range(t.size):

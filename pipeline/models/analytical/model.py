@@ -115,7 +115,8 @@ def calibrate_analytical(data: Sequence[Log], start: JointParameters) -> Analyti
     """
     from .calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
-    rng, names = np.random.default_rng(0), ASYMMETRIC_NAMES + FRICTION_NAMES
+    rng = np.random.default_rng(0)
+    names = ASYMMETRIC_NAMES + FRICTION_NAMES
     fit = calibrate(data, start, rng, names=names)
     units = [QUANTITIES[name].unit for name in fit.names]
     diagnostics = {

@@ -31,7 +31,8 @@ from .statics import StaticPath, equilibria, static_path
 CURVES = ("m_q", "d", "f", "lambda3_1", "lambda3_2", "C_1", "C_2")
 """Order of the curves: m_q [kg], d [N·s/m], f [N], λ_{3,i} [1], C_i [F]."""
 
-REACH, PLACES = 0.03, 91
+REACH = 0.03
+PLACES = 91
 """Largest q [m] of the curves; places along the beam at which its shape is given."""
 
 
@@ -76,10 +77,15 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
     """Project the full-order equations on the shapes of a static path (uniform q)."""
     from scipy.interpolate import CubicSpline
 
-    p, count = parameters.vector(), path.q.size
+    p = parameters.vector()
+    count = path.q.size
     curves = np.empty((count, len(CURVES)))
-    mass, tau, z_dot = np.empty((4, 4)), np.empty(4), np.empty(3)
-    damping, coupling, thickness = np.empty((4, 4)), np.empty((4, 3)), np.empty((2, 4))
+    mass = np.empty((4, 4))
+    tau = np.empty(4)
+    z_dot = np.empty(3)
+    damping = np.empty((4, 4))
+    coupling = np.empty((4, 3))
+    thickness = np.empty((2, 4))
     nothing = np.zeros(4)
     for i, (qm, tangent) in enumerate(zip(path.qm, path.tangent, strict=True)):
         dynamics(qm, nothing, nothing[:3], nothing[:2], nothing[:1], p, mass, tau, z_dot)
@@ -173,7 +179,8 @@ def beam_modes(qm: FloatArray, length: float) -> BeamModes:
     return BeamModes(x, shapes, amplitudes, w[row] / w[row, column], energy[:3] / energy.sum())
 
 
-_motion, _dahl_move = kernel(REDUCED_MOTION), formula(DAHL_MOVE)
+_motion = kernel(REDUCED_MOTION)
+_dahl_move = formula(DAHL_MOVE)
 
 
 TOLERANCE = 1e-5
@@ -233,7 +240,8 @@ def _rates(system, x, node, dx, acceleration):
     system.s[0] = x[0] - (system.origin + cell * system.spacing)
     n = system.sample[0]
     share = (node - n * system.parts) / system.parts
-    now, then = system.inputs[n], system.inputs[min(n + 1, len(system.inputs) - 1)]
+    now = system.inputs[n]
+    then = system.inputs[min(n + 1, len(system.inputs) - 1)]
     for side in range(2):
         system.squares[side] = (now[side] + share * (then[side] - now[side])) ** 2
     system.load[0] = now[2] + share * (then[2] - now[2])
@@ -288,7 +296,8 @@ def simulate_reduced(
     interval = sample_interval(t) if t.size > 1 else max_step
     steps = max(1, int(np.ceil(interval / max_step - 1e-9)))
     inputs = np.column_stack([v, np.zeros(t.size) if force is None else force])
-    e, out = np.full((t.size, 2), np.nan), np.full((t.size, 3, 1), np.nan)
+    e = np.full((t.size, 2), np.nan)
+    out = np.full((t.size, 3, 1), np.nan)
     friction = np.array([parameters.F_c, parameters.s_c])
     system = ReducedSystem(
         inputs, 2 * steps, np.zeros(1, dtype=np.int64), reduced.q[0], reduced.q[1] - reduced.q[0], reduced.coefficients,
@@ -388,7 +397,8 @@ class Motions:
 def simulate_both(parameters: JointParameters, t: FloatArray, v: FloatArray, *, q0: float | None = None) -> Motions:
     """Free run of the full-order and the reduced model from rest at q0 [m], or in the left well."""
     start = q0 if q0 is not None else next(e.q for e in equilibria(parameters, v[0]) if e.stable)
-    state, reduced = rest_state(parameters, start, 0.0, v[0]), reduce_joint(parameters)
+    state = rest_state(parameters, start, 0.0, v[0])
+    reduced = reduce_joint(parameters)
     # The first calls load compiled code; the times are those of the simulations.
     simulate(parameters, t[:2], v[:2], state)
     simulate_reduced(reduced, t[:2], v[:2], start, 0.0)

@@ -57,7 +57,8 @@ def state_sensitivities(
     count = 2 * t.size - 1
     tables = _Tables(np.empty((count, 4, 4)), np.empty((count, SLOPES)), np.empty((count, 7, steps.size)))
     _tabulate(_Solution(t, v, states, rates), points, steps, tables)
-    out, unknowns = np.empty((t.size, STATES, steps.size)), steps.size
+    out = np.empty((t.size, STATES, steps.size))
+    unknowns = steps.size
     system = _Variation(
         tables.masses.reshape(count, -1), tables.slopes, tables.sources.reshape(count, -1), np.zeros(2, np.int64),
         np.empty(7 * unknowns),
@@ -87,9 +88,15 @@ class _Tables(NamedTuple):
 def _tabulate(solution: _Solution, points: FloatArray, steps: FloatArray, tables: _Tables) -> None:
     """Fill the tables along a solution."""
     masses, slopes, sources = tables
-    x, a, squares, force = np.empty(STATES), np.empty(4), np.empty(2), np.zeros(1)
-    base, mass, right = np.empty(7), np.empty((4, 4, BATCH)), np.empty((STATES, BATCH))
-    count, size = len(points), points.shape[1]
+    x = np.empty(STATES)
+    a = np.empty(4)
+    squares = np.empty(2)
+    force = np.zeros(1)
+    base = np.empty(7)
+    mass = np.empty((4, 4, BATCH))
+    right = np.empty((STATES, BATCH))
+    count = len(points)
+    size = points.shape[1]
     joints = np.empty(((count + BATCH - 1) // BATCH, size, BATCH))
     for joint in range(len(joints) * BATCH):
         for i in range(size):
@@ -117,7 +124,8 @@ def _tabulate(solution: _Solution, points: FloatArray, steps: FloatArray, tables
 def _between(solution: _Solution, k: int, x: FloatArray, a: FloatArray, squares: FloatArray) -> None:
     """State (11,), accelerations (4,) and squared voltages (2,) at sample k / 2, or halfway to the next one."""
     t, v, states, rates = solution
-    n, half = k // 2, k % 2
+    n = k // 2
+    half = k % 2
     h = t[n + half] - t[n]
     for i in range(STATES):
         x[i] = 0.5 * (states[n, i] + states[n + half, i]) + 0.125 * h * (rates[n, i] - rates[n + half, i])
@@ -142,8 +150,11 @@ class _Variation(NamedTuple):
 @inner
 def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
     """Matrices at a stage, and its right-hand side ``at / (γ h)`` plus ∂f/∂p."""
-    row, half = system.at[0], system.at[1]
-    w, shift, source = 0.5 * (half + SDIRK3.nodes[stage]), 1.0 / (SDIRK3.gamma * h), system.source
+    row = system.at[0]
+    half = system.at[1]
+    w = 0.5 * (half + SDIRK3.nodes[stage])
+    shift = 1.0 / (SDIRK3.gamma * h)
+    source = system.source
     _parabola(w, system.masses, row, work.mass.reshape(-1))
     _parabola(w, system.slopes, row, work.slopes)
     _parabola(w, system.sources, row, source)
@@ -176,7 +187,11 @@ def integrate_sensitivities(
 @inner
 def _parabola(w: float, points: FloatArray, row: int, values: FloatArray) -> None:
     """At the share w of a sample interval, the parabolas through the three tabulated rows of `points` from `row` on."""
-    first, middle, last = (1.0 - w) * (1.0 - 2.0 * w), 4.0 * w * (1.0 - w), w * (2.0 * w - 1.0)
-    begin, centre, end = points[row], points[row + 1], points[row + 2]
+    first = (1.0 - w) * (1.0 - 2.0 * w)
+    middle = 4.0 * w * (1.0 - w)
+    last = w * (2.0 * w - 1.0)
+    begin = points[row]
+    centre = points[row + 1]
+    end = points[row + 2]
     for i in range(values.size):
         values[i] = first * begin[i] + middle * centre[i] + last * end[i]

@@ -51,7 +51,8 @@ class JointEquilibrium:
 
 def tip_values(qm: FloatArray, p: FloatArray) -> FloatArray:
     """Tip of the beam: q [m], φ [rad], u_y [m], λ1, λ2 at the Ritz coordinates, shape (5,)."""
-    values, jacobian = np.empty(5), np.empty((5, 4))
+    values = np.empty(5)
+    jacobian = np.empty((5, 4))
     tip(qm, p, values, jacobian)
     return values
 
@@ -69,7 +70,9 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
     50 mm (they cancel to some mm) is shortened, so that a start converges to what is near.
     Cost: one `statics` (0.5 µs) an iteration.
     """
-    gradient, hessian, pivots = np.empty(4), np.empty((4, 4)), np.empty(4, np.int64)
+    gradient = np.empty(4)
+    hessian = np.empty((4, 4))
+    pivots = np.empty(4, np.int64)
     scale = np.array([p[0] ** -2, p[0] ** -3, p[0] ** -4, 1.0])
     for _ in range(iterations):
         statics(qm, v_squared, p, gradient, hessian)
@@ -109,7 +112,8 @@ def _starts(length: float) -> FloatArray:
 
 def equilibrium_at(p: FloatArray, qm: FloatArray, v: FloatArray, force: float = 0.0) -> JointEquilibrium:
     """Describe the equilibrium at Ritz coordinates that satisfy eq. 15, for the parameter vector `p` (41,)."""
-    gradient, hessian = np.empty(4), np.empty((4, 4))
+    gradient = np.empty(4)
+    hessian = np.empty((4, 4))
     energy = statics(qm, v**2, p, gradient, hessian)
     q, phi, u_y = tip_values(qm, p)[:3]
     scale = length_scales(float(p[0]))
@@ -209,10 +213,15 @@ def hold_tip(
     -----
     Cost: an iteration evaluates `statics` and factorises 5×5, 0.7 µs; four to six iterations from a neighbour.
     """
-    scale, gradient, hessian = np.empty(4), np.empty(4), np.empty((4, 4))
-    system, right, pivots = np.empty((5, 5)), np.empty(5), np.empty(5, np.int64)
+    scale = np.empty(4)
+    gradient = np.empty(4)
+    hessian = np.empty((4, 4))
+    system = np.empty((5, 5))
+    right = np.empty(5)
+    pivots = np.empty(5, np.int64)
     scale[0], scale[1], scale[2], scale[3] = p[0] ** -2, p[0] ** -3, p[0] ** -4, 1.0
-    energy, last = np.nan, False
+    energy = np.nan
+    last = False
     for _ in range(50):
         energy = statics(qm, v_squared, p, gradient, hessian)
         # Bordered system in coordinates of tip displacement: the unknowns are the step and the force.
@@ -266,7 +275,10 @@ class _PathColumns(NamedTuple):
 def _describe(shapes: FloatArray, v_squared: FloatArray, p: FloatArray, columns: _PathColumns) -> None:
     """Fill the columns from shapes (N, 4) at `v_squared` [V²] (2,) with the parameters `p`."""
     tips, tangent, scalars, farads, slopes, hessians = columns
-    qm, gradient, tip_jacobian, farad_jacobian = np.empty(4), np.empty(4), np.empty((5, 4)), np.empty((2, 4))
+    qm = np.empty(4)
+    gradient = np.empty(4)
+    tip_jacobian = np.empty((5, 4))
+    farad_jacobian = np.empty((2, 4))
     for i in range(len(shapes)):
         for j in range(4):
             qm[j] = shapes[i, j]
@@ -297,8 +309,11 @@ def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> St
     InputError
         The shape has no continuous static path over the grid (it snaps although the tip is held).
     """
-    p, count = parameters.vector(), q.size
-    qm, tangent, scalars = np.empty((count, 4)), np.empty((count, 4)), np.empty((count, 3))
+    p = parameters.vector()
+    count = q.size
+    qm = np.empty((count, 4))
+    tangent = np.empty((count, 4))
+    scalars = np.empty((count, 3))
     middle = int(np.argmin(np.abs(q)))
     lead = np.linspace(0.0, q[middle], 2 + int(abs(q[middle]) / 2.5e-4))
     start = _trace(lead, np.zeros(4), v**2, p)[0][-1]
@@ -319,8 +334,11 @@ def _trace(
     q: FloatArray, start: FloatArray, v_squared: FloatArray, p: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Hold the tip at every q in turn, each from its neighbour's solution and tangent: shapes, tangents, scalars."""
-    shapes, tangents, scalars = np.empty((q.size, 4)), np.empty((q.size, 4)), np.empty((q.size, 3))
-    guess, slope = start.copy(), np.zeros(4)
+    shapes = np.empty((q.size, 4))
+    tangents = np.empty((q.size, 4))
+    scalars = np.empty((q.size, 3))
+    guess = start.copy()
+    slope = np.zeros(4)
     for i, step in enumerate(np.diff(q, prepend=q[0])):
         guess += slope * step
         scalars[i] = hold_tip(q[i], guess, v_squared, p, slope)
@@ -392,7 +410,9 @@ def static_rotation(q: FloatArray, parameters: JointParameters) -> FloatArray:
     from scipy.interpolate import CubicHermiteSpline
 
     path = unactuated_path(parameters)
-    p, values, jacobian = parameters.vector(), np.empty(5), np.empty((5, 4))
+    p = parameters.vector()
+    values = np.empty(5)
+    jacobian = np.empty((5, 4))
     slopes = np.empty(path.q.size)
     for i in range(path.q.size):
         tip(path.qm[i], p, values, jacobian)

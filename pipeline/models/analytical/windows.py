@@ -58,7 +58,8 @@ def voltage_knots(t: FloatArray, v: FloatArray) -> VoltageKnots:
     """
     if v.ndim == 2:
         return VoltageKnots(np.ascontiguousarray(t), np.ascontiguousarray(v), np.arange(t.size))
-    parts, samples = v.shape[1], v[:, 0]
+    parts = v.shape[1]
+    samples = v[:, 0]
     share = np.arange(parts)[:, None] / parts
     lines = samples[:-1, None] + np.diff(samples, axis=0)[:, None] * share
     bent = np.abs(v[:-1] - lines).max(axis=(1, 2)) > BENT * np.abs(v).max()
@@ -217,7 +218,9 @@ def simulate_windows(
         starts = start_states(parameters, windows)
     except InputError:
         return WindowRuns(parameters, windows, (), np.full(windows.samples, UNREACHABLE))
-    p, scale, levers = parameters.vector(), tolerance * state_scale(parameters), parameters.levers[:3]
+    p = parameters.vector()
+    scale = tolerance * state_scale(parameters)
+    levers = parameters.levers[:3]
 
     def run(start: FloatArray, part: Window) -> WindowRun:
         """The motion over one window."""
@@ -268,7 +271,8 @@ def error_derivatives(
     def derivatives(run: WindowRun, part: Window, start: FloatArray) -> FloatArray:
         """Derivatives of one window, zero behind a divergence."""
         t, v, rows = part.drive
-        by_parameter, simulated = np.zeros((rows.size, steps.size)), slice(0, run.valid)
+        by_parameter = np.zeros((rows.size, steps.size))
+        simulated = slice(0, run.valid)
         if run.valid > 1:
             states = state_sensitivities(
                 t[simulated], v[simulated], run.states[simulated], run.rates[simulated], points, steps, start

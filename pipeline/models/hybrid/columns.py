@@ -36,7 +36,9 @@ STAGES = 2 * STEP_STAGES
 """Stages side by side: those of two steps."""
 INSTRUMENTS = 5
 """Columns of laser offset, delay, charging time and the two probes."""
-_ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 3 + 2 * STOPS * (STEP_STAGES + 1)
+_ALL = STATES + STOPS
+_CONSTANTS = len(CONSTANTS)
+_WEIGHTS = 3 + 2 * STOPS * (STEP_STAGES + 1)
 _STEP_SLOTS = STEP_STAGES + 1
 """The stages of a step, and its end."""
 _SLOTS = 2 * _STEP_SLOTS
@@ -44,8 +46,11 @@ _ROW = _SLOTS * BATCH
 _BLOCK = _ALL * _ROW
 """Numbers that act on a block of columns: row by row, in each slot, on each column."""
 _ELEMENTS = max(STOP_ELEMENTS) + 1
-_ELEMENT, _DIRECTION = np.array(STOP_ELEMENTS), np.array(STOP_DIRECTIONS)
-_TRAVEL, _ARM, _LENGTH = INDEX["stop_travel_0"], INDEX["friction_arm"], INDEX["l"]
+_ELEMENT = np.array(STOP_ELEMENTS)
+_DIRECTION = np.array(STOP_DIRECTIONS)
+_TRAVEL = INDEX["stop_travel_0"]
+_ARM = INDEX["friction_arm"]
+_LENGTH = INDEX["l"]
 _PLACE = 2**31 - 1
 """Mask of a place in an array, from which the compiler sees that it is not negative."""
 
@@ -58,17 +63,21 @@ def _step() -> Graph:
     step [s], the beam's length, and for each of these five which stop operators follow the play, and by how much.
     """
     build = Builder()
-    add, given = build.add, partial(_given, build)
+    add = build.add
+    given = partial(_given, build)
     acting = {
         operation.place[1]
         for operation in JACOBIAN.operations
         if operation.name == "store" and operation.place[0] == "a"
     }
     acting |= {0, 2 * _ALL}  # an observer pulls at q and τ
-    x, h = [given("x", i) for i in range(STATES)], given("w", 1)
-    y, total = x, x
+    x = [given("x", i) for i in range(STATES)]
+    h = given("w", 1)
+    y = x
+    total = x
     for stage in range(len(SHARES)):
-        z, slopes = _slipped(build, x, y, stage), list[int]()
+        z = _slipped(build, x, y, stage)
+        slopes = list[int]()
         for i in range(STATES):
             row = [j for j in range(_ALL) if _ALL * i + j in acting]
             terms = [add("mul", given("a", STAGES * (_ALL * i + j) + stage), [*y, *z][j]) for j in row]
@@ -90,13 +99,16 @@ def _step() -> Graph:
 
 def _slipped(build: Builder, x: list[int], y: list[int], slot: int) -> list[int]:
     """The stop operators at y: those that follow have moved with the play since x."""
-    given, add = partial(_given, build), build.add
+    given = partial(_given, build)
+    add = build.add
     moved, turned, bowed = (add("sub", y[i], x[i]) for i in (0, 2, 4))
-    slipped, plays = [], dict[tuple[float, ...], int]()
+    slipped = []
+    plays = dict[tuple[float, ...], int]()
     for i, direction in enumerate(STOP_DIRECTIONS):
         if direction not in plays:
             q, _, tau, beta = map(build.constant, direction)
-            arm, length = given("w", 0), given("w", 2)
+            arm = given("w", 0)
+            length = given("w", 2)
             lever = arm if direction[1] else add("mul", length, tau)
             play = add("add", add("mul", q, moved), add("mul", lever, turned))
             plays[direction] = add("add", play, add("mul", add("mul", length, beta), bowed)) if direction[3] else play
@@ -111,9 +123,12 @@ def _given(build: Builder, name: str, entry: int) -> int:
     return build.add("input", place=(name, entry))
 
 
-_bell, _stop = formula(BELL_SHAPE), formula(STOP_OPERATOR)
-_prepare, _PREPARED = kernel(PREPARE), PREPARE.outputs["p"]
-_jacobian, _by_constants = kernel(JACOBIAN, STAGES, single=True), kernel(BY_CONSTANTS, STAGES, single=True)
+_bell = formula(BELL_SHAPE)
+_stop = formula(STOP_OPERATOR)
+_prepare = kernel(PREPARE)
+_PREPARED = PREPARE.outputs["p"]
+_jacobian = kernel(JACOBIAN, STAGES, single=True)
+_by_constants = kernel(BY_CONSTANTS, STAGES, single=True)
 _move = kernel(_step(), BATCH, common=("a", "w"), single=True)
 _BY_CONSTANTS = np.array(
     [
@@ -191,13 +206,23 @@ def propagate(
     sources, targets, own, instruments, corrected = columns
     points, slips, squares, by_instruments, pole = path
     (k, weights, basis), (dt, substeps, wall, lead) = laws, stepping
-    steps, centres, prepared = len(points) - 1, weights.shape[1], np.empty(_PREPARED)
-    x, u, z = _zeros(STATES * STAGES), _zeros(2 * STAGES), _zeros(STOPS * STAGES)
-    c, c_q = _zeros(VALUES * STAGES), _zeros(VALUES * STAGES)
-    f, a, b = _zeros(_ALL * STAGES), _zeros(_ALL * _ALL * STAGES), _zeros(_ALL * 2 * STAGES)
-    by_c, by_k = _zeros(_ALL * VALUES * STAGES), _zeros(_ALL * _CONSTANTS * STAGES)
+    steps = len(points) - 1
+    centres = weights.shape[1]
+    prepared = np.empty(_PREPARED)
+    x = _zeros(STATES * STAGES)
+    u = _zeros(2 * STAGES)
+    z = _zeros(STOPS * STAGES)
+    c = _zeros(VALUES * STAGES)
+    c_q = _zeros(VALUES * STAGES)
+    f = _zeros(_ALL * STAGES)
+    a = _zeros(_ALL * _ALL * STAGES)
+    b = _zeros(_ALL * 2 * STAGES)
+    by_c = _zeros(_ALL * VALUES * STAGES)
+    by_k = _zeros(_ALL * _CONSTANTS * STAGES)
     _prepare((k, prepared))
-    p, w, drive = _zeros(_PREPARED * STAGES), np.zeros((2, _WEIGHTS), np.float32), _zeros(len(starts) * _BLOCK)
+    p = _zeros(_PREPARED * STAGES)
+    w = np.zeros((2, _WEIGHTS), np.float32)
+    drive = _zeros(len(starts) * _BLOCK)
     for i in range(_PREPARED * STAGES):
         p[i] = prepared[i // STAGES]
     bells = np.zeros((STAGES, 2, max(centres, 1)))
@@ -208,7 +233,8 @@ def propagate(
         for slot in range(_SLOTS):
             _act_by_play((points, slips), first, slot, k, z, w, drive, own)
         for stage_lane in range(STAGES):
-            step, stage = min(first + stage_lane // STEP_STAGES, steps - 1), stage_lane % STEP_STAGES
+            step = min(first + stage_lane // STEP_STAGES, steps - 1)
+            stage = stage_lane % STEP_STAGES
             for i in range(STATES):
                 x[i * STAGES + stage_lane] = points[step, stage, i]
             for i in range(2):
@@ -218,12 +244,15 @@ def propagate(
         _jacobian((x, u, c, z, c_q, p, f, a, b, by_c))
         _by_constants((x, u, c, z, p, by_k))
         for i in range(len(sources)):
-            source, target = sources[i] & _PLACE, targets[i] & _PLACE
+            source = sources[i] & _PLACE
+            target = targets[i] & _PLACE
             for stage_lane in range(STAGES):
                 drive[target + (stage_lane + stage_lane // STEP_STAGES) * BATCH] = by_k[source + stage_lane]
         for stage_lane in range(STAGES):
-            step, stage = min(first + stage_lane // STEP_STAGES, steps - 1), stage_lane % STEP_STAGES
-            pull, node = observer(-1.0, pole[2 * step] if len(pole) > 0 else 0.0, lead), 2 * step + STAGE_NODES[stage]
+            step = min(first + stage_lane // STEP_STAGES, steps - 1)
+            stage = stage_lane % STEP_STAGES
+            pull = observer(-1.0, pole[2 * step] if len(pole) > 0 else 0.0, lead)
+            node = 2 * step + STAGE_NODES[stage]
             _act_by_instruments(by_instruments[:, node], pull, stage_lane, instruments, a, b, drive)
             if centres > 0:
                 _act_by_weights(bells, by_c, stage_lane, centres, corrected, drive)
@@ -242,14 +271,13 @@ def _advance(
 ) -> None:  # fmt: skip
     """All columns from the step `first` to `stop`, at most two later; `starts` and `stops` move."""
     for step in range(first, stop):
-        of_step, weights = a[STEP_STAGES * (step - first) :], w[step - first]
+        of_step = a[STEP_STAGES * (step - first) :]
+        weights = w[step - first]
         confined = abs(points[step + 1, 0, 0]) >= wall
         for block in range(len(starts)):
-            here, slip, at = (
-                starts[block].ravel(),
-                stops[block].ravel(),
-                block * _BLOCK + _STEP_SLOTS * BATCH * (step - first),
-            )
+            here = starts[block].ravel()
+            slip = stops[block].ravel()
+            at = block * _BLOCK + _STEP_SLOTS * BATCH * (step - first)
             _move((of_step, weights, here, slip, drive[at:], here, slip))
             if confined:
                 here[: 2 * BATCH] = 0.0
@@ -265,14 +293,18 @@ def _act_by_play(
 ) -> None:  # fmt: skip
     """Weights of a slot, its stop operators, and how travels, arm and length act on these themselves."""
     points, slips = run
-    half, stage = slot // _STEP_SLOTS, slot % _STEP_SLOTS
+    half = slot // _STEP_SLOTS
+    stage = slot % _STEP_SLOTS
     step = min(first + half, len(points) - 2)
     at = (step, stage) if stage < STEP_STAGES else (step + 1, 0)
     moved = points[at[0], at[1], 0] - points[step, 0, 0]
-    turned, bowed = points[at[0], at[1], 2] - points[step, 0, 2], points[at[0], at[1], 4] - points[step, 0, 4]
+    turned = points[at[0], at[1], 2] - points[step, 0, 2]
+    bowed = points[at[0], at[1], 4] - points[step, 0, 4]
     for i in range(STOPS):
-        place, element = 3 + 2 * STOPS * stage + i, _ELEMENT[i]
-        by_arm, by_length = _DIRECTION[i, 1] * turned, _DIRECTION[i, 2] * turned + _DIRECTION[i, 3] * bowed
+        place = 3 + 2 * STOPS * stage + i
+        element = _ELEMENT[i]
+        by_arm = _DIRECTION[i, 1] * turned
+        by_length = _DIRECTION[i, 2] * turned + _DIRECTION[i, 3] * bowed
         play = _DIRECTION[i, 0] * moved + k[_ARM] * by_arm + k[_LENGTH] * by_length
         share, follows, by_play, by_travel = _stop((slips[step, i], play, k[_TRAVEL + element]))
         if stage < STEP_STAGES:
@@ -325,7 +357,8 @@ def _act_by_instruments(
             drive[at], drive[at + _ROW] = q, speed
             drive[at + 2 * _ROW], drive[at + 3 * _ROW] = tau, turning
         else:
-            left, right = inputs[i - 1, 0], inputs[i - 1, 1]
+            left = inputs[i - 1, 0]
+            right = inputs[i - 1, 1]
             for row in range(FIRST_STRAIN):
                 drive[at + row * _ROW] = (
                     left * b[2 * row * STAGES + stage_lane] + right * b[(2 * row + 1) * STAGES + stage_lane]
@@ -339,7 +372,8 @@ def _act_by_weights(
     """Derivatives of the accelerations by the weights of the corrections."""
     for curve in range(CURVES):
         for row in range(1, FIRST_STRAIN, 2):
-            value, slope = by_c[(row * VALUES + curve) * STAGES + stage_lane], 0.0
+            value = by_c[(row * VALUES + curve) * STAGES + stage_lane]
+            slope = 0.0
             if CURVED.start <= curve < CURVED.stop:
                 slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * STAGES + stage_lane]
             for j in range(centres):

@@ -33,7 +33,8 @@ class DrivingVoltages:
     def __init__(self, v: FloatArray, dt: float) -> None:
         if v.shape[-1] != 2:
             raise InputError(f"the hybrid joint has two membranes; the log gives {v.shape[-1]} voltage(s)")
-        self._samples, self._dt = len(v), dt
+        self._samples = len(v)
+        self._dt = dt
         self._per_sample = v.shape[1] if v.ndim == 3 else 1
         self._v = np.ascontiguousarray(v.reshape(-1, 2)[: self._per_sample * (len(v) - 1) + 1])
         self._spline = None if self.refined else CubicSpline(dt * np.arange(len(v)), self._v)
@@ -64,11 +65,14 @@ class DrivingVoltages:
         from the 1 ms record two free runs were within 0.013 % of the range of those with steps of 0.4 ms.
         Cost for 37.5 s at three steps in 10 ms: 0.2 ms from samples, 0.4 ms from a 1 ms record.
         """
-        limit, half = 2.0 * largest, self._dt / (2 * steps)
+        limit = 2.0 * largest
+        half = self._dt / (2 * steps)
         count = 2 * steps * (self._samples - 1) + 1
         if self._spline is not None:
             return _spline_squares(self._spline.c, self._dt, count, half, seen.delay, seen.charging, seen.probe, limit)
-        v, probe, spacing = self._v, seen.probe, self._dt / self._per_sample
+        v = self._v
+        probe = seen.probe
+        spacing = self._dt / self._per_sample
         if self._largest + np.abs(probe).max() > limit:
             v, probe = np.clip(v - probe, -limit, limit), np.zeros(2)
         v, areas = _charged(v, spacing, seen.charging)
@@ -85,7 +89,8 @@ def _spline_squares(
     Measured are cubic splines, `delay` earlier, without `probe` and held at ± `limit`; `c` (4, N − 1, K) holds their
     coefficients of (t − t_n)³, …, 1. Between the nodes they go on lines. Cost: 4 ns each.
     """
-    cells, columns = c.shape[1], c.shape[2]
+    cells = c.shape[1]
+    columns = c.shape[2]
     out = np.empty((count, columns))
     remaining, mean = _shares(width / charging)
     for j in range(columns):
@@ -118,9 +123,13 @@ def _charged(v: FloatArray, spacing: float, lag: float) -> tuple[FloatArray, Flo
 
     The integrals are those of the lines through what is found, and of their squares. Cost: 3 ns each.
     """
-    charged, areas = np.empty_like(v), np.zeros((2, v.shape[1], len(v)))
+    charged = np.empty_like(v)
+    areas = np.zeros((2, v.shape[1], len(v)))
     remaining, mean = _shares(spacing / lag)
-    earlier, later, half, third = mean - remaining, 1.0 - mean, spacing / 2.0, spacing / 3.0
+    earlier = mean - remaining
+    later = 1.0 - mean
+    half = spacing / 2.0
+    third = spacing / 3.0
     for column in range(v.shape[1]):
         charged[0, column] = v[0, column]
     for i in range(len(v) - 1):
@@ -143,16 +152,21 @@ def _mean_squares(
     differences of the integrals from its beginning (`_charged`), right to 1e-11 of the largest square. Cost: 3 ns for
     each window.
     """
-    last, columns = len(v) - 1, v.shape[1]
-    per_second, per_window = 1.0 / spacing, 1.0 / width
+    last = len(v) - 1
+    columns = v.shape[1]
+    per_second = 1.0 / spacing
+    per_window = 1.0 / width
     out = np.empty((count, columns))
     for column in range(columns):
-        lines, squares, off = areas[0, column], areas[1, column], probe[column]
+        lines = areas[0, column]
+        squares = areas[1, column]
+        off = probe[column]
         before = 0.0
         for i in range(count + 1):
             t = (i - 0.5) * width - delay
             knot = min(max(int(t * per_second), 0), last)
-            s, a = t - knot * spacing, v[knot, column]
+            s = t - knot * spacing
+            a = v[knot, column]
             slope = 0.0 if t < 0.0 or knot == last else (v[knot + 1, column] - a) * per_second
             line = lines[knot] + s * (a + 0.5 * slope * s)
             here = squares[knot] + s * (a * a + slope * s * (a + 1.0 / 3.0 * slope * s)) - 2.0 * off * line

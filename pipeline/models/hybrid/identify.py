@@ -30,7 +30,8 @@ TUBE_MARGIN = 4.0
 """Times the 90 % quantile of errors on the training logs that tubes of other logs need: of fifty simulated joints of
 three physics."""
 
-COUPLED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
+COUPLED = (60.0, 30.0)
+FREE = (8.0, 2.0, 0.0)
 """Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
 
 WHOLE = (8.0, 0.0, 0.0)
@@ -39,7 +40,11 @@ WHOLE = (8.0, 0.0, 0.0)
 CORRECTED = (30.0, 8.0, 2.0, 0.0)
 """Poles with corrections: they, too, are first fitted while every sample stands alone."""
 
-COUPLED_STEPS, STEPS, EARLY_STEPS, WHOLE_STEPS, LAST_STEPS = (12, 5), 3, 4, 2, 20
+COUPLED_STEPS = (12, 5)
+STEPS = 3
+EARLY_STEPS = 4
+WHOLE_STEPS = 2
+LAST_STEPS = 20
 """Steps of the descent: coupled, at each level between, in free run on the first quarters, at each level before the
 last on whole logs, and at the last one there."""
 
@@ -64,7 +69,8 @@ LOST_ERROR = 0.02
 """Share of the operating range: a fit to whole logs that leaves more in free run has lost them, and a second one starts
 from the set. Simulated joints leave 0.01 to 0.1 %."""
 
-BASIS_FUNCTIONS, SMOOTHING = 6, 0.8
+BASIS_FUNCTIONS = 6
+SMOOTHING = 0.8
 """M and σ_n of the corrections (eqs. 38, 39)."""
 
 OPEN = (0, 1)
@@ -74,7 +80,8 @@ curves, with these 88 to 98 %, with all nine 95 to 100 %."""
 
 _NO_FIT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
 
-ALONE, WITH_RBF = "equations_alone", "equations_with_rbf"
+ALONE = "equations_alone"
+WITH_RBF = "equations_with_rbf"
 """Names in the ablation of the equations without and with corrections."""
 
 
@@ -130,7 +137,8 @@ def identify_hybrid(
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
     scaled = tuple(similarity.in_reference_units(record) for record in records)
     first = _first_fits(_Search(scaled, siblings).within(MOST_SAMPLES), parameters, corrections)
-    search, errors = first.search, first.held_out()
+    search = first.search
+    errors = first.held_out()
     early, fitted = _whole_fit(first, corrected=_corrections_help(errors, always=corrections == "always"))
     if not search.follows(fitted.fit, LOST_ERROR):
         fitted = min(fitted, search.anew(first.fits[ALONE].joint), key=lambda fitted: _free_error(fitted.fit))
@@ -195,7 +203,8 @@ def _first_fits(search: "_Search", parameters: JointParameters, corrections: str
     first = search.early.without_siblings.fit(
         plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1]
     )
-    alone, decision = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS), dict[str, Any]()
+    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
+    decision = dict[str, Any]()
     if search.siblings is not None:
         without = search.without_siblings.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
         errors = [search.held_out(plain, fit.theta).coupled if fit.levels else np.inf for fit in (alone, without)]
@@ -303,9 +312,12 @@ class _Search:
 
     def _robust_spread(self, joint: CondensedJoint, fit: HomotopyFit, rows: Sequence[int]) -> FloatArray:
         """Of the θ of a joint, zero but for the deviations and some corrections."""
-        problem, pole, theta = CondensedProblem(joint, self.records), fit.levels[-1].gain, _extended(joint, fit.theta)
+        problem = CondensedProblem(joint, self.records)
+        pole = fit.levels[-1].gain
+        theta = _extended(joint, fit.theta)
         problem.hold_lost(theta, pole)
-        places, prior = theta_places(joint.centres, rows), prior_root(joint.centres, rows, self.siblings)
+        places = theta_places(joint.centres, rows)
+        prior = prior_root(joint.centres, rows, self.siblings)
         residual, jacobian = problem.jacobian(theta, pole)
         factor = robust_spread(residual, jacobian[:, places], fit.noise, Prior(prior, np.zeros(len(places))))
         spread = np.zeros((len(theta), factor.shape[1]))
@@ -375,7 +387,8 @@ def _report(levels: Sequence[Level], final: HomotopyFit, similarity: Similarity)
 
 
 def _fit(training: Training) -> HybridModel:
-    mass, corrections = training.known_mass, training.identify.corrections
+    mass = training.known_mass
+    corrections = training.identify.corrections
     if training.parameters is not None:
         own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
         return identify_hybrid(

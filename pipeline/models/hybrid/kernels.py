@@ -28,8 +28,12 @@ WIDTHS = 30.0
 PREPARED = PREPARE.outputs["p"]
 """Length of the prepared constants."""
 
-_prepare, _rates, _rest_forces, _inertia = kernel(PREPARE), kernel(RATES), kernel(REST_FORCES), kernel(INERTIA)
-_first_bell, _next_bell = formula(FIRST_BELL), formula(NEXT_BELL)
+_prepare = kernel(PREPARE)
+_rates = kernel(RATES)
+_rest_forces = kernel(REST_FORCES)
+_inertia = kernel(INERTIA)
+_first_bell = formula(FIRST_BELL)
+_next_bell = formula(NEXT_BELL)
 
 
 @compiled
@@ -94,7 +98,9 @@ def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatA
     out[:] = 0.0
     if weights.shape[1] == 0 or not abs(q - basis[0]) < WIDTHS * basis[2]:
         return
-    first, distance, width = basis[0], basis[1], basis[2]
+    first = basis[0]
+    distance = basis[1]
+    width = basis[2]
     r, value, ratio, shrink = _first_bell((q, first, distance, width))
     for i in range(weights.shape[1]):
         slope, r_next, next_value, ratio, shrink = _next_bell((r, value, ratio, shrink, first, distance, width))
@@ -102,7 +108,8 @@ def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatA
             out[row] += weights[row, i] * value
         for row in range(4):
             out[9 + row] += weights[4 + row, i] * slope
-        r, value = r_next, next_value
+        r = r_next
+        value = next_value
 
 
 NODES_PER_WIDTH = 8

@@ -167,7 +167,8 @@ class HybridModel:
 
         The observer's pole is one over the sample interval; where nothing was measured it rests.
         """
-        joint, measured = self.joint, np.isfinite(seen)
+        joint = self.joint
+        measured = np.isfinite(seen)
         k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
         reading = CubicSpline(t - t[0], bridged(seen, measured))(fine)
         followed = Followed(reading, (measured & np.append(measured[1:], False)) / dt)
@@ -200,7 +201,8 @@ class HybridModel:
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
-        joint, seen = self.joint, self.joint.instruments(self.theta)
+        joint = self.joint
+        seen = self.joint.instruments(self.theta)
         k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
         path = CubicSpline(t - t[0], np.column_stack([q - seen.offset, qdot]))(fine)
         return follow_path(u, path, dt, steps, k, joint.basis, weights, age_at(t))
@@ -214,7 +216,8 @@ class HybridModel:
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
-        wide, spread = self.of_curves, self._curve_spread
+        wide = self.of_curves
+        spread = self._curve_spread
         return first_order_curves(lambda theta: wide._curves(theta, q), wide.theta, spread, count, SEED, ("d",))
 
     @property
@@ -322,12 +325,16 @@ class HybridModel:
 
         Shape (B, N, 3).
         """
-        dt, age = sample_interval(t), np.full((*start.shape[:-1], 1), age_at(t))
+        dt = sample_interval(t)
+        age = np.full((*start.shape[:-1], 1), age_at(t))
         start = np.concatenate([start, age], axis=-1)
-        driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
+        driving = DrivingVoltages(v, dt)
+        largest = self.joint.largest_voltage
         built = self._best if thetas is None else self._built(thetas)
         thetas = self.theta[None] if thetas is None else thetas
-        constants, basis, weights = built[0].tobytes(), self.joint.basis.tobytes(), built[1].tobytes()
+        constants = built[0].tobytes()
+        basis = self.joint.basis.tobytes()
+        weights = built[1].tobytes()
         steps = _substeps(constants, basis, weights, len(thetas), dt, self.joint.similarity.time)
 
         def inputs(seen: condensed_parameters.Instruments) -> FloatArray:
@@ -336,7 +343,8 @@ class HybridModel:
         if start.ndim > 1:
             thetas, *parts = (np.repeat(each, len(start), axis=0) for each in (thetas, *built))
             built = parts[0], parts[1]
-        followed, stepping = Followed(np.zeros(0), np.zeros(len(t))), self.joint.stepping(dt, steps)
+        followed = Followed(np.zeros(0), np.zeros(len(t)))
+        stepping = self.joint.stepping(dt, steps)
         if not driving.refined:
             return simulate(self.joint, thetas, inputs, start, followed, stepping, built=built)
         # Samples of a log that is known between them have been low-pass filtered, so these are too.
@@ -344,7 +352,8 @@ class HybridModel:
         for rows in (
             slice(first, first + BATCH) for first in range(0, len(thetas), BATCH)
         ):  # every step of all is much
-            begin, made = start if start.ndim == 1 else start[rows], (built[0][rows], built[1][rows])
+            begin = start if start.ndim == 1 else start[rows]
+            made = (built[0][rows], built[1][rows])
             every = simulate(self.joint, thetas[rows], inputs, begin, followed, stepping, every_step=True, built=made)
             runs.append(filtered_samples(every, steps))
         return np.concatenate(runs)
@@ -362,7 +371,8 @@ class HybridModel:
         self, theta: FloatArray, t: FloatArray, v: FloatArray
     ) -> tuple[FloatArray, FloatArray, float, int, FloatArray, FloatArray]:
         """Constants, weights, sample interval [s], steps in it, half steps [s] and squared voltages there."""
-        seen, k = self.joint.instruments(theta), self.joint.constants(theta)
+        seen = self.joint.instruments(theta)
+        k = self.joint.constants(theta)
         dt = sample_interval(t)
         steps = self.joint.substeps(theta, dt)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)

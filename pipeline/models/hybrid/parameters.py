@@ -246,7 +246,9 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     loss = BEAM_DAMPING_FACTOR * p.eta * np.exp(d["log eta"]) * p.I / p.l
     beam = p.rho * p.A * p.l
     relaxation = 0.5 * (p.left.relaxation + p.right.relaxation) * np.exp(d["log relaxation"])
-    by_q, by_tau, by_beta = d["slope by q"], 1.0 + d["slope by tau"], d["slope by beta"]
+    by_q = d["slope by q"]
+    by_tau = 1.0 + d["slope by tau"]
+    by_beta = d["slope by beta"]
     least = _LEAST_INERTIA + BENDS[1][1] * loss * by_tau**2 / _FASTEST
     mass = p.m + SHAPES[0][0] * beam
     weight = p.m * p.g * np.exp(d["log weight"])
@@ -268,7 +270,8 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
 
 def _rises(d: dict[str, Any], own_slope: tuple[Any, Any, Any], l: float) -> dict[str, Any]:
     """R of `pipeline.equations.condensed_parts.raised`: ∫W'² of the beam with its own slope, and the deviations."""
-    slope, units = [[1.0, 0.0, 0.0], own_slope, [0.0, 0.0, 1.0]], (1.0, l, l)
+    slope = [[1.0, 0.0, 0.0], own_slope, [0.0, 0.0, 1.0]]
+    units = (1.0, l, l)
     rises = {}
     for i, j in combinations_with_replacement(range(3), 2):
         name = "qtb"[i] + "qtb"[j]
@@ -284,7 +287,8 @@ def correction_prior_std(p: JointParameters) -> FloatArray:
     About a tenth of what the beam and the membranes of the drawing have: 4 mN (10 % of the actuation), 0.04 N·s/m,
     4e-10 N/V² (10 % of g), 0.2 mN·m, 8 mN·m, 2e-11 N·m/V² and 160 µN·m·s.
     """
-    stiffness, loss = p.E * p.I / p.l, BEAM_DAMPING_FACTOR * p.eta * p.I / p.l
+    stiffness = p.E * p.I / p.l
+    loss = BEAM_DAMPING_FACTOR * p.eta * p.I / p.l
     electric = _side(p.left, "left", _values(np.zeros(len(NAMES))))["electric"] / p.left.l0
     slow = [0.017 * stiffness / p.l, 3.6 * loss / p.l**2, 7.8e-3 * electric, 7.8e-3 * electric]
     deviation = [9.2e-3 * stiffness, 0.36 * stiffness, 4.4e-3 * electric * p.l, 4.4e-3 * electric * p.l, 1.8 * loss]

@@ -31,13 +31,17 @@ FARTHEST = 6.0
 """Deviations [prior standard deviations] beyond which a trial is refused: the constants would describe another
 machine."""
 
-LOST_ERROR_SHARE, CAUGHT_ERROR_SHARE = 0.1, 0.02
+LOST_ERROR_SHARE = 0.1
+CAUGHT_ERROR_SHARE = 0.02
 """Shares of the range of q: a run that errs by more has lost the log, and did so after it last erred by less."""
 
-HELD_POLE, HELD_ON = 15.0, 0.3
+HELD_POLE = 15.0
+HELD_ON = 0.3
 """Pole [1/s] of the observer that holds a run where it would lose its log, and how long [s] it does so from there."""
 
-BEGINNING, MOVING, SETTLING = 0.1, 0.02, 1.0
+BEGINNING = 0.1
+MOVING = 0.02
+SETTLING = 1.0
 """Time [s] and share of the range of q: a log in which q moves by more at its beginning does not begin at rest. Shape
 and strains are not known there, so a run is held for `SETTLING` s first, and compared from then on."""
 
@@ -60,10 +64,13 @@ BRIDGED = 0.03
 SETTLED = 3.0
 """Times 1/pole after a longer one, after which a run that is held has forgotten it."""
 
-SMALL, ROUNDING = 1e-4, 1e-11
+SMALL = 1e-4
+ROUNDING = 1e-11
 """Steps [widths] of the differences of constants; and derivatives by θ, in shares of the constant, that are none."""
 
-DELAY_STEP, CHARGING_STEP, PROBE_STEP = 2e-7, 1e-4, 0.02
+DELAY_STEP = 2e-7
+CHARGING_STEP = 1e-4
+PROBE_STEP = 0.02
 """Steps of the differences by which voltages depend on delay [s], charging time (a share) and probes [V]."""
 
 
@@ -102,7 +109,8 @@ class CondensedJoint:
     def in_use(self, theta: FloatArray) -> FloatArray:
         """The same of a joint that has moved for `USED` and softens no more, as a controller meets it."""
         k = self.constants(theta)
-        softening, rate = k[..., INDEX["softening"]], k[..., INDEX["softening_rate"]]
+        softening = k[..., INDEX["softening"]]
+        rate = k[..., INDEX["softening_rate"]]
         softer = 1.0 - softening * (1.0 - np.exp(-rate * USED))
         k[..., [INDEX["left_elastic"], INDEX["right_elastic"]]] *= softer[..., None]
         k[..., INDEX["softening"]] = 0.0
@@ -116,7 +124,8 @@ class CondensedJoint:
 
     def instruments(self, theta: FloatArray) -> condensed_parameters.Instruments:
         """Instruments between the joint and the log."""
-        seen, units = condensed_parameters.instruments(theta[:DEVIATION_COUNT]), self.similarity
+        seen = condensed_parameters.instruments(theta[:DEVIATION_COUNT])
+        units = self.similarity
         return condensed_parameters.Instruments(
             units.origin + units.length * seen.offset,
             units.time * seen.delay,
@@ -126,9 +135,12 @@ class CondensedJoint:
 
     def derivatives(self, theta: FloatArray) -> "Derivatives":
         """Derivatives by θ of the numbers that a run takes."""
-        count, base = len(theta), self.instruments(theta)
-        moved, units = SMALL * np.eye(DEVIATION_COUNT, count), np.eye(count)
-        constants, instruments = np.zeros((len(CONSTANTS), count)), np.zeros((INSTRUMENTS, count))
+        count = len(theta)
+        base = self.instruments(theta)
+        moved = SMALL * np.eye(DEVIATION_COUNT, count)
+        units = np.eye(count)
+        constants = np.zeros((len(CONSTANTS), count))
+        instruments = np.zeros((INSTRUMENTS, count))
         changes = (self.constants(theta + moved) - self.constants(theta - moved)).T / (2.0 * SMALL)
         rounding = ROUNDING * np.abs(self.constants(theta))[:, None]
         constants[:, :DEVIATION_COUNT] = np.where(np.abs(changes) > rounding, changes, 0.0)
@@ -249,7 +261,8 @@ class CondensedProblem:
 
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
         """See `ObservedProblem`; a column without finite derivatives is zero there."""
-        parts, columns = [], []
+        parts = []
+        columns = []
         self._steps = 1
         for log in self.logs:
             self._steps = self._substeps(theta, log.dt)
@@ -278,10 +291,12 @@ class _Log:
     """One record, with its voltages and a spline of the displacement that the observer follows."""
 
     def __init__(self, record: Log, stop: int, settling: int) -> None:
-        self.dt, self.t = record.interval, record.t - record.t[0]
+        self.dt = record.interval
+        self.t = record.t - record.t[0]
         behind = np.arange(len(self.t)) >= stop
         self.settling = np.arange(len(self.t)) < settling
-        self.fitted, self.held_out = record.valid & ~behind & ~self.settling, record.valid & behind
+        self.fitted = record.valid & ~behind & ~self.settling
+        self.held_out = record.valid & behind
         self.v = DrivingVoltages(record.drive, self.dt)
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
         if self.v.refined:  # then the samples have been low-pass filtered, and runs are not
@@ -328,7 +343,9 @@ class _Log:
     ) -> tuple[FloatArray, FloatArray]:
         """Errors [mm] of one θ over the samples that are compared, shape (N,), and their derivatives by it, (N, P)."""
         pole, path = self._observer(gain, steps)
-        seen, by_theta, largest = joint.instruments(theta), joint.derivatives(theta), joint.largest_voltage
+        seen = joint.instruments(theta)
+        by_theta = joint.derivatives(theta)
+        largest = joint.largest_voltage
         u = self._inputs(seen, steps, largest)
         slower = CHARGING_STEP * seen.charging
         moves = [
@@ -342,7 +359,8 @@ class _Log:
             Laws(joint.constants(theta), joint.weights(theta), joint.basis), np.abs(by_theta.constants).max(axis=1),
             by_theta.weights, seen.offset, driven, joint.stepping(self.dt, steps),
         )  # fmt: skip
-        at, active = self.compared(gain), np.any(by_theta.constants, axis=1)
+        at = self.compared(gain)
+        active = np.any(by_theta.constants, axis=1)
         chain = 1e3 * np.concatenate([by_theta.constants[active], by_theta.instruments])
         columns, q = (derivatives.columns, derivatives.q) if at.all() else (derivatives.columns[at], derivatives.q[at])
         by = columns @ chain
@@ -392,7 +410,8 @@ def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
     free: pulled along a bridge it would be pulled astray.
     """
     edges = np.flatnonzero(np.diff(np.concatenate([[True], valid, [True]]).astype(np.int8)))
-    seen, seen_for = np.ones(len(valid), dtype=bool), np.full(len(valid), np.inf)
+    seen = np.ones(len(valid), dtype=bool)
+    seen_for = np.full(len(valid), np.inf)
     for first, stop in edges.reshape(-1, 2):
         if (stop - first) * dt > BRIDGED:
             seen[max(first - 1, 0) : stop] = False

@@ -89,7 +89,8 @@ def observer(error: float, pole: float, lead: float) -> tuple[float, float, floa
     same times dτ/dq = `lead` [1/m] for τ. Pulling at q alone leaves the pair of q and τ with a growing mode near the
     separatrix (rates up to 3 1/s), so that even the true joint drifts off its own measurement. It is linear in `error`.
     """
-    pull, push = 2.0 * pole * error, pole * pole * error
+    pull = 2.0 * pole * error
+    push = pole * pole * error
     return pull, push, lead * pull, lead * push
 
 
@@ -130,7 +131,8 @@ def _rates_of(w: int) -> Any:
         if len(system.path) > 0:
             x[0], x[1] = system.path[node, 0], system.path[node, 1]
         if w == 1 and len(system.points) > 0:
-            step, stage = int(system.now[0]) // 2, int(system.now[2])
+            step = int(system.now[0]) // 2
+            stage = int(system.now[2])
             for i in range(STATES):
                 system.points[step, stage, i] = x[i]
             system.now[2] += 1.0
@@ -269,9 +271,12 @@ def run_joints(
         Cost: 37.5 s at 5 ms take 3 ms for one joint and 5 ms for eight.
     """
     constants, weights, basis = laws
-    count, samples, substeps = len(constants), len(followed.pole), stepping.substeps
+    count = len(constants)
+    samples = len(followed.pole)
+    substeps = stepping.substeps
     shown, parts = (substeps * (samples - 1) + 1, 1) if every_step else (samples, substeps)
-    span, prepared = table_span(basis, weights.shape[2]), prepare(constants)
+    span = table_span(basis, weights.shape[2])
+    prepared = prepare(constants)
     alike = bool(np.all(weights == weights[:1]))
     tables = tabulate(basis, weights[:1] if alike else weights)
     poles = np.repeat(followed.pole, 2 * substeps) if np.any(followed.pole > 0.0) else np.zeros(0)
@@ -315,20 +320,20 @@ def continued_runs(
         q [m] as the laser reads it.
         Cost: a run to the last start, and the runs themselves, with 30 µs for each call.
     """
-    prepared, only, none, parts = (
-        prepare(laws.constants),
-        np.zeros(1, dtype=np.int64),
-        np.zeros(0),
-        2 * stepping.substeps,
-    )
-    span, tables = table_span(laws.basis, laws.weights.shape[2]), tabulate(laws.basis, laws.weights)
+    prepared = prepare(laws.constants)
+    only = np.zeros(1, dtype=np.int64)
+    none = np.zeros(0)
+    parts = 2 * stepping.substeps
+    span = table_span(laws.basis, laws.weights.shape[2])
+    tables = tabulate(laws.basis, laws.weights)
     poles = np.repeat(followed.pole, parts)
     x, z = _at_rest(laws, prepared, driving, only)
     work = workspace(x)
 
     def moved(x: FloatArray, z: FloatArray, first: int, count: int, *, held: bool) -> FloatArray:
         """The next samples of q; x and z become those of the last."""
-        nodes, out = slice(parts * first, parts * (first + count) + 1), np.empty((count + 1, 3, 1))
+        nodes = slice(parts * first, parts * (first + count) + 1)
+        out = np.empty((count + 1, 3, 1))
         system = Joints(
             (0,), prepared[0], np.zeros(VALUES), z,
             np.zeros(3), np.zeros(2), np.zeros(3), driving.squares[:, nodes], only, only, span, tables,
@@ -355,9 +360,12 @@ def follow_path(
     squared voltages [V²] there; the path begins `age` [s] after the
     recording did; the rest is as in `run_joints`, for one joint.
     """
-    samples, none, p = (len(path) - 1) // (2 * substeps) + 1, np.zeros(0), prepare(k[None])[0]
+    samples = (len(path) - 1) // (2 * substeps) + 1
+    none = np.zeros(0)
+    p = prepare(k[None])[0]
     x, z = rest_state(float(path[0, 0]), u[0], k, p, basis, weights, age)
-    only, out = np.zeros(1, dtype=np.int64), np.empty((samples, 3, 1))
+    only = np.zeros(1, dtype=np.int64)
+    out = np.empty((samples, 3, 1))
     system = Joints(
         (0,), p, np.zeros(VALUES), z,
         np.zeros(3), np.zeros(2), np.zeros(3), u[None], only, only, table_span(basis, weights.shape[1]),
@@ -376,7 +384,8 @@ def _at_rest(
     laws: Laws, prepared: FloatArray, driving: Driving, chosen: NDArray[np.int64]
 ) -> tuple[FloatArray, FloatArray]:
     """States and stop operators of the chosen joints at rest at the first sample, in rows."""
-    x, z = np.empty((len(chosen), STATES)), np.empty((len(chosen), STOPS))
+    x = np.empty((len(chosen), STATES))
+    z = np.empty((len(chosen), STOPS))
     starts = np.broadcast_to(driving.start, (len(prepared), 3))
     for j, i in enumerate(chosen):
         reading, rate, age = starts[i]

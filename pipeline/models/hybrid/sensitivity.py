@@ -87,10 +87,13 @@ def sensitivities(
     """
     k, weights, basis = laws
     dt, substeps, wall, lead = stepping
-    steps, active = (len(driven.squares) - 1) // 2, np.flatnonzero(scale)
+    steps = (len(driven.squares) - 1) // 2
+    active = np.flatnonzero(scale)
     x, z, starts, stops = _starts(laws, scale, active, widths, offset, driven)
-    p, only = prepare_rates(k[None])[0], np.zeros(1, dtype=np.int64)
-    points, slips = np.empty((steps + 1, len(SHARES), STATES)), np.empty((steps + 1, STOPS))
+    p = prepare_rates(k[None])[0]
+    only = np.zeros(1, dtype=np.int64)
+    points = np.empty((steps + 1, len(SHARES), STATES))
+    slips = np.empty((steps + 1, STOPS))
     system = Joints(
         (0,), p, np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3), driven.squares[None], only, only,
         table_span(basis, weights.shape[1]), tabulate(basis, weights[None]), np.array([offset]), driven.observed,
@@ -100,7 +103,8 @@ def sensitivities(
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
     path = Path(points, slips, driven.squares, driven.by_instruments, driven.pole)
     propagate(path, laws, stepping, columns_of(active), starts, stops, displacements)
-    first, count = len(active) + INSTRUMENTS, weights.shape[1]
+    first = len(active) + INSTRUMENTS
+    count = weights.shape[1]
     by_weights = displacements[:, first : first + CURVES * count].reshape(len(displacements), CURVES, count)
     return Sensitivity(points[::substeps, 0, 0], displacements[:, :first], by_weights)
 
@@ -110,8 +114,12 @@ def _starts(
 ) -> tuple[FloatArray, FloatArray, SingleArray, SingleArray]:
     """State and stop operators at rest, and the columns' derivatives of them, (blocks, rows, BATCH)."""
     k, weights, basis = laws
-    start, u, by_instruments = driven.start, driven.squares[0], driven.by_instruments[:, 0]
-    q, first, centres = start[0] - offset, len(active) + INSTRUMENTS, weights.shape[1]
+    start = driven.start
+    u = driven.squares[0]
+    by_instruments = driven.by_instruments[:, 0]
+    q = start[0] - offset
+    first = len(active) + INSTRUMENTS
+    centres = weights.shape[1]
     total = blocks(first + weights.size)
     starts, stops = (np.zeros((total, rows, BATCH), dtype=np.float32) for rows in (STATES, STOPS))
     x, z = rest_state(q, u, k, prepare_rates(k[None])[0], basis, weights, start[2])

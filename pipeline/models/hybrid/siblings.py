@@ -123,7 +123,8 @@ def information_of(model: HybridModel) -> Information:
     posterior had λ τ / `NOISE_INFLATION`² in the fit, and its pull to zero is undone by that. It is at most doubled:
     in directions of which logs show little, fits end before they have converged.
     """
-    count, own = len(NAMES), prior_root(0)
+    count = len(NAMES)
+    own = prior_root(0)
     tau = float(model.diagnostics["integrated_correlation_time"])
     covariance = (model.spread @ model.spread.T)[:count, :count]
     # shares of the prior's variance that the logs leave are 1 / (1 + λ)
@@ -160,10 +161,12 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
     first, *others = [model.joint.parameters for model in models.values()]
     if any(other != first for other in others):
         raise InputError("the siblings have not one parameter set; name the same plant.parameters for all of them")
-    prior, members = usual_prior(), [information_of(model) for model in models.values()]
+    prior = usual_prior()
+    members = [information_of(model) for model in models.values()]
     whole = estimate_population(members, prior)
     suspects = [i for i, entry in enumerate(DEVIATIONS) if entry.quantity.rpartition(".")[2] in _SUSPECTS]
-    gains, odd = {}, []
+    gains = {}
+    odd = []
     for name, member, rest in zip(models, members, without_each(members, prior, whole), strict=True):
         gains[name] = log_evidence(member, rest) - log_evidence(member, prior)
         if (outlier := oddity(member, rest, len(members) - 1, suspects)).odd:
@@ -179,7 +182,8 @@ def title(entry: int) -> str:
 
 def _odd(name: str, outlier: Oddity) -> Odd:
     deviation = DEVIATIONS[outlier.entry]
-    size, error = outlier.size * deviation.prior_std, outlier.error * deviation.prior_std
+    size = outlier.size * deviation.prior_std
+    error = outlier.error * deviation.prior_std
     if deviation.logarithm:
         size = np.expm1(size)
         return Odd(name, title(outlier.entry), 100.0 * size, 100.0 * (1.0 + size) * error, "%")

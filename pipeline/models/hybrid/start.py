@@ -111,7 +111,8 @@ def _wells(records: Sequence[Log]) -> Wells | NoWells:
 
 
 def _shift(wells: Wells) -> float:
-    half, middle = 0.5 * (wells.right - wells.left), 0.5 * (wells.right + wells.left)
+    half = 0.5 * (wells.right - wells.left)
+    middle = 0.5 * (wells.right + wells.left)
     return middle if abs(middle) > SHIFTED * half else 0.0
 
 
@@ -123,13 +124,16 @@ def mass_factor(parameters: JointParameters, mass: float | None) -> float:
 
 def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotion | None:
     """Regression of the acceleration near a well on displacement, velocity and squared voltages."""
-    rows, targets = [], []
+    rows = []
+    targets = []
     for record in records:
         near = record.valid & (np.abs(record.q - place) < reach)
-        x, u = record.q[near] - place, record.v[near] ** 2
+        x = record.q[near] - place
+        u = record.v[near] ** 2
         rows.append(np.column_stack([np.ones(len(x)), x, x**2, record.qdot[near], u]))
         targets.append(record.qddot[near])
-    matrix, target = np.concatenate(rows), np.concatenate(targets)
+    matrix = np.concatenate(rows)
+    target = np.concatenate(targets)
     if len(target) < FEWEST:
         return None
     scale = np.maximum(np.abs(matrix).max(axis=0), 1e-300)
@@ -164,7 +168,8 @@ def _reference_motion(parameters: JointParameters) -> _SmallMotion:
     )
 
 
-OWN_MATERIAL, OWN_MOUNT = 0.045, 0.45
+OWN_MATERIAL = 0.045
+OWN_MOUNT = 0.45
 """Shares of variance that are each side's own: in moduli and capacitance, as both membranes are cut from one film, and
 in the places of the mounts."""
 

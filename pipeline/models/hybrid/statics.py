@@ -27,7 +27,10 @@ from .kernels import (
     rest_forces,
 )
 
-_L, _RATIO, _BENDING, _STOP = INDEX["l"], INDEX["slope_ratio"], INDEX["bending"], INDEX["stop_force_0"]
+_L = INDEX["l"]
+_RATIO = INDEX["slope_ratio"]
+_BENDING = INDEX["bending"]
+_STOP = INDEX["stop_force_0"]
 _SOFTENING_RATE = INDEX["softening_rate"]
 
 LONGEST_STEP = 5.5e-3
@@ -38,7 +41,8 @@ MOST_SUBSTEPS = 6
 """Bound on the work of a run whose constants are absurd, as a fit may try, where twice the longest steps are fewer."""
 _SHARES = np.array([-0.25, -0.12, 0.0, 0.12, 0.25])
 """Tip displacements over length at which the fastest rate is looked for."""
-_OF_SLOPE, _OF_INTERIOR = BENDS[1][1], BENDS[2][2]
+_OF_SLOPE = BENDS[1][1]
+_OF_INTERIOR = BENDS[2][2]
 """Bending stiffness of a straight slender beam against τ and against β, over `bending`: the scale of their forces."""
 _FARTHEST = (0.05, 0.15)
 """Largest changes of τ and β in an iteration."""
@@ -57,16 +61,22 @@ def held_shape(
     is short: a buckled beam has unstable equilibria, and others far off that no joint takes. Newton's method alone ends
     in them. Cost: about 20 evaluations of the forces, 2 µs.
     """
-    x, forces, by = np.zeros(STATES), np.empty(3), np.empty(6)
+    x = np.zeros(STATES)
+    forces = np.empty(3)
+    by = np.empty(6)
     x[0], x[2], x[SOFTENING] = q, k[_RATIO] * q / k[_L], softened
     step = 0.05
     for _ in range(200):
         rest_forces(x, u, c, p, forces, by)
-        f, g = forces[1] / (_OF_SLOPE * k[_BENDING]), forces[2] / (_OF_INTERIOR * k[_BENDING])
-        a, b = 1.0 / step - by[2] / (_OF_SLOPE * k[_BENDING]), by[3] / (_OF_SLOPE * k[_BENDING])
-        d, e = 1.0 / step - by[5] / (_OF_INTERIOR * k[_BENDING]), by[4] / (_OF_INTERIOR * k[_BENDING])
+        f = forces[1] / (_OF_SLOPE * k[_BENDING])
+        g = forces[2] / (_OF_INTERIOR * k[_BENDING])
+        a = 1.0 / step - by[2] / (_OF_SLOPE * k[_BENDING])
+        b = by[3] / (_OF_SLOPE * k[_BENDING])
+        d = 1.0 / step - by[5] / (_OF_INTERIOR * k[_BENDING])
+        e = by[4] / (_OF_INTERIOR * k[_BENDING])
         determinant = a * d - b * e
-        tau, beta = (d * f + b * g) / determinant, (e * f + a * g) / determinant
+        tau = (d * f + b * g) / determinant
+        beta = (e * f + a * g) / determinant
         down = a > 0.0 and determinant > 0.0
         if not (down and abs(tau) < _FARTHEST[0] and abs(beta) < _FARTHEST[1]):
             if step < 1e-9 or not np.isfinite(determinant):
@@ -106,7 +116,8 @@ def rest_state(
     its capacity goes, and the layers of the beam are free of stress. The membranes have softened for the time `age`
     [s]. `k` and `p` are the constants and the prepared constants.
     """
-    z, c = np.zeros(STOPS), np.zeros(VALUES)
+    z = np.zeros(STOPS)
+    c = np.zeros(VALUES)
     corrections_at(q, basis, weights, c)
     softened = 1.0 - np.exp(-k[_SOFTENING_RATE] * age)
     tau, beta, force = held_shape(q, softened, u, c, k, p)
@@ -124,8 +135,11 @@ def rest_state(
 def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
     """∂ẋ/∂x at rest without voltage at `_SHARES`, by differences, shape (5, STATES, STATES)."""
     jacobians = np.empty((len(_SHARES), STATES, STATES))
-    u, c, start = np.zeros(2), np.zeros(VALUES), np.zeros(3)
-    at_rest, rates = np.empty(STATES), np.empty(STATES)
+    u = np.zeros(2)
+    c = np.zeros(VALUES)
+    start = np.zeros(3)
+    at_rest = np.empty(STATES)
+    rates = np.empty(STATES)
     for i in range(len(_SHARES)):
         x, z = rest_state(_SHARES[i] * k[_L], u, k, p, basis, weights, 0.0)
         start[0], start[1], start[2] = x[0], x[2], x[4]
@@ -149,7 +163,8 @@ def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, s
     Runge-Kutta 4 must not let grow what decays at rest, |q| ≤ l/4, without voltage. The longest step is meant for the
     parameter set's joint; these are `slowness` times slower. Cost: 0.6 ms a joint.
     """
-    many, loads = np.atleast_2d(k), weights if weights.ndim == 3 else weights[None]
+    many = np.atleast_2d(k)
+    loads = weights if weights.ndim == 3 else weights[None]
     pairs = zip(many, prepare(many), loads, strict=True)
     jacobians = np.concatenate([_jacobians(k_i, p_i, basis, w_i) for k_i, p_i, w_i in pairs])
     fewest = int(np.ceil(dt / (slowness * LONGEST_STEP)))
@@ -174,7 +189,9 @@ def _shape_slopes(
     x: FloatArray, u: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray, forces: FloatArray
 ) -> tuple[float, float]:
     """dτ/dq and dβ/dq [1/m] of the shape at rest, from the implicit function of its forces; fills those at x (3,)."""
-    c, by, ahead = np.zeros(VALUES), np.empty(6), np.empty(3)
+    c = np.zeros(VALUES)
+    by = np.empty(6)
+    ahead = np.empty(3)
     q = x[0]
     x[0] = q + _NUDGE
     corrections_at(x[0], basis, weights, c)
@@ -182,7 +199,8 @@ def _shape_slopes(
     x[0] = q - _NUDGE
     corrections_at(x[0], basis, weights, c)
     rest_forces(x, u, c, p, forces, by)
-    by_q1, by_q2 = (ahead[1] - forces[1]) / (2.0 * _NUDGE), (ahead[2] - forces[2]) / (2.0 * _NUDGE)
+    by_q1 = (ahead[1] - forces[1]) / (2.0 * _NUDGE)
+    by_q2 = (ahead[2] - forces[2]) / (2.0 * _NUDGE)
     x[0] = q
     corrections_at(q, basis, weights, c)
     rest_forces(x, u, c, p, forces, by)
@@ -192,7 +210,11 @@ def _shape_slopes(
 
 def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c: FloatArray, p: FloatArray) -> float:
     """Generalised force [N] on q, τ and β along the path at a speed [m/s], without voltage, friction and creep."""
-    u, z, start, rates, mass = np.zeros(2), np.zeros(STOPS), np.empty(3), np.empty(STATES), np.empty(6)
+    u = np.zeros(2)
+    z = np.zeros(STOPS)
+    start = np.empty(3)
+    rates = np.empty(STATES)
+    mass = np.empty(6)
     x[1], x[3], x[5] = speed, slope * speed, interior * speed
     start[0], start[1], start[2] = x[0], x[2], x[4]
     joint_rates(x, u, c, z, start, p, rates)
@@ -206,7 +228,11 @@ def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c:
 
 def curves_at(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
     """The four curves of `static_curves`, shape (4, n)."""
-    curves, u, c, forces, by = np.empty((4, len(q))), np.zeros(2), np.zeros(VALUES), np.empty(3), np.empty(6)
+    curves = np.empty((4, len(q)))
+    u = np.zeros(2)
+    c = np.zeros(VALUES)
+    forces = np.empty(3)
+    by = np.empty(6)
     for i in range(len(q)):
         x, _ = rest_state(q[i], u, k, p, basis, weights, 0.0)
         slope, interior = _shape_slopes(x, u, p, basis, weights, forces)

@@ -70,7 +70,8 @@ def _run(
     q: FloatArray, delta: FloatArray, begin: int,
 ) -> int:  # fmt: skip
     """Fill q behind row `begin`, which follows the increments `delta`; return the first row out of bounds, or N."""
-    older, x = len(delta), np.empty(len(scales))
+    older = len(delta)
+    x = np.empty(len(scales))
     for n in range(begin, len(q)):
         if not bounds[0] <= q[n] <= bounds[1]:
             q[n] = np.nan
@@ -144,7 +145,8 @@ class NarxModel(ModelFile):
     ) -> Iterator[FloatArray]:
         """Predictions from the measured past that the equation looks at; see `pipeline.models.base.Predicts`."""
         check_interval(t, self.interval_s, self.name)
-        rows, reach = np.arange(len(seen)), int(self.structure.max())
+        rows = np.arange(len(seen))
+        reach = int(self.structure.max())
         unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, rows))
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             first = max(int(unmeasured[start]) + 1, start - reach)
@@ -183,8 +185,12 @@ class NarxModel(ModelFile):
         reached : int
             Samples within the bounds. Cost: one evaluation of P monomials per sample, about 2 ns per factor.
         """
-        q, first, terms = np.full(len(v), np.nan), float(qdot0) * self.interval_s, (self.exponents, self.coefficients)
-        begin, u, ages = 0 if seen is None else len(seen) - 1, self._lagged(v), np.arange(self.structure[1])
+        q = np.full(len(v), np.nan)
+        first = float(qdot0) * self.interval_s
+        terms = (self.exponents, self.coefficients)
+        begin = 0 if seen is None else len(seen) - 1
+        u = self._lagged(v)
+        ages = np.arange(self.structure[1])
         q[begin] = q0
         x = np.concatenate([[q0], np.full(ages.size, first), u[begin]]) / self.scales
         delta = np.array(first - (ages + 0.5) * _change(*terms, x), dtype=np.float64)
@@ -205,13 +211,15 @@ class NarxModel(ModelFile):
         first = max(increments, input_lags - 2)
         if len(q) < first + 2:
             raise InputError(f"the record has {len(q)} samples; the lags of this NARX equation reach over {first + 2}")
-        n, delta = np.arange(first, len(q) - 1), np.diff(q, prepend=q[0])
+        n = np.arange(first, len(q) - 1)
+        delta = np.diff(q, prepend=q[0])
         x = np.column_stack([q[n], *(delta[n - j] for j in range(increments)), self._lagged(v)[n]])
         return monomials(self.exponents, x / self.scales), delta[n + 1] - delta[n], first
 
     def _lagged(self, v: FloatArray) -> FloatArray:
         """Inputs as they act at each step, shape (N, K·M); lags that reach beyond the record repeat its ends."""
-        u, lags = np.square(v) if self.inputs == "squared" else v, np.arange(self.structure[2])
+        u = np.square(v) if self.inputs == "squared" else v
+        lags = np.arange(self.structure[2])
         rows = np.clip(np.arange(1, len(u) + 1)[:, None] - lags, 0, len(u) - 1)
         return np.hstack([column[rows] for column in u.T])
 
@@ -253,7 +261,8 @@ def identify_narx(
     if any(x.v.shape[1] != first.v.shape[1] or abs(x.interval / first.interval - 1) > 1e-3 for x in trajectories):
         raise InputError("the training logs differ in inputs or sample interval; a NARX model needs one interval")
     parts = [(b.fold, trajectories[b.source].part(b.start, b.stop)) for b in held_out_blocks(trajectories)]
-    folds, fitted = sorted({fold for fold, _ in parts}), dict[Shape, dict[int, NarxModel]]()
+    folds = sorted({fold for fold, _ in parts})
+    fitted = dict[Shape, dict[int, NarxModel]]()
     errors: dict[tuple[Shape, int], FloatArray] = {}
     for shape in itertools.product(DEGREES, INCREMENTS, INPUT_LAGS):
         if most is not None and len(errors) >= most:

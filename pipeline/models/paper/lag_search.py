@@ -145,7 +145,8 @@ def search_lag(stretches: Sequence[LagStretch], *, start: float, bounds: tuple[f
         Cost: one Gram update (0.4 µs per sample at M = 10) and one gradient (20 ns) per evaluation, about ten of them.
     """
     equations = _NormalEquations(stretches)
-    low, high = np.log(bounds[0]), np.log(bounds[1])
+    low = np.log(bounds[0])
+    high = np.log(bounds[1])
 
     def evaluate(x: float) -> tuple[FloatArray, tuple[float, int, float]]:
         equations.update(float(np.exp(x)))
@@ -154,7 +155,10 @@ def search_lag(stretches: Sequence[LagStretch], *, start: float, bounds: tuple[f
     x = float(np.clip(np.log(start), low, high))
     weights, (cost, *conditioning) = evaluate(x)
     slope = equations.gradient(weights, float(np.exp(x)))
-    history, evaluations, step, converged = [(float(np.exp(x)), cost, *conditioning)], 1, 0.5, False
+    history = [(float(np.exp(x)), cost, *conditioning)]
+    evaluations = 1
+    step = 0.5
+    converged = False
     while len(history) <= MOST_STEPS and not converged:
         trial = float(np.clip(x - np.sign(slope) * step, low, high))
         trial_weights, (trial_cost, *conditioning) = evaluate(trial)
@@ -164,7 +168,9 @@ def search_lag(stretches: Sequence[LagStretch], *, start: float, bounds: tuple[f
             bend = (trial_slope - slope) / (trial - x)
             converged = cost - trial_cost <= FLAT * cost
             step = min(abs(trial_slope / bend), 1.5) if bend > 0.0 else min(2.0 * step, 1.5)
-            x, cost, slope = trial, trial_cost, trial_slope
+            x = trial
+            cost = trial_cost
+            slope = trial_slope
             history.append((float(np.exp(x)), cost, *conditioning))
         else:
             step *= 0.3

@@ -108,7 +108,9 @@ class LaggedLaw:
 
 def lagged_rates(law: LaggedLaw, x: Sequence[Any], u: Sequence[Any]) -> list[Any]:
     """Rates of q, q̇ and z under the inputs u (K,): the law of a run for traced values."""
-    values, nothing, dx = np.empty(2 + len(u), dtype=object), np.empty(0), np.empty(3, dtype=object)
+    values = np.empty(2 + len(u), dtype=object)
+    nothing = np.empty(0)
+    dx = np.empty(3, dtype=object)
     _move(law.joint(nothing, 1, None, nothing, values), x, u, dx)
     return list(dx)
 

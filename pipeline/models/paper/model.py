@@ -116,7 +116,8 @@ class RbfPaperModel(ModelFile):
 
     def _run(self, t: FloatArray, v: FloatArray, start: tuple[float, ...]) -> tuple[FloatArray, int]:
         interval = sample_interval(t)
-        steps, bounds = steps_per_sample(interval, self.lag_s), escape_bounds(*self.centres[[0, -1]].tolist())
+        steps = steps_per_sample(interval, self.lag_s)
+        bounds = escape_bounds(*self.centres[[0, -1]].tolist())
         return lagged_rbf_run(self.law, v, interval, steps, start, bounds)
 
     @checked

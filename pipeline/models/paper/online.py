@@ -69,8 +69,10 @@ def follow(
     factor = np.column_stack([np.diag(RIDGE * scales), np.zeros(len(scales))])
     stream = np.column_stack([regressors, target])
     edges = np.unique(np.linspace(0, len(target), LOOKS + 1).astype(int))
-    span, usual = np.ptp(true_force[0]), max(rms(target), 1e-300)
-    weights, rows = np.zeros(len(scales)), []
+    span = np.ptp(true_force[0])
+    usual = max(rms(target), 1e-300)
+    weights = np.zeros(len(scales))
+    rows = []
     for first, last in pairwise(edges):
         error = target[first:last] - regressors[first:last] @ weights
         forgotten = forgetting ** (0.5 * np.arange(last - first, -1, -1))[:, None]

@@ -287,7 +287,8 @@ def offers(
     resting += [DRIVE["effect-lag"] | {"rest_at_zero": choice.rest_at_zero or False}] * squared
     drives = change.to(DRIVE["direct"], *resting, DRIVE["delay"])
     hold = change.each("hold", ["linear", "zero", "cubic", *(["record"] if fine else [])])
-    friction, effect = change.to(*(FRICTION[law] for law in OFFERED)), change.to(*EFFECT.values())
+    friction = change.to(*(FRICTION[law] for law in OFFERED))
+    effect = change.to(*EFFECT.values())
     drag, stops = (change.each(name, [False, True]) for name in ("drag", "stops"))
     once = [
         _simple(change, slow=slow),
@@ -304,7 +305,8 @@ def offers(
     curves = change.to(*({"constant_damping": d, "constant_gain": g} for d in (False, True) for g in (False, True)))
     sizes = [change.each("basis_functions", [5, 12]), change.each("smoothing", [0.8, 1.3])]
     damped = [change.each("overdamped", [False, True])] if slow else []
-    fewer, force = change.each("stops", [False]), change.each("force", FORCES)
+    fewer = change.each("stops", [False])
+    force = change.each("force", FORCES)
     return once, [*damped, curves, force, hold, drives, friction, drag, fewer, effect, *sizes]
 
 

@@ -16,18 +16,26 @@ from ...numerics.arrays import FloatArray, IntArray
 from ...numerics.compiled import compiled, shared
 from ...numerics.fixed_step import inlined
 
-_powers, _turning_arm, _clipped, _bell = formula(POWERS), formula(TURNING_ARM), formula(CLIPPED), formula(BELL)
+_powers = formula(POWERS)
+_turning_arm = formula(TURNING_ARM)
+_clipped = formula(CLIPPED)
+_bell = formula(BELL)
 
 POLYNOMIALS = 4
 """Basis functions 1, x, x², x³ before the Gaussians (1, sin q, cos q, x³ with a wall for a turning arm)."""
 
-FORCE, DAMPING, INPUT = 0, 1, 2
+FORCE = 0
+DAMPING = 1
+INPUT = 2
 """Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L, then ρ, β_1 … β_K of each shape element."""
 
 WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, NUMBER, INPUT_SHAPE = range(6)
 """Kinds of parameters: the `kind` of `SensitivityParameters`; a `NUMBER` is one of those below."""
 
-CENTRE, ARC, DRAG, STOPS = 3, 4, 5, 6
+CENTRE = 3
+ARC = 4
+DRAG = 5
+STOPS = 6
 """Places in `ObservedJoint.by` of derivatives by numbers of the equation: arm, arc, drag, the four of the stops."""
 
 
@@ -98,7 +106,8 @@ def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray, 
 @compiled
 def basis_rows(x: FloatArray, c: Coefficients) -> FloatArray:
     """The basis at all x, shape (N, 4 + M)."""
-    values, slopes = np.empty((len(x), c.curves.shape[1])), np.empty(c.curves.shape[1])
+    values = np.empty((len(x), c.curves.shape[1]))
+    slopes = np.empty(c.curves.shape[1])
     curvatures = np.empty(len(c.centres))
     for n in range(len(x)):
         basis_at(x[n], c, values[n], slopes, curvatures)

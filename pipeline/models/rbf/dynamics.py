@@ -37,11 +37,15 @@ from .coefficients import (
     shapes,
 )
 
-_acceleration, _dahl_move = formula(ACCELERATION), formula(DAHL_MOVE)
-_stop_force, _confined = formula(STOP_FORCE), formula(CONFINED_FORCE)
+_acceleration = formula(ACCELERATION)
+_dahl_move = formula(DAHL_MOVE)
+_stop_force = formula(STOP_FORCE)
+_confined = formula(CONFINED_FORCE)
 element = formula(ELEMENT)
 
-INSIDE, LEFT, RIGHT = 10, 11, 12
+INSIDE = 10
+LEFT = 11
+RIGHT = 12
 """Places of the derivatives of the confined force by F, and by F at the ends of its reach."""
 
 LOAD, PULL, RATE_NOW, OWN_SLOPE = range(4)
@@ -88,8 +92,13 @@ class ObservedJoint(NamedTuple):
 @inlined
 def move(system, x, u, dx):
     """Rates of the state without the observer, and what their derivatives need."""
-    c, inputs, p = system.c, len(u), x[1]
-    basis, slopes, values, by_curve = system.basis, system.slopes, system.values, system.by_curve
+    c = system.c
+    inputs = len(u)
+    p = x[1]
+    basis = system.basis
+    slopes = system.slopes
+    values = system.values
+    by_curve = system.by_curve
     basis_at(x[0], c, basis, slopes, system.curvatures)
     push = change = 0.0
     for i in range(c.curves.shape[0]):
@@ -126,14 +135,16 @@ def move(system, x, u, dx):
     for i in range(len(c.stops)):
         system.by[STOPS + i] = by_push * stopped[3 + i]
     for n in range(len(c.rates)):
-        rate, load = system.relaxing[RATE_NOW, n], system.relaxing[LOAD, n]
+        rate = system.relaxing[RATE_NOW, n]
+        load = system.relaxing[LOAD, n]
         dx[2 + n] = element((values[INPUT + inputs + n], p, rate, load))[0]
 
 
 @inlined
 def _restoring(system, x):
     """Confined restoring force and its slope; its derivatives by F here and at the ends of its reach go to `by`."""
-    c, by = system.c, system.by
+    c = system.c
+    by = system.by
     force, by_place, by[INSIDE], by[LEFT], by[RIGHT] = _confined(
         (x, system.values[FORCE], c.at_ends[0], c.at_ends[1], c.low, c.high)
     )
@@ -151,7 +162,9 @@ def _stopped(c, x, p):
 @inlined
 def _load(system, x, u):
     """Fill loads of the elements, pulls of the inputs at their place, their rates, and the terms of both in ∂ẇ/∂x."""
-    c, inputs, relaxing = system.c, len(u), system.relaxing
+    c = system.c
+    inputs = len(u)
+    relaxing = system.relaxing
     for n in range(len(c.rates)):
         relaxing[LOAD, n], relaxing[PULL, n] = x[2 + n], 0.0
         relaxing[RATE_NOW, n], relaxing[OWN_SLOPE, n] = c.rates[n], 0.0
@@ -168,7 +181,9 @@ def _load(system, x, u):
 @inlined
 def _bent_pull(system, n, u):
     """Slope of the pull, Σ β″ u: second derivatives of the Gaussians."""
-    c, inputs, total = system.c, len(u), 0.0
+    c = system.c
+    inputs = len(u)
+    total = 0.0
     row = INPUT + inputs + len(c.rates) + n * (1 + inputs) + 1
     for i in range(len(c.centres)):
         for k in range(inputs):
@@ -232,7 +247,8 @@ def resting_elements(c: Coefficients, x: Any, u: Sequence[Any]) -> list[Any]:
 
 def _traced(c: Coefficients, slip: Sequence[Any]) -> ObservedJoint:
     """A joint whose arrays take traced values."""
-    functions, curves = c.curves.shape[1], len(c.curves)
+    functions = c.curves.shape[1]
+    curves = len(c.curves)
     middle = np.empty((len(slip), 1), dtype=object)
     for n, value in enumerate(slip):
         middle[n, 0] = value

@@ -41,14 +41,16 @@ from .structure_search import Begun, Setting, cut, excerpts, search
 NEGLIGIBLE_INPUT = 0.01
 """Share of the largest input below which one does nothing."""
 
-JACOBIANS, LAST_JACOBIANS = 20, 8
+JACOBIANS = 20
+LAST_JACOBIANS = 8
 """Jacobians of a descent, and of its last level on whole logs, that a time limit must at least hold; logs are cut where
 it does not: of an hour at 10 ms a single one takes longer than a limit."""
 
 SAMPLES_OF_LIMIT = 7_500
 """Samples of all training logs beyond which the time limit of a structure search grows in proportion."""
 
-TUBE_MARGIN, TUBE_LEAST = 1.5, NORMAL_90
+TUBE_MARGIN = 1.5
+TUBE_LEAST = NORMAL_90
 """Times the 90 % quantile of errors on the training logs that tubes of other logs need, and their least half width over
 the spread of the draws, which holds nine tenths of a normal distribution: a short log is followed to the noise. Chosen
 on fifteen simulated joints of three physics and eleven other devices, three of them measured."""
@@ -116,11 +118,13 @@ def identify_rbf(
     if pair and not candidates:
         fitted, tried = _fit_joint(records, setting, wanted, first, angle=angle)
     else:
-        slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
+        slow = looks_overdamped(records, inputs)
+        driven = _begins_driven(records)
         usual = offers(wanted, fine=fine, slow=slow, driven=driven, squared=inputs == "squared")
         offered = ([lambda _: candidates[1:]], []) if candidates else usual
         result = search(records, setting, first, *offered)
-        tried, complete = result.held_out, result.complete
+        tried = result.held_out
+        complete = result.complete
         fitted = _fit_to_all(records, setting, result.chosen, setting.begin(records, result.chosen, result.fit))
     if not fitted.fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
@@ -225,7 +229,10 @@ def _fit_to_all(
 
 
 def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float]) -> dict[str, object]:
-    p, fit, white, scales = fitted.parameters, fitted.fit, whiteness(fitted.errors), fitted.parameters.scales
+    p = fitted.parameters
+    fit = fitted.fit
+    white = whiteness(fitted.errors)
+    scales = fitted.parameters.scales
     visited = coverage(
         scales.middle + scales.half * p.centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records]
     )
@@ -247,7 +254,8 @@ def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float
 
 def _decided(training: Training) -> RbfChoice:
     """Choices of the settings for the structure."""
-    structure, before = training.identify.structure, training.inputs_before
+    structure = training.identify.structure
+    before = training.inputs_before
 
     def decided(name: str) -> Any:
         value = getattr(structure, name)

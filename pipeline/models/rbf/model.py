@@ -172,7 +172,9 @@ class RbfModel:
         s = self.parameters.scales
         states, valid = self._run(self.theta, t, v, _free(len(t)), ((q0 - s.middle) / s.half, qdot0 / s.half))
         status, diverged_at = run_status(t, valid)
-        q, qdot, qddot = s.middle + s.half * states[:, 0], s.half * states[:, 1], s.half * states[:, 2]
+        q = s.middle + s.half * states[:, 0]
+        qdot = s.half * states[:, 1]
+        qddot = s.half * states[:, 2]
         return FreeRun(t, q, qdot, qddot, status, diverged_at)
 
     def predict(
@@ -182,7 +184,9 @@ class RbfModel:
 
         The observer's pole is one over the sample interval; where nothing was measured it rests.
         """
-        s, interval, measured = self.parameters.scales, sample_interval(t), np.isfinite(seen)
+        s = self.parameters.scales
+        interval = sample_interval(t)
+        measured = np.isfinite(seen)
         x = (bridged(seen, measured) - s.middle) / s.half
         driven = _Driven(self.parameters, self.theta, v, interval)
         begin = (float(x[0]), float(speed[0]) / s.half)
@@ -204,7 +208,8 @@ class RbfModel:
         theta : FloatArray, shape (count, P)
             The draws.
         """
-        s, draws = self.parameters.scales, self.draws(count)
+        s = self.parameters.scales
+        draws = self.draws(count)
         start = ((q0 - s.middle) / s.half, qdot0 / s.half)
         runs = [self._run(theta, t, v, _free(len(t)), start)[0][:, 0] for theta in draws]
         return s.middle + s.half * np.array(runs), draws
@@ -212,8 +217,10 @@ class RbfModel:
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path, hidden states from an observer that follows the path."""
-        p, s = self.parameters, self.parameters.scales
-        x, speed = (q - s.middle) / s.half, qdot / s.half
+        p = self.parameters
+        s = self.parameters.scales
+        x = (q - s.middle) / s.half
+        speed = qdot / s.half
         coupling = Coupling(x, np.ones(len(t)), PATH_OBSERVER_GAIN * s.frequency)
         states, _ = self._run(self.theta, t, v, coupling, (float(x[0]), float(speed[0])))
         c = p.coefficients(self.theta)
@@ -261,7 +268,8 @@ class RbfModel:
 
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
-        p, c = self.parameters, self.parameters.coefficients(self.theta)
+        p = self.parameters
+        c = self.parameters.coefficients(self.theta)
         return {
             "structure": _equation_of_motion(p.structure),
             "origin": "data alone",
@@ -324,15 +332,19 @@ class RbfModel:
     def _curves_at(self, c: Coefficients, x: FloatArray) -> FloatArray:
         """All curves at x, in the order of `Coefficients.curves`."""
         curves: FloatArray = basis_rows(np.ascontiguousarray(x), c) @ c.curves.T
-        force, ends = curves[:, [FORCE]], np.tile(c.at_ends, (len(x), 1))
-        low, high = np.array([c.low]), np.array([c.high])
+        force = curves[:, [FORCE]]
+        ends = np.tile(c.at_ends, (len(x), 1))
+        low = np.array([c.low])
+        high = np.array([c.high])
         confined = CONFINED_FORCE.evaluate(x=x[:, None], force=force, at_ends=ends, low=low, high=high)
         curves[:, FORCE] = confined["value"][:, 0]
         return curves
 
     def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
-        p, s = self.parameters, self.parameters.scales
-        c, inputs = p.coefficients(theta), len(p.signs)
+        p = self.parameters
+        s = self.parameters.scales
+        c = p.coefficients(theta)
+        inputs = len(p.signs)
         x = (q - s.middle) / s.half
         curves = self._curves_at(c, x)
         if len(c.stops):
@@ -356,7 +368,8 @@ class _Driven:
     """A joint under the inputs of a log."""
 
     def __init__(self, parameters: ParameterLayout, theta: FloatArray, v: FloatArray, interval: float) -> None:
-        self._c, self._interval = parameters.coefficients(theta), interval
+        self._c = parameters.coefficients(theta)
+        self._interval = interval
         self._steps = steps_per_sample(parameters, interval, theta)
         u, du = parameters.inputs(v, interval, self._steps, theta)
         self._drive = Drive(u, du, parameters.at_rest(u, theta), parameters.held)
@@ -383,7 +396,8 @@ def _equation_of_motion(structure: JointStructure) -> str:
     terms = ["mu(q) q'' = -F" if s.arc else "q'' = -F"]
     terms += ["- (d + k |q'|) q'" if s.drag else "- d q'"]
     terms += ["- mu'(q) q'^2 / 2"] if s.arc else []
-    pulled, elements = s.shape_elements > 0, bool(s.rates)
+    pulled = s.shape_elements > 0
+    elements = bool(s.rates)
     terms += ["- h e + pulls' u w" if pulled else "- h w"] if elements else []
     terms += ["- Dahl friction"] if s.slips else []
     equations = [" ".join([*terms, "+ gains u"])]

@@ -73,7 +73,9 @@ class Coupling(NamedTuple):
 
 
 def _begin(system, x, node):
-    n, parameters, elements = node // system.parts, len(system.wrt.kind), len(system.c.rates)
+    n = node // system.parts
+    parameters = len(system.wrt.kind)
+    elements = len(system.c.rates)
     first = 2 + elements
     system.now[0], system.now[1] = node, system.observer[n]
     if node == n * system.parts:
@@ -93,7 +95,8 @@ def _rates(system, x, node, dx, acceleration):
     acting = min(node, int(system.now[0]) + 1) if system.held else node  # what is held jumps where the step ends
     n, following, share = between_samples(node, system.parts, len(system.measured))
     seen = system.measured[n] + share * (system.measured[following] - system.measured[n])
-    error, gain = seen - x[0], system.now[1]
+    error = seen - x[0]
+    gain = system.now[1]
     move(system, x, system.u[acting], dx)
     acceleration[0] = dx[1]
     dx[0] += 2.0 * gain * error
@@ -120,10 +123,16 @@ _integrate = integrator(ObservedJoint, lambda kind: Methods(_begin, _rates, _fin
 @inlined
 def _carry(system, x, gain, dx):
     """Rates of the sensitivities by the state."""
-    c, parameters, first = system.c, len(system.wrt.kind), 2 + len(system.c.rates)
-    by_x, by_p, by_push = system.by[0] - gain * gain, system.by[1], system.by[2]
-    s0, s1 = x[first : first + parameters], x[first + parameters : first + 2 * parameters]
-    k0, k1 = dx[first : first + parameters], dx[first + parameters : first + 2 * parameters]
+    c = system.c
+    parameters = len(system.wrt.kind)
+    first = 2 + len(system.c.rates)
+    by_x = system.by[0] - gain * gain
+    by_p = system.by[1]
+    by_push = system.by[2]
+    s0 = x[first : first + parameters]
+    s1 = x[first + parameters : first + 2 * parameters]
+    k0 = dx[first : first + parameters]
+    k1 = dx[first + parameters : first + 2 * parameters]
     for m in range(parameters):
         k0[m] = s1[m] - 2.0 * gain * s0[m]
         k1[m] = by_x * s0[m] + by_p * s1[m]
@@ -131,13 +140,17 @@ def _carry(system, x, gain, dx):
         by_slip = -by_push * c.slip_force[n]
         for m in range(parameters):
             k1[m] += by_slip * system.middle[n, 1 + m]
-    values, changes = system.values, system.changes
+    values = system.values
+    changes = system.changes
     for n in range(len(c.rates)):
-        row, at = INPUT + system.u.shape[1] + n, first + (2 + n) * parameters
+        row = INPUT + system.u.shape[1] + n
+        at = first + (2 + n) * parameters
         load, pull, rate, own_slope = system.relaxing[:, n]
-        s, k = x[at : at + parameters], dx[at : at + parameters]
+        s = x[at : at + parameters]
+        k = dx[at : at + parameters]
         _, by_coupling, by_speed, _, by_own = element((values[row], x[1], rate, load))
-        by_place, by_element = by_coupling * changes[row] + own_slope, by_push * (pull - values[row])
+        by_place = by_coupling * changes[row] + own_slope
+        by_element = by_push * (pull - values[row])
         for m in range(parameters):
             k1[m] += by_element * s[m]
             k[m] = by_place * s0[m] + by_speed * s1[m] + by_own * s[m]
@@ -146,14 +159,24 @@ def _carry(system, x, gain, dx):
 @inlined
 def _force(system, x, node, dx):
     """Add the explicit derivatives of the rates by the parameters to those of the sensitivities."""
-    c, wrt, u, du = system.c, system.wrt, system.u, system.du
-    parameters, inputs, elements = len(wrt.kind), u.shape[1], len(c.rates)
-    basis, by_curve, values, relaxing = system.basis, system.by_curve, system.values, system.relaxing
+    c = system.c
+    wrt = system.wrt
+    u = system.u
+    du = system.du
+    parameters = len(wrt.kind)
+    inputs = u.shape[1]
+    elements = len(c.rates)
+    basis = system.basis
+    by_curve = system.by_curve
+    values = system.values
+    relaxing = system.relaxing
     by_push = system.by[2]
     k1 = dx[2 + elements + parameters :]
     own = dx[2 + elements + 2 * parameters :]  # rows of the elements
     for m in range(parameters):
-        kind, i, j = wrt.kind[m], wrt.first[m], wrt.second[m]
+        kind = wrt.kind[m]
+        i = wrt.first[m]
+        j = wrt.second[m]
         if kind == WEIGHT:
             weight = (_force_weight(system, j) if i == FORCE else basis[j]) * wrt.factor[m]
             if i < INPUT + inputs + elements:
@@ -165,7 +188,8 @@ def _force(system, x, node, dx):
             if k == 0:
                 own[n * parameters + m] -= weight * relaxing[LOAD, n]
             else:
-                slope, drive = system.slopes[j] * wrt.factor[m], u[node, k - 1]
+                slope = system.slopes[j] * wrt.factor[m]
+                drive = u[node, k - 1]
                 k1[m] += by_push * drive * (values[INPUT + inputs + n] * weight + x[2 + n] * slope)
                 own[n * parameters + m] += relaxing[RATE_NOW, n] * drive * weight
         elif kind == RATE:
@@ -187,7 +211,8 @@ def _force(system, x, node, dx):
 @inlined
 def _force_weight(system, j):
     """Derivative of the confined force by the weight of a basis function."""
-    ends, by = system.c.ends, system.by
+    ends = system.c.ends
+    by = system.by
     return by[INSIDE] * system.basis[j] + by[LEFT] * ends[0, j] + by[RIGHT] * ends[1, j]
 
 
@@ -198,8 +223,10 @@ def _rested(
 
     `change` (R, K): derivatives of these inputs with respect to the parameters of kind `INPUT_SHAPE`.
     """
-    w, sensitivity = np.zeros(len(c.rates)), np.zeros((len(c.rates), len(wrt.kind)))
-    at, inputs = basis_rows(np.array([x]), c)[0], len(rest)
+    w = np.zeros(len(c.rates))
+    sensitivity = np.zeros((len(c.rates), len(wrt.kind)))
+    at = basis_rows(np.array([x]), c)[0]
+    inputs = len(rest)
     first = INPUT + inputs + len(c.rates)
     for n in range(shapes(c, inputs)):
         row = first + n * (1 + inputs) + 1
@@ -249,7 +276,10 @@ def observed_run(
         with two inputs, two shapes and M = 12 1.0 µs, 5.9 with P = 169.
     """
     (u, du, rested, held), (measured, observe, gain) = drive, coupling
-    count, elements, slips, parameters = len(measured), len(c.rates), len(c.slip_force), len(wrt.kind)
+    count = len(measured)
+    elements = len(c.rates)
+    slips = len(c.slip_force)
+    parameters = len(wrt.kind)
     states = np.full((count, 3 + elements + slips), np.nan)
     sensitivity = np.zeros((count, parameters))
     change = du[:, 0] if np.all(rested == u[0]) else np.zeros_like(du[:, 0])  # offsets of resting inputs are small
@@ -259,7 +289,9 @@ def observed_run(
     if len(start) > 2:
         w, slip[:, 0] = start[2 : 2 + elements], start[2 + elements :]
     x = np.concatenate([start[:2], w, np.zeros(2 * parameters), w_sensitivity.ravel()])
-    basis, slopes, curvatures = np.zeros(c.curves.shape[1]), np.zeros(c.curves.shape[1]), np.zeros(len(c.centres))
+    basis = np.zeros(c.curves.shape[1])
+    slopes = np.zeros(c.curves.shape[1])
+    curvatures = np.zeros(len(c.centres))
     values, changes, by_curve = np.zeros((3, len(c.curves)))
     system = ObservedJoint(
         c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),

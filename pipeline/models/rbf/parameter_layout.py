@@ -86,7 +86,9 @@ class ParameterLayout:
     @cached_property
     def slices(self) -> dict[str, slice]:
         """Slice of each block of the vector."""
-        s, k, m = self.structure, len(self.signs), self.structure.basis_functions
+        s = self.structure
+        k = len(self.signs)
+        m = self.structure.basis_functions
         force = {"curve": POLYNOMIALS + m, "polynomial": POLYNOMIALS, "offset": 1}[s.force]
         sizes = {"force": force, "damping": 1 if s.constant_damping else m}
         sizes |= {f"input{i}": 1 if s.constant_gain else m for i in range(k)}
@@ -105,7 +107,8 @@ class ParameterLayout:
     @cached_property
     def rows(self) -> dict[str, int]:
         """Row of each block of weights in `dynamics.Coefficients.curves`."""
-        s, k = self.structure, len(self.signs)
+        s = self.structure
+        k = len(self.signs)
         names = ["force", "damping", *(f"input{i}" for i in range(k)), *(f"coupling{i}" for i in range(len(s.rates)))]
         for i in range(s.shape_elements):
             names += [f"relaxation{i}", *(f"pull{i}_{n}" for n in range(k))]
@@ -114,8 +117,10 @@ class ParameterLayout:
     @cached_property
     def dimensionless(self) -> tuple[FloatArray, FloatArray]:
         """Offset and scale of each parameter, shapes (P,), by which (θ − offset)/scale has no units."""
-        offset, scale = np.zeros(self.count), np.ones(self.count)
-        stiffness, frequency = self.units.stiffness, self.units.frequency
+        offset = np.zeros(self.count)
+        scale = np.ones(self.count)
+        stiffness = self.units.stiffness
+        frequency = self.units.frequency
         for name, where in self.slices.items():
             kind = kind_of(name)
             if kind == "force":
@@ -138,9 +143,11 @@ class ParameterLayout:
     @np.errstate(over="ignore")  # a step of a descent that goes too far is infinite, and its run is refused
     def coefficients(self, theta: FloatArray) -> Coefficients:
         """The equation of motion for a parameter vector."""
-        s, k = self.structure, len(self.signs)
+        s = self.structure
+        k = len(self.signs)
         part = {name: theta[where] for name, where in self.slices.items()}
-        rows, positive = self.rows, ("damping", *(f"relaxation{i}" for i in range(s.shape_elements)))
+        rows = self.rows
+        positive = ("damping", *(f"relaxation{i}" for i in range(s.shape_elements)))
         curves = np.zeros((len(rows), POLYNOMIALS + s.basis_functions))
         curves[FORCE, : len(part["force"])] = part["force"]
         if s.force != "offset":
@@ -155,7 +162,8 @@ class ParameterLayout:
             columns = self.columns(constant=name == "damping" and s.constant_damping)
             curves[rows[name], columns] = np.exp(part[name]) if name in positive else part[name]
         inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
-        low, high = -1.0 - 3.0 * OVERHANG, 1.0 + 3.0 * OVERHANG
+        low = -1.0 - 3.0 * OVERHANG
+        high = 1.0 + 3.0 * OVERHANG
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
         end_stops = np.concatenate((part["stops"][:2], np.exp(part["stops"][2:])))  # places; stiffness, resistance
         c = Coefficients(
@@ -223,13 +231,16 @@ class ParameterLayout:
         propeller's speed, the electrodes' charge) that lags and its square that pulls. Where the effect lags, as heat
         does, they are bent and squared first.
         """
-        hold, delay = self.structure.hold, self.delay(theta)
+        hold = self.structure.hold
+        delay = self.delay(theta)
         volts = drive_at_nodes(v, interval, steps, hold, delay, squared=self.squares_first) / self.scales.volts
         return self.acting(volts, interval / steps / 2.0, theta)
 
     def acting(self, volts: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
         """`inputs` from the scaled and delayed drive at every half step [s]."""
-        s, by_lag, by_delay = self.structure, np.empty((0, *volts.shape)), np.empty((0, *volts.shape))
+        s = self.structure
+        by_lag = np.empty((0, *volts.shape))
+        by_delay = np.empty((0, *volts.shape))
         if s.input_delay:
             by_delay = -np.exp(theta[self.slices["input_delay"]]) * np.gradient(volts, half, axis=0)[None]
         if s.input_lag and not s.effect_lags:
@@ -250,13 +261,15 @@ class ParameterLayout:
 
     def _lagged(self, u: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Values at every half step [s] behind the lag, and their derivative by its logarithm, (1, n, K)."""
-        lag, s = float(np.exp(theta[self.slices["input_lag"]][0])), self.structure
+        lag = float(np.exp(theta[self.slices["input_lag"]][0]))
+        s = self.structure
         behind, by_lag = lagged(u, half, lag, held=s.hold == "zero", rest_at_zero=s.rest_at_zero)
         return behind, by_lag[None]
 
     def _behind(self, changes: FloatArray, half: float, theta: FloatArray, *, rest_at_zero: bool) -> FloatArray:
         """Derivatives (m, n, K) of values, behind the lag."""
-        lag, held = float(np.exp(theta[self.slices["input_lag"]][0])), self.structure.hold == "zero"
+        lag = float(np.exp(theta[self.slices["input_lag"]][0]))
+        held = self.structure.hold == "zero"
         parts = [lagged(change, half, lag, held=held, rest_at_zero=rest_at_zero)[0] for change in changes]
         return np.array(parts).reshape(changes.shape)
 
@@ -266,18 +279,18 @@ class ParameterLayout:
         """
         offset = theta[self.slices["input_offset"]]
         drive = volts - offset if len(offset) else volts
-        slope, by_shape = np.ones_like(drive), np.empty((0, *drive.shape))
+        slope = np.ones_like(drive)
+        by_shape = np.empty((0, *drive.shape))
         if self.structure.bent_input:
             outputs = BENT.evaluate(drive=drive[..., None], bend=theta[self.slices["input_bend"]])
-            drive, slope, by_shape = (
-                outputs["value"][..., 0],
-                outputs["slopes"][..., 0],
-                outputs["slopes"][None, ..., 1],
-            )
+            drive = outputs["value"][..., 0]
+            slope = outputs["slopes"][..., 0]
+            by_shape = outputs["slopes"][None, ..., 1]
         if self.structure.dead_zone:
             zone = np.exp(theta[self.slices["input_zone"]])
             outputs = PAST_ZONE.evaluate(drive=drive[..., None], zone=zone)
-            drive, steep = outputs["value"][..., 0], outputs["slopes"][..., 0]
+            drive = outputs["value"][..., 0]
+            steep = outputs["slopes"][..., 0]
             slope, by_shape = slope * steep, np.concatenate((by_shape * steep, zone * outputs["slopes"][None, ..., 1]))
         if self.law == "squared":
             return drive * drive, 2.0 * drive * slope, 2.0 * drive * by_shape

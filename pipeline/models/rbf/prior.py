@@ -53,7 +53,8 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
         None for a device without a mirror plane.
     """
     rows = _PriorRows(p.count)
-    at, s = p.slices, p.units
+    at = p.slices
+    s = p.units
     size = 2.5 * s.stiffness
     force = np.arange(at["force"].start, at["force"].stop)
     for i in force[: POLYNOMIALS - 1]:
@@ -108,7 +109,8 @@ def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
 
 def _shapes(rows: "_PriorRows", p: ParameterLayout, start: FloatArray) -> None:
     """Shape elements relax about as fast as they start, and inputs pull little at them."""
-    at, unit = p.slices, np.sqrt(p.units.stiffness)
+    at = p.slices
+    unit = np.sqrt(p.units.stiffness)
     for i in range(p.structure.shape_elements):
         relaxation = np.arange(at[f"relaxation{i}"].start, at[f"relaxation{i}"].stop)
         rows.smooth(relaxation, 0.3)
@@ -152,7 +154,8 @@ def mirror_image(p: ParameterLayout) -> FloatArray:
     A hidden shape changes its sign in the mirror, so that couplings are even and pulls change sides and sign. What
     belongs to one of one or three inputs has no image: zeros.
     """
-    image, at = np.zeros((p.count, p.count)), {name: np.arange(p.count)[where] for name, where in p.slices.items()}
+    image = np.zeros((p.count, p.count))
+    at = {name: np.arange(p.count)[where] for name, where in p.slices.items()}
 
     def put(name: str, other: str, factor: float, *, turned: bool) -> None:
         """Make a block of the image from another, end for end if it is a curve along the centres."""
@@ -221,7 +224,8 @@ def _of_other_input(block: str) -> str:
 
 def _exchanged(p: ParameterLayout) -> IntArray:
     """Place of each parameter in θ of a joint with exchanged inputs, shape (P,)."""
-    order, at = np.arange(p.count), p.slices
+    order = np.arange(p.count)
+    at = p.slices
     for name in at:
         if kind_of(name) in ("pull", "input"):
             order[at[name]] = np.arange(p.count)[at[_of_other_input(name)]]
@@ -284,13 +288,17 @@ def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: Kn
 
 def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: KnownCurves) -> Prior:
     """The prior with a row for each measured point, of first order at θ."""
-    c, wrt, rows, right = p.coefficients(theta), p.sensitivity_parameters(theta), [prior.matrix], [prior.right]
+    c = p.coefficients(theta)
+    wrt = p.sensitivity_parameters(theta)
+    rows = [prior.matrix]
+    right = [prior.right]
     volts = p.scales.volts**2 if p.law == "squared" else p.scales.volts
     curves = {"force": measured.force} | {f"input{k}": gain for k, gain in enumerate(measured.gains)}
     for name, curve in curves.items():
         if curve is None:
             continue
-        finite, where = np.isfinite(curve), p.slices[name]
+        finite = np.isfinite(curve)
+        where = p.slices[name]
         y = curve[finite] * (-1.0 if name == "force" else volts) / p.scales.half
         basis = basis_rows(np.ascontiguousarray((measured.q[finite] - p.scales.middle) / p.scales.half), c)
         block = np.zeros((len(y), p.count))

@@ -167,7 +167,8 @@ class _Log:
         """The scaled inputs at every half step, `delay` [s] later."""
         if (steps, delay) in self.nodes:
             return self.nodes[steps, delay]
-        hold, rows = p.structure.hold, self.past + len(self.measured)
+        hold = p.structure.hold
+        rows = self.past + len(self.measured)
         spline = self.spline if hold == "cubic" else None
         if self.every == 1:
             drive = drive_at_nodes(self.inputs, self.spacing, steps, hold, delay, spline, squared=p.squares_first)
@@ -215,7 +216,9 @@ class JointProblem:
         thinning: int = 1,
         effort: Effort | None = None,
     ) -> None:
-        self.parameters, self.step, self.effort = parameters, step, effort or Effort()
+        self.parameters = parameters
+        self.step = step
+        self.effort = effort or Effort()
         self.logs = [_log(parameters, r, free_after, step, thinning) for r in records]
 
     def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
@@ -230,7 +233,8 @@ class JointProblem:
 
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
         """See `ObservedProblem`."""
-        parts, rows = [], []
+        parts = []
+        rows = []
         for log in self.logs:
             states, sensitivity, _ = self._run(theta, log, gain, stop=log.split, sensitive=True)
             parts.append(log.error(states[:, 0]))
@@ -239,7 +243,8 @@ class JointProblem:
 
     def jacobian_effort(self, theta: FloatArray) -> float:
         """Seconds of a Jacobian by the cost model."""
-        p, seconds = self.parameters, 0.0
+        p = self.parameters
+        seconds = 0.0
         for log in self.logs:
             steps = log.split * steps_per_sample(p, log.interval, theta, self.step)
             seconds += simulation_effort(steps, p.count, delayed=p.structure.input_delay)
@@ -287,9 +292,11 @@ class JointProblem:
         sensitive: bool,
         observe: FloatArray | None = None,
     ) -> tuple[FloatArray, FloatArray, int]:
-        p, seen = self.parameters, log.observe if observe is None else observe
+        p = self.parameters
+        seen = log.observe if observe is None else observe
         steps = steps_per_sample(p, log.interval, theta, self.step)
-        skipped, count = 2 * steps * log.past, 2 * steps * (stop - 1) + 1
+        skipped = 2 * steps * log.past
+        count = 2 * steps * (stop - 1) + 1
         volts = log.at_nodes(p, steps, p.delay(theta))[: skipped + count]
         u, du = p.acting(volts, log.interval / steps / 2.0, theta)
         if skipped:
@@ -303,7 +310,9 @@ class JointProblem:
 
 
 def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float, thinning: int) -> _Log:
-    s, hold, past = p.scales, p.structure.hold, 0
+    s = p.scales
+    hold = p.structure.hold
+    past = 0
     every = min(thinning, max(1, int(step / (s.frequency * record.interval))))
     observe = record.valid[::every].astype(np.float64)
     measured = bridged((record.q - s.middle) / s.half, record.valid)[::every]
@@ -313,7 +322,8 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
         past = len(before) // every
         inputs = np.concatenate((before[len(before) - past * every :], inputs))
     split = len(measured) if free_after is None else int(free_after * len(measured))
-    start, interval = float(record.qdot[0] / s.half), every * record.interval
+    start = float(record.qdot[0] / s.half)
+    interval = every * record.interval
     travel, weight = _travel(p, record, every)
     # The observer follows lines between samples, whose mean is that of the motion if each corner is cut by a twelfth.
     followed = measured.copy()

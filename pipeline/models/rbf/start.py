@@ -35,7 +35,8 @@ SLIP_LENGTHS = (START_SLIP_LENGTH, 0.03, 0.1, 0.3, 1.0)  # of friction states, f
 CLEARLY = 0.9  # share of the misfit of dry friction below which another is taken first
 START_DRAG = 0.05  # over half ranges
 ZONE = 0.1  # of a dead zone to start from, a share of the largest drive
-STOP_PLACES, STOP_LEAST = (0.7, 0.8, 0.88, 0.94, 0.98), 1.0
+STOP_PLACES = (0.7, 0.8, 0.88, 0.94, 0.98)
+STOP_LEAST = 1.0
 """Places at which end stops are tried [half ranges]; least stiffness and resistance at the start [scales]."""
 PLACES = 201  # where the sign of the force is looked at
 
@@ -89,7 +90,8 @@ def starting_joint(
     a linear input's gain stays free. `reach` as in `data_scales`. With `timing` the blocks of lag and delay start
     there, and signs are those that it gives.
     """
-    measured, inputs = data_scales(records, centred=centred, reach=reach), records[0].v.shape[1]
+    measured = data_scales(records, centred=centred, reach=reach)
+    inputs = records[0].v.shape[1]
     provisional = ParameterLayout(structure, measured, law, (0,) * inputs)
     scales = provisional.units
     motion, target = _motion(records, provisional)
@@ -227,7 +229,8 @@ def _best_slips(
         """Resisting force at the valid samples, shape (N, 1)."""
         return -np.concatenate([slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)])[:, None]
 
-    states, chosen = {length: state(length) for length in SLIP_LENGTHS}, list[float]()
+    states = {length: state(length) for length in SLIP_LENGTHS}
+    chosen = list[float]()
 
     def misfit(length: float) -> float:
         """Rest of the fit with friction of this length beside that of those chosen."""
@@ -286,7 +289,8 @@ def _motion(records: Sequence[Log], p: ParameterLayout) -> tuple[list[FloatArray
 
     An overdamped device has no measurable acceleration: the force that balances its damping stands in its place.
     """
-    s, shape = p.units, p.structure
+    s = p.units
+    shape = p.structure
     x = np.concatenate([(r.q[r.valid] - s.middle) / s.half for r in records])
     speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
     target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
@@ -328,7 +332,8 @@ def _bounded_fit(
     norms[norms == 0.0] = 1.0
     size = float(np.linalg.norm(target)) + np.finfo(float).tiny
     ends = np.cumsum([basis.shape[1] for basis in columns])
-    low, high = np.full(ends[-1], -np.inf), np.full(ends[-1], np.inf)
+    low = np.full(ends[-1], -np.inf)
+    high = np.full(ends[-1], np.inf)
     if structure.force != "offset":
         high[POLYNOMIALS - 1] = 0.0
     low[ends[0] : ends[1]] = 0.0
@@ -354,8 +359,12 @@ def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[fl
 
     Where an input never acted the convex fit does not determine its gain; a constant is the better guess there.
     """
-    theta, at, s = np.zeros(p.count), p.slices, p.units
-    force, damping, gains = fitted[0], fitted[1], fitted[2:]
+    theta = np.zeros(p.count)
+    at = p.slices
+    s = p.units
+    force = fitted[0]
+    damping = fitted[1]
+    gains = fitted[2:]
     theta[at["force"]] = force
     if p.structure.force != "offset":
         theta[p.cubic] = np.log(max(-force[POLYNOMIALS - 1], 0.05 * s.stiffness))

@@ -217,7 +217,8 @@ def _record_means(inputs: FloatArray, at: FloatArray) -> FloatArray:
         """Integral from the first known time on; outside the record the input is what it is at its end."""
         inside = np.clip(until, 0.0, last)
         row = np.minimum(inside.astype(np.int64), last - 1)
-        part, beyond = (inside - row)[:, None], (until - inside)[:, None]
+        part = (inside - row)[:, None]
+        beyond = (until - inside)[:, None]
         slope = inputs[row + 1] - inputs[row]
         total: FloatArray = before[row] + part * (inputs[row] + 0.5 * part * slope)
         total += np.minimum(beyond, 0.0) * inputs[0] + np.maximum(beyond, 0.0) * inputs[last]
@@ -245,7 +246,8 @@ def lagged(
     rest_at_zero : bool
         Whether the lag starts at zero instead of at the first input.
     """
-    out, by_lag = np.empty_like(volts), np.empty_like(volts)
+    out = np.empty_like(volts)
+    by_lag = np.empty_like(volts)
     for i in range(volts.shape[1]):
         start = 0.0 if rest_at_zero else float(volts[0, i])
         out[:, i], by_lag[:, i] = first_order_lag(np.ascontiguousarray(volts[:, i]), half, lag, start, held)

@@ -191,7 +191,10 @@ def search(
     def size(option: Candidate) -> int:
         return ParameterLayout(option.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
-    turns, best, complete, last_taken = [*once, *ROUNDS * tuple(again)], first, True, len(once)
+    turns = [*once, *ROUNDS * tuple(again)]
+    best = first
+    complete = True
+    last_taken = len(once)
     taken = [first]
     for number in range(len(turns)):
         if number - last_taken >= len(again) > 0:
@@ -206,7 +209,8 @@ def search(
         complete = complete and len(affordable) == len(others)
         for option in sorted(affordable, key=lambda option: judged(option).rms):
             if better(option, best):
-                best, last_taken = option, max(number + 1, len(once))
+                best = option
+                last_taken = max(number + 1, len(once))
                 taken.append(option)
     held_out = {label: judgement.rms for label, judgement in tried.items()}
     return SearchResult(best, tried[best.label].fits[0] if tried else None, held_out, complete)
@@ -327,9 +331,13 @@ def _judge(records: Sequence[Log], setting: Setting, option: Candidate, near: _J
     Samples of a run that is lost count `DIVERGED_ERROR_HALF_RANGES`. The fits start from those of a candidate `near`
     by, where that is given: what both have in common needs no second search.
     """
-    folds, timed = _folds(records), option.structure.input_lag or option.structure.input_delay
+    folds = _folds(records)
+    timed = option.structure.input_lag or option.structure.input_delay
     first = setting.begin(folds[0][0], option)
-    errors, fits, chaotic, followed = list[FloatArray](), list[Fit](), False, np.empty(0)
+    errors = list[FloatArray]()
+    fits = list[Fit]()
+    chaotic = False
+    followed = np.empty(0)
     for i, (fitted, judged, after) in enumerate(folds):
         # One log may say little of lag and delay, and even of a gain's sign: they start as the fit of all has them.
         p, start, prior = setting.begin(folds[i][0], option, fits[0] if timed else None) if i else first
@@ -386,7 +394,8 @@ def _quick_fit(
 
 def _alike(p: ParameterLayout, near: ParameterLayout) -> bool:
     """Whether the fit of another structure is a good start; what the inputs do decides where all else must go."""
-    a, b = p.structure, near.structure
+    a = p.structure
+    b = near.structure
     drive = all(getattr(a, name) == getattr(b, name) for name in ("effect_lags", "rest_at_zero", *TIMES))
     return drive and near.scales == p.scales and near.signs == p.signs
 

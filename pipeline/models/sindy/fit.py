@@ -170,7 +170,8 @@ def _fitted(problem: Problem, candidate: Treatment, fold: int | None) -> Polynom
     with seeded():
         optimizer.fit(theta, scaled[:, None])
     coefficients = np.nan_to_num(np.asarray(optimizer.coef_, dtype=np.float64)[0]) * length / norms
-    nonzero, d = np.flatnonzero(coefficients), problem.empty
+    nonzero = np.flatnonzero(coefficients)
+    d = problem.empty
     terms = problem.exponents[columns[nonzero]]
     used = np.flatnonzero(terms[:, d.scales.size :].any(axis=0))
     velocity = np.zeros((1, d.scales.size + used.size), dtype=np.int64)
@@ -191,7 +192,8 @@ def _scaled(rows: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArra
 
     Columns of zeros stay.
     """
-    norms, length = np.linalg.norm(rows, axis=0), float(np.linalg.norm(target)) or 1.0
+    norms = np.linalg.norm(rows, axis=0)
+    length = float(np.linalg.norm(target)) or 1.0
     norms[norms == 0.0] = 1.0
     factor, _ = triangular_factor([np.column_stack([rows / norms, target / length])])
     return factor[:, :-1], factor[:, -1], norms, length
@@ -200,7 +202,8 @@ def _scaled(rows: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArra
 def _cross_validate(problem: Problem, candidate: Treatment) -> tuple[FloatArray, int]:
     """Free-run NRMSE of q for each held-out fold, and the most terms that any fold kept."""
     folds = sorted({block.fold for block in problem.blocks})
-    errors, terms = [], 0
+    errors = []
+    terms = 0
     for fold in folds:
         dynamics = _fitted(problem, candidate, fold if len(folds) > 1 else None)
         terms = max(terms, len(dynamics.exponents) - 1)
@@ -232,7 +235,8 @@ def _refit(problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArr
     )  # fmt: skip
 
 
-MILLI, KILO = 1e-3, 1e3
+MILLI = 1e-3
+KILO = 1e3
 
 
 def fit_default_sindy(

@@ -130,7 +130,8 @@ class SindyModel(ModelFile):
     @cached_property
     def dynamics(self) -> PolynomialDynamics:
         """The right-hand side."""
-        times, sources = self.lag_s.tolist(), self.lag_source.tolist()
+        times = self.lag_s.tolist()
+        sources = self.lag_source.tolist()
         return PolynomialDynamics(
             self.exponents, self.coefficients, self.scales[: self.scales.size - len(times)],
             tuple(Lag(source, time) for source, time in zip(sources, times, strict=True)),
@@ -163,13 +164,16 @@ class SindyModel(ModelFile):
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
     ) -> Iterator[FloatArray]:
         """Predictions with lag states filtered from the measured signals; see `pipeline.models.base.Predicts`."""
-        dt, lags, measured = sample_interval(t), len(self.dynamics.lags), np.isfinite(seen) & np.isfinite(speed)
+        dt = sample_interval(t)
+        lags = len(self.dynamics.lags)
+        measured = np.isfinite(seen) & np.isfinite(speed)
         followed = scaled_variables(
             self.dynamics, _at_samples(v), bridged(seen, measured), bridged(speed, measured), dt
         )
         states = followed[:, followed.shape[1] - lags :]
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
-            rows, begin = slice(start, start + count + 1), (float(seen[start]), float(speed[start]))
+            rows = slice(start, start + count + 1)
+            begin = (float(seen[start]), float(speed[start]))
             yield free_run(self.dynamics, v[rows], dt, *begin, states[start])[0][:, 0]
 
     @checked
@@ -190,7 +194,8 @@ class SindyModel(ModelFile):
             for squared inputs, ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33); for linear inputs ``g1``, ``g2`` [N/V].
             Per unit mass where `mass` is 1 because it is unknown.
         """
-        d, rest = self.dynamics, np.zeros_like(q)
+        d = self.dynamics
+        rest = np.zeros_like(q)
         x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, rest, 1.0)
         x = np.column_stack([x, np.zeros((q.size, len(d.lags)))])
         damping = self._slope(x, QDOT) + self._slope(x, FRICTION)
@@ -214,11 +219,13 @@ class SindyModel(ModelFile):
 
     def equations(self) -> list[str]:
         """The equations as text, one term per part, coefficients in SI with their units."""
-        d, length = self.dynamics, self.units[0]
+        d = self.dynamics
+        length = self.units[0]
         lines = [f"q̇ [{length}/s] = {self._sum(0)}", f"q̈ [{length}/s²] = {self._sum(1)}"]
         symbols = self._symbols()
         for k, lag in enumerate(d.lags):
-            z, followed = symbols[d.scales.size + k], symbols[lag.source]
+            z = symbols[d.scales.size + k]
+            followed = symbols[lag.source]
             square = "²" if d.squared and lag.source >= FIRST_INPUT else ""
             lines.append(f"d{z}/dt = ({followed}{square} − {z}) / ({lag.time:.4g} s)")
         if np.any(d.exponents[:, FRICTION]):
@@ -231,7 +238,8 @@ class SindyModel(ModelFile):
         return ["q", "q̇", "tanh(q̇/w)", "sin q", "cos q", *voltages, *(f"z{k + 1}" for k in range(len(d.lags)))]
 
     def _sum(self, row: int) -> str:
-        d, symbols = self.dynamics, self._symbols()
+        d = self.dynamics
+        symbols = self._symbols()
         sources = np.array([*range(d.scales.size), *(lag.source for lag in d.lags)])
         scales = np.where(sources == FRICTION, 1.0, d.scales[sources])
         orders = np.ones(sources.size, dtype=np.int64)

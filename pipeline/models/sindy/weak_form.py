@@ -37,7 +37,8 @@ from ..polynomial_dynamics import (
     scaled_variables,
 )
 
-HIGHEST, COUPLED = 7, 4
+HIGHEST = 7
+COUPLED = 4
 """Highest power of q alone, and of q as a factor of velocities, inputs and lags."""
 
 
@@ -59,7 +60,8 @@ def feature_library(variables: int, angle: bool) -> Any:
     pysindy = importlib.import_module("pysindy")
     others = [k for k in range(variables) if k not in (Q, SINE, COSINE)]
     libraries = [pysindy.PolynomialLibrary(HIGHEST), pysindy.PolynomialLibrary(COUPLED), pysindy.IdentityLibrary()]
-    inputs, tensors = [[Q], [Q], others], [[0, 1, 1]]
+    inputs = [[Q], [Q], others]
+    tensors = [[0, 1, 1]]
     if angle:
         libraries.append(pysindy.PolynomialLibrary(1))
         inputs, tensors = [*inputs, [SINE, COSINE]], [[0, 1, 1, 0], [0, 0, 1, 1]]
@@ -108,7 +110,8 @@ def weak_rows(
         −∫ φ' q̇ dt. Cost: about 2 ms a test function, nearly all of it in setting up pysindy's library.
     """
     pysindy = importlib.import_module("pysindy")
-    features, grid = feature_library(x.shape[1], angle), interval * np.arange(len(x))
+    features = feature_library(x.shape[1], angle)
+    grid = interval * np.arange(len(x))
     with seeded():
         terms = np.asarray(features.fit_transform(x))
         exponents = exponents_of(features.get_feature_names([f"x{k}" for k in range(x.shape[1])]), x.shape[1])
@@ -167,7 +170,8 @@ TEST_FUNCTIONS = 1000
 """In all training data together. They bound the cost, and overlap more than twice on the paper's log."""
 LEAST_SAMPLES = 2
 """Sample intervals in half a test function."""
-STEPS, MOST_ROWS = 30, 60_000
+STEPS = 30
+MOST_ROWS = 60_000
 """Steps of the grid in half a test function, unless voltages are known more finely, and its most rows."""
 SLOW = 0.05
 """Speed w of the smoothed friction tanh(q̇/w), over the largest speed."""
@@ -238,7 +242,8 @@ class Problem:
 
     def columns(self, library: Library) -> IntArray:
         """Places of the library's terms."""
-        inputs, first = self.empty.inputs, self.empty.scales.size
+        inputs = self.empty.inputs
+        first = self.empty.scales.size
         lags = {
             first + k
             for k, lag in enumerate(self.empty.lags)
@@ -315,9 +320,11 @@ def _weak_block(
     per_sample = x.drive.shape[1] if x.fine is not None else 1
     refined = max(1, min(max(per_sample, int(np.ceil(STEPS * x.interval / half_width))), MOST_ROWS // samples))
     places = np.arange((len(x.t) - 1) * refined + 1) / refined
-    times, voltages = np.arange(len(x.t)), x.drive.reshape(-1, x.v.shape[-1])
+    times = np.arange(len(x.t))
+    voltages = x.drive.reshape(-1, x.v.shape[-1])
     v = np.column_stack([np.interp(places, np.arange(len(voltages)) / per_sample, column) for column in voltages.T])
     q = CubicHermiteSpline(times, x.q, x.interval * x.qdot)(places)
     qdot = CubicHermiteSpline(times, x.qdot, x.interval * x.qddot)(places)
-    step, count = x.interval / refined, max(1, round(TEST_FUNCTIONS * len(x.t) / samples))
+    step = x.interval / refined
+    count = max(1, round(TEST_FUNCTIONS * len(x.t) / samples))
     return weak_rows(scaled_variables(empty, v, q, qdot, step), qdot, step, half_width, count, angle)

@@ -10,7 +10,8 @@ from ...settings.prototype import Differentiate, Prototype
 from ...store.tables import Table
 from ...units.units import ALPHA_UNIT
 
-_WAY, _AGREES = 10, 0.1
+_WAY = 10
+_AGREES = 0.1
 
 
 def kinematics(signals: Table, fine: Table, prototype: Prototype) -> tuple[Table, dict[str, Any]]:
@@ -80,7 +81,8 @@ def derivatives(
     """
     from ...signals.differentiate import differentiate
 
-    settings, measured = prototype.differentiate, "velocity" in fine
+    settings = prototype.differentiate
+    measured = "velocity" in fine
     grid = fine["t"]
     interval = sample_interval(grid)
     how = differentiator(settings, measured=measured, unit=unit)

@@ -73,9 +73,11 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
     from ...scoring.step_responses import response_errors
 
     units = signal_units(plant.displacement.symbol)
-    v, interval = measured.v, measured.interval
+    v = measured.v
+    interval = measured.interval
     rng = np.random.default_rng(SEED)
-    status, diverged_at = compared.notes["status"], compared.notes["diverged_at_s"]
+    status = compared.notes["status"]
+    diverged_at = compared.notes["diverged_at_s"]
     scores = score_run(
         compared.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, joint=plant.joint, rng=rng
     )

@@ -86,7 +86,8 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
     path = Path(text)
     if path.suffix.lower() in (".csv", ".mat", ".parquet"):
         log = read_recording(path, channels=["time", "target"])
-        time, target = log.channel("time"), log.channel("target")
+        time = log.channel("time")
+        target = log.channel("target")
         scale = to_si(target.unit, ("m",), f"{path}: target").factor if target.unit else 1.0
         if time.samples.size < 1 or np.any(np.diff(time.samples) <= 0.0) or not np.isfinite(target.samples).all():
             raise InputError(f"{path}: a reference needs times that advance and targets that are finite")
@@ -109,7 +110,8 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
 
 def designed(law: Law) -> Controller:
     """The controller of this law in Python, which equals the exported one."""
-    s, v = np.zeros(CONTROLLER_STATE), np.zeros(2)
+    s = np.zeros(CONTROLLER_STATE)
+    v = np.zeros(2)
 
     def made(q: float) -> Any:
         """The controller at a first reading."""

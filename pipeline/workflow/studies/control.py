@@ -138,7 +138,8 @@ def check_pulse_name(output: Path) -> None:
 def write_pulse(root: Path, document: Mapping[str, Any], output: Path, *, force: bool) -> list[Path]:
     """Write a pulse of a run as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it."""
     check_pulse_name(output)
-    t, v = np.array(document["t_s"]), np.array(document["v_V"])
+    t = np.array(document["t_s"])
+    v = np.array(document["v_V"])
     about = {key: value for key, value in document.items() if key not in ("t_s", "v_V", "predicted")}
     with new_outputs(output.parent, "control", force=force, made_from=control_run(root).origin) as staged:
         for ending in ENDINGS:
@@ -183,7 +184,8 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
 
 
 def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, distance: float) -> None:
-    q, target = np.array(predicted["q_m"]), np.array(predicted["target_m"])
+    q = np.array(predicted["q_m"])
+    target = np.array(predicted["target_m"])
     for step, side in zip(np.flatnonzero(np.diff(target))[1:], ("right", "left"), strict=False):
         if abs(q[step] - target[step]) > 0.25 * distance:
             raise InputError(
@@ -192,7 +194,8 @@ def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, dist
             )
 
 
-SETTLES, SWINGS = 0.3, 0.0022
+SETTLES = 0.3
+SWINGS = 0.0022
 """Limits of a good controller: settling in a well [s], and RMS about the unstable equilibrium as a share of the wells'
 distance."""
 
@@ -217,7 +220,8 @@ def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
     return misses
 
 
-GAINS, DELAY = (0.77, 1.3), 5e-3
+GAINS = (0.77, 1.3)
+DELAY = 5e-3
 """Factors on the gain and delay [s] that a good controller stands at the unstable equilibrium."""
 
 

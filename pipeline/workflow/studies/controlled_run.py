@@ -26,10 +26,12 @@ from ..run_models import WORST, controlled_model, failed_validations, load_run_m
 from ..schedule import bring_up_to_date
 
 ALGORITHM = "21"
-_MISSED, _UNSEEN = 0.09, 2e-3
+_MISSED = 0.09
+_UNSEEN = 2e-3
 """RMS residual on the training logs above which no control is designed on a model: a share of the wells' distance, or
 [m] where the logs show no wells."""
-DATA_SHEET, GIVEN = 0.36, 0.1
+DATA_SHEET = 0.36
+GIVEN = 0.1
 """Standard deviations of a lag's logarithm: of the one assumed, for converters of 2 to 7 ms, and of one that the user
 states."""
 _LEAST_SPREAD = 0.02
@@ -132,7 +134,8 @@ class ControlRun:
         given = [side for side in (left, right) if side is not None]
         if not given:
             return Converters((ASSUMED_LAG, ASSUMED_LAG), DATA_SHEET, highest=self.limit), "assumed"
-        first, other = left or given[0], right or given[0]
+        first = left or given[0]
+        other = right or given[0]
         spread = max(_LEAST_SPREAD, *(side.scatter for side in given))
         counts = " and ".join(str(side.steps if side else 0) for side in (left, right))
         converters = Converters((first.lag, other.lag), spread, highest=self.limit)

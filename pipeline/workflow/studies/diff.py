@@ -212,7 +212,8 @@ def _paired(roots: Sequence[Path]) -> list[dict[tuple[str, str], str]]:
 
 def _facts(run: RunFolder, *, pairs: Pairs) -> dict[str, dict[str, Any]]:
     """What is compared of a run, by the attributes of `RunDifferences`."""
-    manifest, prototype = run.manifest, run.prototype
+    manifest = run.manifest
+    prototype = run.prototype
 
     def title(role: str, log: str) -> str:
         """What the log is called beside the first run."""
@@ -250,7 +251,9 @@ def write_diff_page(roots: Sequence[Path], names: Sequence[str], tables: Sequenc
 
 def _drawn(name: str, pairs: Pairs, run: RunFolder) -> DrawnRun:
     prototype = run.prototype
-    plant, q, curves = device(prototype), np.zeros(0), dict[str, FloatArray]()
+    plant = device(prototype)
+    q = np.zeros(0)
+    curves = dict[str, FloatArray]()
     headline = identified_models(run, prototype)[0]
     if layout.MODELS in run.manifest.artifacts:
         model = load_run_model(run, prototype)
@@ -264,7 +267,8 @@ def _drawn(name: str, pairs: Pairs, run: RunFolder) -> DrawnRun:
         simulated = layout.predictions(role, log, headline)
         if simulated in run.manifest.artifacts:
             source = ", ".join(run.record(layout.record(role, log)).recipe.inputs.values())
-            motion, free = run.read_table(layout.kinematics(role, log)), run.read_table(simulated)
+            motion = run.read_table(layout.kinematics(role, log))
+            free = run.read_table(simulated)
             logs[log_title(role, pairs.get((role, log), log)), source] = motion["t"], motion["q"], free["q"]
     return DrawnRun(name, plant.displacement.symbol, q, curves, units, logs)
 
@@ -321,7 +325,8 @@ def _apart(first: np.ndarray[Any, Any], second: np.ndarray[Any, Any]) -> tuple[f
     """Largest difference, infinite where what is no number differs, and largest magnitude."""
     if first.dtype.kind not in "fiub" or second.dtype.kind not in "fiub":
         return (0.0 if np.array_equal(first, second) else np.inf), 0.0
-    a, b = first.astype(np.float64), second.astype(np.float64)
+    a = first.astype(np.float64)
+    b = second.astype(np.float64)
     if not np.array_equal(np.isfinite(a), np.isfinite(b)):
         return np.inf, 0.0
     finite = np.isfinite(a)

@@ -273,7 +273,8 @@ def _simulator(parameters: JointParameters) -> Simulator | None:
     stable = [rest.q for rest in equilibria(parameters, np.zeros(2)) if rest.stable]
     if len(stable) < 2:
         return None
-    reduced, start = reduce_joint(parameters), min(stable)
+    reduced = reduce_joint(parameters)
+    start = min(stable)
 
     def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""

@@ -34,7 +34,9 @@ KINDS: tuple[BurstKind, ...] = get_args(BurstKind)
 COVERAGE_WEIGHT = 1.0  # nats per weight that full coverage is worth
 _SHORTEST = 0.3  # s, of room that is worth another burst
 _FADE_OUT = 0.2  # s without voltage at the end
-_PROBED, _PROBED_SHARES, _PROBED_REST = (0.1, 0.2, 0.4, 0.7, 1.0), (1.0, 0.8, 0.6), 1.2
+_PROBED = (0.1, 0.2, 0.4, 0.7, 1.0)
+_PROBED_SHARES = (1.0, 0.8, 0.6)
+_PROBED_REST = 1.2
 """Lengths [s] of the pulses by which the wells are found, shares of the largest voltage, and the rest [s] behind each:
 a pulse of one length and height may leave a joint swinging so that it always falls back."""
 
@@ -163,7 +165,8 @@ def design_excitation(
     Cost: about 20 places × candidates × simulators runs of half the length on average.
     """
     plain = alternating_pulses(duration=wanted.duration, rest=wanted.rest, voltage=wanted.voltage)
-    weights, wells = _weights(simulators[0], plain, wanted), probed_wells(simulators[0], wanted.voltage)
+    weights = _weights(simulators[0], plain, wanted)
+    wells = probed_wells(simulators[0], wanted.voltage)
     bursts = greedy_bursts(partial(_criterion, simulators, weights), rng, wanted, report=report)
     return Design(
         wanted,
@@ -192,15 +195,20 @@ def greedy_bursts(
         No candidate is accepted.
     """
     bursts = [Burst("pulse", wanted.rest, 1.2, wanted.voltage, 0.0, np.empty(0), np.empty(0))]
-    end, side = wanted.rest + 1.2 + 0.5, 1
+    end = wanted.rest + 1.2 + 0.5
+    side = 1
     before = criterion(bursts, end)
     while wanted.duration - _FADE_OUT - end > _SHORTEST:
-        best, best_rate, reached = None, -np.inf, before
+        best = None
+        best_rate = -np.inf
+        reached = before
         for _ in range(wanted.candidates):
             burst, stop = _candidate(rng, wanted, end, side)
             value = criterion([*bursts, burst], stop)
             if (value - before) / (stop - end) > best_rate:
-                best, best_rate, reached = (burst, stop), (value - before) / (stop - end), value
+                best = (burst, stop)
+                best_rate = (value - before) / (stop - end)
+                reached = value
         if best is None:
             raise InputError("no candidate could be simulated; take another model or a lower voltage")
         bursts.append(best[0])
@@ -285,7 +293,9 @@ def probed_wells(simulate: Simulator, voltage: float) -> Wells:
     InputError
         The pulses do not take the joint from well to well.
     """
-    none, bursts, end = np.empty(0), [], _PROBED_REST
+    none = np.empty(0)
+    bursts = []
+    end = _PROBED_REST
     for duration in _PROBED:
         for share in _PROBED_SHARES:
             for sides in ((share * voltage, 0.0), (0.0, share * voltage)):

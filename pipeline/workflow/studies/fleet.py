@@ -134,7 +134,8 @@ def series_of(roots: Sequence[Path], at: str | None) -> Series:
     for i, run in enumerate(runs):
         if run.sheet["facts"] in [other.sheet["facts"] for other in runs[:i]]:
             raise InputError(f"{roots[order[i]]}: has the facts of another run here; name each recording once")
-    ascending, between = times[order].tolist(), common_stroke([run.sheet for run in runs])
+    ascending = times[order].tolist()
+    between = common_stroke([run.sheet for run in runs])
     of_runs = [list(facts_of(r.sheet, r.model, between, r.gain_unit)) for r in runs]
     first = runs[0]
     if isinstance(first.model, ObservedModel):
@@ -176,7 +177,8 @@ def _times(text: str, count: int) -> FloatArray:
 def _read(run: RunFolder) -> _Run:
     if layout.DATASHEET not in run.manifest.artifacts:
         raise InputError(f"{run.root}: has no datasheet; `debist report {shell_word(run.root)}` makes one")
-    sheet, prototype = read_document(run, layout.DATASHEET), run.prototype
+    sheet = read_document(run, layout.DATASHEET)
+    prototype = run.prototype
     if sheet["facts_from"] is None:
         raise InputError(f"{run.root}: no model has curves, so there are no facts to follow; identify hybrid or rbf")
     plant = device(prototype)

@@ -96,7 +96,8 @@ def run_folds(
         run = RunFolder.open(root)
         prototype = run.prototype
         parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
-        split, chosen = _split(prototype, by, folds), _chosen(run, prototype, models)
+        split = _split(prototype, by, folds)
+        chosen = _chosen(run, prototype, models)
         tasks = [_task(prototype, parameters, split, model, jobs) for model in chosen]
         bring_up_to_date(run, [*tasks, _joined(prototype, split, chosen)], observer)
         return study_result(run, prototype, "folds", chosen)
@@ -193,7 +194,8 @@ class _Judge:
     def __call__(self, cut: tuple[list[Log], list[Log]]) -> tuple[dict[str, Any], str, float]:
         """Row of the table, why it was refused, processor time of the fit [s]."""
         logs = [log for log in cut[0] if np.any(log.valid)]
-        samples, began = sum(len(x.t) for x in _segments(cut[1])), time.process_time()
+        samples = sum(len(x.t) for x in _segments(cut[1]))
+        began = time.process_time()
         row: dict[str, Any] = dict.fromkeys((*NRMSE_COLUMNS, "well_agreement")) | {"samples": samples}
         if not samples:
             return row | {"status": "empty"}, "it holds no valid sample", 0.0

@@ -19,7 +19,8 @@ from ...rig.excitation import EXCITATIONS, MAX_VOLTAGE, Burst, command, load_seq
 from .excitation_design import Requirements, behind_converters, greedy_bursts
 
 INTERVAL = 0.01  # s, of the simulated samples
-USUAL, DRAWS = "training", 3
+USUAL = "training"
+DRAWS = 3
 """The excitation that a designed log is compared with, and how many of it are drawn."""
 
 

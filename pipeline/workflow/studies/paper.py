@@ -188,7 +188,8 @@ def joint_figures(parameters: JointParameters) -> dict[str, Figure]:
     """Figures 1b and 3 to 7: the analytical model of the parameter set."""
     from ...reporting import joint_figures as draw
 
-    curves, motions = characteristics(parameters), simulate_both(parameters, *pulse_sequence())
+    curves = characteristics(parameters)
+    motions = simulate_both(parameters, *pulse_sequence())
     modes = beam_modes(motions.full.qm, parameters.l)
     return {
         "fig-01b": draw.double_well_figure(curves),
@@ -204,7 +205,9 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
     """Figures 8 and 11 to 15, and the search for T_z: the recipe on the logs."""
     from ...reporting import recipe_figures as draw
 
-    training, network, settings = data.role("train")[0], data.models["rbf-paper"], prototype.identify
+    training = data.role("train")[0]
+    network = data.models["rbf-paper"]
+    settings = prototype.identify
     assert isinstance(network, RbfPaperModel)  # noqa: S101 - the recipe identifies it
     wells = wells_of_run(data)
     compared = {
@@ -234,7 +237,8 @@ def _alpha_study(kinematics: Mapping[str, Any]) -> tuple[FloatArray, AlphaStudy]
     segments = kinematics["segment"]
     longest = max(np.unique(segments[segments >= 0]), key=lambda n: np.sum(segments == n))
     rows = segments == longest
-    t, unit = kinematics["t"][rows], ALPHA_UNIT["m"][1]
+    t = kinematics["t"][rows]
+    unit = ALPHA_UNIT["m"][1]
     epsilon = float(RECIPE.epsilon or 0.0) * unit**2
     study = alpha_study(kinematics["q"][rows], SAMPLE_INTERVAL, unit * np.array(ALPHAS), order=1, epsilon=epsilon)
     fastest = t[np.argmax(np.abs(kinematics["qdot"][rows]))]

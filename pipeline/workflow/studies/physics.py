@@ -108,10 +108,8 @@ def calibrate(
 
     def motion(path: Path) -> "Log":
         """A log, with the voltages between its samples where the run's record is beside it."""
-        table, record = (
-            _columns(path, "t", "q", "qdot", "qddot", "v1", "v2", "segment"),
-            path.with_name("record.parquet"),
-        )
+        table = _columns(path, "t", "q", "qdot", "qddot", "v1", "v2", "segment")
+        record = path.with_name("record.parquet")
         return log_of(table, between(table["t"], _columns(record, "t", "v1", "v2")) if record.is_file() else None)
 
     motions = [segment for path in kinematics for segment in motion(path).segments()]

@@ -83,8 +83,10 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
 
 def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
     """Read a study that was made, and draw it beside its table; `models` decides their colours."""
-    study, notes = read_study(run, name, device(prototype)), dict(run.record(layout.study(name)).notes)
-    columns, units = dict(study.columns), dict(study.units)
+    study = read_study(run, name, device(prototype))
+    notes = dict(run.record(layout.study(name)).notes)
+    columns = dict(study.columns)
+    units = dict(study.units)
     return StudyResult(columns, units, _draw(run.root, name, columns, units, models), notes)
 
 
@@ -129,7 +131,8 @@ def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     table = run.read_table(layout.record("train", log))
     longest = max(np.unique(table["segment"][table["segment"] >= 0]), key=lambda n: np.sum(table["segment"] == n))
     rows = table["segment"] == longest
-    t, order = table["t"][rows], prototype.differentiate.order
+    t = table["t"][rows]
+    order = prototype.differentiate.order
     unit = ALPHA_UNIT[plant.displacement.symbol][1]
     study = alpha_study(table["q"][rows], sample_interval(t), unit * np.array(ALPHAS), order=order)
     notes = {
@@ -152,7 +155,8 @@ def _held_out(run: RunFolder, prototype: Prototype) -> list[Log]:
 
 
 def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    data, held_out = _segments(run, prototype, "train"), _held_out(run, prototype)
+    data = _segments(run, prototype, "train")
+    held_out = _held_out(run, prototype)
     grid = [(count, smoothing) for count in BASIS_FUNCTIONS for smoothing in SMOOTHINGS]
     work = partial(_one_basis, data, held_out, _asked(prototype, plant))
     mse, condition, nrmse = np.array(list(in_processes(work, grid, jobs))).T
@@ -182,7 +186,8 @@ def _one_basis(
 
 
 def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    data, held_out = _segments(run, prototype, "train"), _held_out(run, prototype)
+    data = _segments(run, prototype, "train")
+    held_out = _held_out(run, prototype)
     identify = partial(identify_rbf_paper, **_asked(prototype, plant))
 
     how = differentiator(prototype.differentiate, measured=False, unit=ALPHA_UNIT[plant.displacement.symbol][1])
@@ -192,7 +197,8 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
         result = differentiate(samples, interval, **how)
         return result.q_smooth, result.qdot, result.qddot
 
-    total, rng = sum(len(x.t) for x in data), np.random.default_rng(0)
+    total = sum(len(x.t) for x in data)
+    rng = np.random.default_rng(0)
     low, high = operating_range(data)
     amounts = sorted({max(50, round(share * total)) for share in SHARES})
     by_amount = amount_study(data, held_out, identify, amounts, repeats=REPEATS, rng=rng)
@@ -213,8 +219,10 @@ def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> t
     rows = np.concatenate([model.regressors(x) for x in data])
     target = plant.mass * np.concatenate([x.qddot for x in data])
     q = np.linspace(model.centres[0], model.centres[-1], 101)
-    force, weights = model.force_rows(q), model.weights.ravel()
-    interval, truth = prototype.ingest.sample_interval, force @ weights
+    force = model.force_rows(q)
+    weights = model.weights.ravel()
+    interval = prototype.ingest.sample_interval
+    truth = force @ weights
     tables = []
     for drift in DRIFTS:
         measured, growth = drifted(rows, target, weights, len(model.centres), drift)
