@@ -9,7 +9,7 @@ from pathlib import Path
 OUTPUT = Path(config["output"])
 RUN = OUTPUT / "{name}"
 LAST_STAGE = "report" if config["report"] else "compare"
-STAGES = ["ingest", "check", "differentiate", "identify", "instruments", "compare", "validate", "scores"]
+STAGES = ["ingest", "check", "differentiate", "identify", "instruments", "validate", "scores", "compare"]
 STAGES += ["report"] if config["report"] else []
 FLEET_TABLES = [OUTPUT / name for name in ("fleet.parquet", "fleet.csv", "fleet-facts.parquet", "fleet.html")]
 _RUNS_AT_A_TIME = 500  # keeps the command line short

@@ -108,7 +108,7 @@ STAGES = (
         "validate",
         lambda p: validate.tasks(p.prototype, p.parameters, identified_models(p.run, p.prototype)),
         known_after=layout.MODELS,
-        with_it=("scores",),
+        with_it=("instruments", "scores"),
     ),
     Stage("scores", lambda p: [scores.task(p.prototype, p.parameters, p.scored)], known_after=layout.MODELS),
     Stage("report", _report, known_after=layout.MODELS, with_it=("instruments",)),

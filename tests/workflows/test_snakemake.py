@@ -15,7 +15,7 @@ from pipeline.store.manifest import load_manifest
 from tests.batch.test_batch import _prototype
 
 SNAKEFILE = Path(__file__).resolve().parents[2] / "workflows/Snakefile"
-STAGES = {"check", "ingest", "differentiate", "identify", "validate", "compare", "scores"}
+STAGES = {"check", "ingest", "differentiate", "identify", "instruments", "validate", "compare", "scores"}
 
 pytestmark = pytest.mark.skipif(
     shutil.which("snakemake") is None or shutil.which("debist") is None,
