@@ -60,7 +60,7 @@ class Planned:
 
 @dataclass(frozen=True)
 class Stage:
-    """A row: name, tasks, and the artifact without which it is not known which tasks those are.
+    """A row: name, tasks, and the artifact that decides which tasks those are, or whether there are any.
 
     Attributes
     ----------
@@ -97,7 +97,7 @@ STAGES = (
     Stage("ingest", lambda p: reading_tasks(p.prototype, p.prototype_file)),
     Stage("check", lambda p: check.tasks(p.prototype)),
     Stage("differentiate", lambda p: differentiate.tasks(p.prototype), with_it=("check",)),
-    Stage("identify", lambda p: identify.tasks(p.prototype, p.parameters)),
+    Stage("identify", lambda p: identify.tasks(p.prototype, p.parameters), known_after=layout.CHECK),
     Stage("compare", _compare, with_it=("scores",)),
     Stage(
         "instruments",
