@@ -5,10 +5,10 @@ then ranges of finite numbers. Compiled code reads no array that was not checked
 attributes of each array, number and text.
 """
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, is_dataclass
 from fnmatch import fnmatchcase
-from functools import cache, partial
+from functools import partial
 from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 import numpy as np
@@ -219,8 +219,7 @@ def read_part(part: type[PartT], tree: Mapping[str, Any], name: str, command: st
         An entry is missing, unknown, of another type or shape, or beyond its range.
     """
     try:
-        read: PartT = _reader(part).validate_python(dict(tree))
-        return fitting(read)
+        return fitting(TypeAdapter(part).validate_python(dict(tree)))
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False, include_context=False)[0]
         place = ".".join(map(str, first["loc"]))
@@ -228,11 +227,6 @@ def read_part(part: type[PartT], tree: Mapping[str, Any], name: str, command: st
     except ValueError as error:
         reason = str(error)
     raise CorruptArtifactError(f"the model {name} cannot be read ({reason}); run `debist {command}` again")
-
-
-@cache
-def _reader(part: Hashable) -> TypeAdapter[Any]:
-    return TypeAdapter(part)
 
 
 def tree_of(part: Any) -> dict[str, Any]:

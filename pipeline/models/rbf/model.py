@@ -50,6 +50,11 @@ class RbfModel:
     name = "rbf"
 
     @property
+    def mass(self) -> float:
+        """Moving mass [kg], as other models name it."""
+        return self.mass_kg
+
+    @property
     def fine_voltages(self) -> bool:
         """Whether the inputs between the samples are those of the finer record."""
         return self.parameters.structure.hold == "record"
