@@ -16,7 +16,7 @@ from ..base import FreeRun, checked
 from ..kind import Kind, Training
 from ..model_file import JointSet, ModelFile
 from .full_order import rest_state, simulate
-from .reduced_order import CURVES, accelerate, reduce_joint
+from .reduced_order import CURVES, reduce_joint
 from .windows import voltage_knots
 
 
@@ -48,14 +48,6 @@ class AnalyticalModel(ModelFile):
         q, qdot, qddot = (signal[knots.rows] for signal in (motion.q, motion.q_dot, motion.q_ddot))
         status: Literal["ok", "diverged"] = "ok" if motion.diverged_at is None else "diverged"
         return FreeRun(t, q, qdot, qddot, status, motion.diverged_at)
-
-    @checked
-    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured motion, by the reduced model (eq. 26), shape (N,).
-
-        q does not determine the beam's other shapes, so they follow the static path here.
-        """
-        return accelerate(reduce_joint(self.parameters), t, v if v.ndim == 2 else v[:, 0], q, qdot)
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].

@@ -25,7 +25,7 @@ from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
 from .problem import CondensedJoint, CondensedProblem, age_at, simulate
-from .runs import BATCH, Driving, Followed, Laws, continued_runs, follow_path
+from .runs import BATCH, Driving, Followed, Laws, continued_runs
 from .similarity import Similarity
 from .statics import static_curves, substeps
 
@@ -183,15 +183,6 @@ class HybridModel:
     def simulate_many(self, t: FloatArray, v: FloatArray, starts: FloatArray) -> FloatArray:
         """Free runs from several states; see `pipeline.models.base.SimulatesMany`. Eight of them go at once."""
         return self._simulate(None, t, v, starts)[:, :, 0]
-
-    @checked
-    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
-        joint = self.joint
-        seen = self.joint.instruments(self.theta)
-        k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
-        path = CubicSpline(t - t[0], np.column_stack([q - seen.offset, qdot]))(fine)
-        return follow_path(u, path, dt, steps, k, joint.basis, weights, age_at(t))
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 from pydantic.dataclasses import dataclass
 
-from ...codegen.graph import trace
 from ...errors import CorruptArtifactError
 from ...fitting.posterior import first_order_curves, posterior_draws
 from ...generated.terms import CONFINED_FORCE, STOP_FORCE
@@ -19,7 +18,6 @@ from ..base import FreeRun, checked
 from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, read_part, tree_of
 from ..tubes import NO_TUBES, TubeScale
 from .coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
-from .dynamics import free_rates
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
 from .problem import JointProblem, steps_per_sample
@@ -114,27 +112,6 @@ class RbfModel:
         start = ((q0 - s.middle) / s.half, qdot0 / s.half)
         runs = [self._run(theta, t, v, _free(len(t)), start)[0][:, 0] for theta in draws]
         return s.middle + s.half * np.array(runs), draws
-
-    @checked
-    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured path, hidden states from an observer that follows the path."""
-        p = self.parameters
-        s = self.parameters.scales
-        x = (q - s.middle) / s.half
-        speed = qdot / s.half
-        coupling = Coupling(x, np.ones(len(t)), PATH_OBSERVER_GAIN * s.frequency)
-        states, _ = self._run(self.theta, t, v, coupling, (float(x[0]), float(speed[0])))
-        c = p.coefficients(self.theta)
-        steps = steps_per_sample(p, sample_interval(t), self.theta)
-        u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
-        law = trace(
-            lambda x, slip, u: {"dx": free_rates(c, x, slip, u)},
-            x=2 + len(c.rates), slip=len(c.slip_force), u=len(p.signs),
-        )  # fmt: skip
-        hidden, slip = np.split(states[:, 3:], [len(c.rates)], axis=1)
-        rates = law.evaluate(x=np.column_stack([x, speed, hidden]), slip=slip, u=u[:: 2 * steps])["dx"]
-        acceleration: FloatArray = s.half * rates[:, 1]
-        return acceleration
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
