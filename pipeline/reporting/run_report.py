@@ -66,7 +66,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
             charts[kind if kind in charts else ""].append(_chart(figure, models))
     rows = sheet_rows(sheet)
     context = {
-        "name": data.name,
+        "name": data.prototype.name,
         "subtitle": _subtitle(data),
         "headline": sheet.headline,
         "verdict": verdict(sheet.checks),
@@ -206,7 +206,7 @@ def _model(data: RunData, name: str) -> Described:
     # Deviations are the coordinates of the fit; what they mean stands among the calibrated quantities.
     hidden = {"deviations"} if data.why_chosen else {"deviations", WHY}
     facts = {key: value for key, value in data.descriptions.get(name, {}).items() if key not in hidden}
-    return described(name, facts, data.displacement, mass_known=data.mass_known)
+    return described(name, facts, data.device.displacement.symbol, mass_known=data.device.known_mass is not None)
 
 
 def _provenance(data: RunData) -> dict[str, Any]:

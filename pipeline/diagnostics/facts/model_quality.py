@@ -57,7 +57,7 @@ def model_checks(
 
 
 def _no_validation(data: RunData) -> Check:
-    return of_finding("model", Finding("validation", "fair", subject=f"{data.input_word}s"))
+    return of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s"))
 
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
