@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..reporting.tables import Format
     from ..workflow.engine import TaskStatus
     from ..workflow.members import Member
-    from ..workflow.progress import FleetProgress
+    from ..workflow.progress import MemberState
     from ..workflow.worker import Outcome
 
 
@@ -141,19 +141,22 @@ def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *,
     emit_table("runs", ("run", "state", "why"), rows, numeric_from=3)
 
 
-def emit_fleet_progress(folder: Path, progress: "FleetProgress", *, as_json: bool) -> None:
+def emit_fleet_progress(folder: Path, members: "Sequence[MemberState]", *, as_json: bool) -> None:
     """Print for each prototype of a batch whether it is done, running, stopped or failed."""
+    from ..workflow.progress import STATES
+
+    counts = {state: sum(member.state == state for member in members) for state in STATES}
     if as_json:
-        members = [vars(member) | {"since": member.since and member.since.isoformat()} for member in progress.members]
-        emit_json({"folder": folder, "counts": progress.counts, "prototypes": members})
+        prototypes = [vars(member) | {"since": member.since and member.since.isoformat()} for member in members]
+        emit_json({"folder": folder, "counts": counts, "prototypes": prototypes})
         return
     rows = [
         (member.name, member.state, member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "", member.reason)
-        for member in progress.members
+        for member in members
     ]
     emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=4)
-    counted = ", ".join(f"{count} {state}" for state, count in progress.counts.items() if count)
-    emit_text(f"{len(progress.members)} prototypes: {counted}")
+    counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)
+    emit_text(f"{len(members)} prototypes: {counted}")
 
 
 def emit_members(members: "Sequence[Member]", *, as_json: bool) -> None:

@@ -223,6 +223,17 @@ def described(
     """The description of a model, as `DynamicModel.describe` returns it.
 
     A model calls its displacement a length, and its mass 1 kg if it has none: `displacement` is the true unit.
+
+    Parameters
+    ----------
+    name : str
+        Name of the model.
+    description : mapping
+        Its facts, with units in the keys.
+    displacement : str
+        SI unit of q.
+    mass_known : bool
+        Whether the mass is more than 1 by convention.
     """
     facts = {key: value for key, value in description.items() if mass_known or key != "mass_kg"}
     stated = facts.pop("equations", ())

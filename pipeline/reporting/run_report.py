@@ -12,7 +12,7 @@ from ..diagnostics.rows import CheckRow, beside, remarks
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
 from ..units.quantity import short
-from .canvas import page_chart
+from .canvas import chart
 from .control_figures import control_figures
 from .datasheet_rows import (
     NOT_USED,
@@ -63,7 +63,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     for name, figure in figures.items():
         if name not in shown:
             kind = name.partition("-")[0]
-            charts[kind if kind in charts else ""].append(_chart(figure, models))
+            charts[kind if kind in charts else ""].append(chart(figure, models))
     rows = sheet_rows(sheet)
     context = {
         "name": data.prototype.name,
@@ -196,10 +196,6 @@ def _timeline(data: RunData, figures: Mapping[str, Figure], kind: str) -> dict[s
 
 def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
     return {"figure": figure, "legend": swatches(figure, models), "axis": axis, "events": event_swatches(figure)}
-
-
-def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
-    return {"figure": figure, "drawings": page_chart(figure, models), "legend": swatches(figure, models, marks=True)}
 
 
 def _model(data: RunData, name: str) -> Described:

@@ -10,9 +10,8 @@ from ..fitting.trends import FEWEST
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_95
 from ..units.quantity import quantity
-from .canvas import page_chart
+from .canvas import chart
 from .figure import Band, Figure, Line, Panel, Points
-from .legend import swatches
 from .page import render
 
 CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
@@ -57,11 +56,7 @@ class DrawnRun:
 
 def diff_page(names: Sequence[str], tables: Sequence[DiffTable], runs: Sequence[DrawnRun]) -> str:
     """The page as HTML; the same runs give the same bytes."""
-    figures = [*_curves(runs), *_free_runs(runs)]
-    charts = [
-        {"figure": figure, "drawings": page_chart(figure, names), "legend": swatches(figure, names, marks=True)}
-        for figure in figures
-    ]
+    charts = [chart(figure, names) for figure in (*_curves(runs), *_free_runs(runs))]
     return render("diff.html.j2", (), {"names": names, "tables": tables, "charts": charts})
 
 
@@ -146,11 +141,7 @@ def _shown(fact: SeriesFact, value: float, error: float) -> str:
 
 def series_page(series: Series) -> str:
     """The page as HTML; the same series gives the same bytes."""
-    figures = [_figure(fact, series.unit) for fact in series.facts]
-    charts = [
-        {"figure": figure, "drawings": page_chart(figure, ("all",)), "legend": swatches(figure, ("all",), marks=True)}
-        for figure in figures
-    ]
+    charts = [chart(_figure(fact, series.unit), ("all",)) for fact in series.facts]
     context = {
         "names": [f"{name} ({series.unit} {at:g})" for name, at in zip(series.names, series.at, strict=True)],
         "columns": COLUMNS, "rows": series_rows(series), "conclusion": conclusion(series), "charts": charts,

@@ -128,6 +128,17 @@ def study_conclusion(
     """The columns of a study as they are printed, by their headings, and what follows of them, if anything does.
 
     Of each stream of `online` its end alone is left.
+
+    Parameters
+    ----------
+    name : str
+        The study.
+    columns : mapping of str to array, each of shape (n,)
+        Its table.
+    units : mapping of str to str
+        Units of the columns.
+    notes : mapping
+        Notes of the study.
     """
     if name == "online":
         return _online_conclusion(columns)

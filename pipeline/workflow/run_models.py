@@ -13,7 +13,6 @@ from ..models.kind import model_from_tree
 from ..settings.prototype import Prototype
 from ..signals.log import Log
 from ..store import layout
-from ..store.documents import read_document
 from ..store.run_folder import RunFolder
 from ..system.names import shell_word
 from .logs import load_logs, load_motion
@@ -92,7 +91,7 @@ def load_design(run: RunFolder) -> dict[str, Any]:
     makes = f"`debist control design {shell_word(run.root)}`"
     if name not in run.manifest.artifacts:
         raise InputError(f"{run.root}: no controller was designed yet; {makes} does it")
-    document = read_document(run, name)
+    document = run.read_document(name)
     if document["origin"] != run.record(layout.MODELS).content_hash:
         raise InputError(f"{run.root}: its controller was designed for another model; {makes} renews it")
     return document
@@ -110,7 +109,7 @@ def made_control(run: RunFolder) -> tuple[str, ...]:
 
 def control_documents(run: RunFolder, titles: Sequence[str]) -> dict[str, dict[str, Any]]:
     """What was made, by title."""
-    return {title: read_document(run, layout.control(title)) for title in titles}
+    return {title: run.read_document(layout.control(title)) for title in titles}
 
 
 def failed_validations(run: RunFolder, name: str) -> list[str]:
@@ -155,6 +154,21 @@ def subject_on(
     """A model called `name`, identified from the kinematics of `logs`, with the log `check` that travels along.
 
     The clock of that log begins at zero, as an exported model does: `hybrid` takes a later one for time in use.
+
+    Parameters
+    ----------
+    check : Log
+        The log that travels along.
+    model : DynamicModel
+        The model.
+    prototype : Prototype
+        Settings of the run.
+    logs : sequence of Log
+        Training logs, whose ranges bound the model.
+    name : str
+        Name of the model.
+    origin : str
+        Content hash of what holds it.
     """
     from ..export.subject import Subject
 

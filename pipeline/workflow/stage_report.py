@@ -126,7 +126,21 @@ def prepare(
     studies: Sequence[StudyName] = (),
     control: Sequence[str] = (),
 ) -> Prepared:
-    """Read a run and evaluate everything that its page and its figures show."""
+    """Read a run and evaluate everything that its page and its figures show.
+
+    Parameters
+    ----------
+    run : RunFolder
+        The run.
+    prototype : Prototype
+        Its settings.
+    models : sequence of str
+        Models that are shown, the main model first.
+    studies : sequence of str
+        Studies that are shown.
+    control : sequence of str
+        Titles of the control documents that are shown.
+    """
     from ..diagnostics.facts.datasheet import make_datasheet
     from ..reporting.run_report import figures_of
     from .report_data import read_run

@@ -237,6 +237,17 @@ CURVE_PLACES = 201
 def write_diff_page(roots: Sequence[Path], names: Sequence[str], tables: Sequence[DiffTable], target: Path) -> None:
     """Write the page of some runs with what differs, their curves and their free runs.
 
+    Parameters
+    ----------
+    roots : sequence of Path
+        Run folders.
+    names : sequence of str
+        What each is called.
+    tables : sequence of DiffTable
+        What differs.
+    target : Path
+        The page.
+
     Raises
     ------
     DebistError
