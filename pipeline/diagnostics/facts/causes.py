@@ -8,8 +8,8 @@ import numpy as np
 
 from ...numerics.arrays import FloatArray
 from ...scoring.wells import NoWells, Wells, snaps
+from ...signals.findings import Finding, Number
 from ...system.names import log_title
-from ..findings import Finding, Number
 from .grades import THRESHOLDS
 from .run_data import LogData, RunData
 

@@ -7,10 +7,10 @@ import numpy as np
 from ...fitting.coverage import coverage
 from ...numerics.arrays import FloatArray, sample_interval
 from ...scoring.wells import NoWells, Wells, snaps
+from ...signals.findings import Finding, Number
 from ...signals.log import voltages
 from ...signals.noise import below_resolution, noise_std, rounding
 from ...signals.signal_quality import examine_signal
-from ..findings import Finding, Number
 from ..sentences import MASKS
 from .grades import Check, graded, of_finding
 from .run_data import LogData, RunData

@@ -10,9 +10,9 @@ from ...models.base import DynamicModel
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90
 from ...scoring.wells import NoWells, Wells
+from ...signals.findings import Finding, Number
 from ...signals.log import voltages
 from ...store.columns import FACT_COLUMNS, STABLE
-from ..findings import Finding, Number
 from .characteristics import (
     COVERAGE,
     Curves,
