@@ -227,7 +227,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
 def identify_signals(
     logs: Sequence[Signals], prototype: Prototype, name: str
 ) -> tuple[StoredModel, dict[str, Any], list[Log]]:
-    """The model of that name, or the headline for `AUTO`; notes on the fits; and the logs.
+    """The model of that name, or the main model for `AUTO`; notes on the fits; and the logs.
 
     What `debist check` would refuse is warned of: the note ``contradictions`` holds it.
 

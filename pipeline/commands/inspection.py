@@ -208,7 +208,7 @@ def check(
     """
     from ..diagnostics.rows import check_rows
     from ..workflow.inspection import check as check_tool
-    from ..workflow.stage_check import verdict
+    from ..workflow.stage_check import assess
 
     with Progress(quiet=quiet) as progress:
         prototype, findings = check_tool(place, progress)
@@ -217,7 +217,7 @@ def check(
         emit_json({"prototype": prototype.name, "rows": [asdict(row) for row in rows]})
     else:
         emit_rows(prototype.name, rows, details=details)
-    verdict(findings, prototype)
+    assess(findings, prototype)
 
 
 def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:

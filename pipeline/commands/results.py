@@ -138,7 +138,7 @@ def export(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.", callback=run_of)],
     target: Annotated[Target, typer.Option("--to", help="Form of the export.")],
     model: Annotated[
-        str | None, typer.Option("--model", help="Model that is exported [default: the headline].")
+        str | None, typer.Option("--model", help="Model that is exported [default: the main model].")
     ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", metavar="DIR", help="Folder of the files [default: RUN/exports].")

@@ -91,7 +91,7 @@ def report(
     """
     outcome.emit_tasks(_done(run, "report", quiet, figures), as_json=as_json)
     if not as_json:
-        outcome.emit_verdict(run)
+        outcome.emit_assessment(run)
 
 
 def _done(run: Path, stage: "StageName", quiet: bool, figures: Typeface | None = None) -> "list[TaskStatus]":

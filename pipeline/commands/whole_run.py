@@ -75,7 +75,7 @@ def plot(
 
 
 def show(run: Run, as_json: Json = False) -> None:
-    """Datasheet of a run: wells, barriers, switching voltages, ring-down, and the verdict on data and model.
+    """Datasheet of a run: wells, barriers, switching voltages, ring-down, and the assessment of data and model.
 
     Lengths in mm, voltages in kV; SI in the JSON. Example: debist show runs/P1
     """
@@ -91,7 +91,9 @@ def show(run: Run, as_json: Json = False) -> None:
     if shown.seen:
         emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
     outcome.emit_instruments(run)
-    emit_table(f"verdict: {shown.verdict}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4)
+    emit_table(
+        f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4
+    )
 
 
 def run_command(
@@ -125,7 +127,7 @@ def run_command(
     if not as_json:
         outcome.emit_instruments(place.root)
         if not no_report:
-            outcome.emit_verdict(place.root)
+            outcome.emit_assessment(place.root)
         typer.echo(outcome.summary(results))
     outcome.emit_stale_exports(place.root)
 
@@ -148,7 +150,7 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     outcome.emit_scores(folder, as_json=as_json, with_report=True)
     if not as_json:
         outcome.emit_table_2(table_2(load_scores(folder)))
-        outcome.emit_verdict(folder)
+        outcome.emit_assessment(folder)
         typer.echo(f"{outcome.summary(results)}; the logs are simulated. Next: debist status {shell_word(folder)}")
 
 

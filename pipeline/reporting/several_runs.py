@@ -39,7 +39,7 @@ class DrawnRun:
     q : FloatArray, shape (n,)
         Where the curves are given.
     curves : mapping of str to FloatArray, shape (n,)
-        F, d, dC1_dq, dC2_dq of the headline, as far as it has them.
+        F, d, dC1_dq, dC2_dq of the main model, as far as it has them.
     units : mapping of str to str
         Of the curves.
     logs : mapping of (str, str) to (FloatArray, FloatArray, FloatArray)
@@ -68,7 +68,7 @@ def _curves(runs: Sequence[DrawnRun]) -> Iterator[Figure]:
             lines = (Line(run.name, run.name, run.q, run.curves[key]) for run in having if run.units[key] == unit)
             panels.append(Panel(title, unit, tuple(lines)))
     if panels:
-        caption = "Of the headline model of each run, over the range of its training logs."
+        caption = "Of the main model of each run, over the range of its training logs."
         yield Figure("curves", "Characteristic curves", caption, "q", runs[0].displacement, tuple(panels), columns=2)
 
 

@@ -265,7 +265,7 @@ def differentiated(run: RunFolder) -> list[dict[str, Any]]:
 
 
 def identified(run: RunFolder) -> list[dict[str, Any]]:
-    """Of each identified model its processor time [s], whether it is the headline, and why where "auto" chose it."""
+    """Of each identified model its processor time [s], whether it is the main model, and why where "auto" chose it."""
     notes = run.record(layout.MODELS).notes
     choice = notes.get(CHOICE, {})
     return [

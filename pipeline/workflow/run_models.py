@@ -1,4 +1,4 @@
-"""The models that a run holds: their names, the headline first, how one is loaded, and what control made of them."""
+"""The models that a run holds: their names, the main model first, how one is loaded, and what control made of them."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..export.subject import Subject, Validity
 
 IDENTIFIED = "identified"
-"""Note of ``model.h5``: names of its models, the headline first."""
+"""Note of ``model.h5``: names of its models, the main model first."""
 
 CHOICE = "choice"
 """Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
@@ -33,7 +33,7 @@ TITLES = ("linear", "map", "pulse-to-right", "pulse-to-left", "design")
 
 
 def identified_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
-    """Names of the identified models, the headline first; as the settings say ("auto") before there are any."""
+    """Names of the identified models, the main model first; as the settings say ("auto") before there are any."""
     made = run.manifest.artifacts.get(layout.MODELS)
     return tuple(made.notes.get(IDENTIFIED, prototype.identify.models)) if made else prototype.identify.models
 
@@ -44,7 +44,7 @@ def compared_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
 
 
 def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tuple[str, str]:
-    """Name of a model, the headline if none is given, and the artifact that holds it.
+    """Name of a model, the main model if none is given, and the artifact that holds it.
 
     Raises
     ------
@@ -69,7 +69,7 @@ def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tu
 
 
 def controlled_model(run: RunFolder, prototype: Prototype) -> tuple[str, str]:
-    """Name of the model on which control is designed, the joint beside the headline if there is one; its artifact."""
+    """Name of the model on which control is designed, the joint beside the main model if there is one; its artifact."""
     return model_artifact(run, prototype, _beside(run))
 
 
@@ -127,7 +127,7 @@ def failed_validations(run: RunFolder, name: str) -> list[str]:
 
 
 def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> DynamicModel:
-    """An identified model or a baseline of the run; the headline if none is named.
+    """An identified model or a baseline of the run; the main model if none is named.
 
     Raises
     ------
@@ -139,7 +139,7 @@ def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None
 
 
 def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
-    """A model of the run, the headline if none is named, and what travels along with it."""
+    """A model of the run, the main model if none is named, and what travels along with it."""
     chosen, artifact = model_artifact(run, prototype, name)
     model = load_run_model(run, prototype, chosen)
     check = _check_log(run, prototype)
