@@ -112,7 +112,7 @@ class BatchOptions:
 def batch(
     prototypes: Annotated[
         list[Path],
-        typer.Argument(metavar="FLEET...", help="Settings files, folders, a fleet file, or a table (CSV, XLSX)."),
+        typer.Argument(metavar="FLEET...", help="Settings files, folders, or a table (CSV, XLSX)."),
     ],
     output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder for the runs and the tables.")],
     options: BatchOptions,
