@@ -27,6 +27,7 @@ OPTIONS = {
     "batch --set": "a table with a row for each combination of settings, and `debist diff` for its runs",
     "series -o": "--page",
     "status --watch": "`watch debist status DIR`",
+    "verify --all": "a loop of the shell over the runs",
     "verify --subset": "leave it out: all files are checked",
     "physics calibrate --set": 'a TOML file for --parameters: base = "nominal", then the values',
     "physics calibrate --starts": _SEARCH.format("starts"),
