@@ -25,6 +25,8 @@ OPTIONS = {
     "--keep-going": "leave it out: the others go on unless --fail-fast is given",
     "--capabilities": "`debist --help`, and the README",
     "batch --set": "a table with a row for each combination of settings, and `debist diff` for its runs",
+    "diff --format": "--json",
+    "series --format": "--json",
     "series -o": "--page",
     "status --watch": "`watch debist status DIR`",
     "verify --all": "a loop of the shell over the runs",

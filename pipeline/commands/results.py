@@ -1,7 +1,5 @@
 """Uses of a run: `debist diff`, `export`, `paper`, `study` and `verify`."""
 
-import csv
-import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -28,7 +26,6 @@ _OF_HASH = 16
 
 def diff(
     runs: Annotated[list[Path], typer.Argument(metavar="RUN...", help="Two or more run folders.")],
-    form: Annotated[Literal["text", "csv"], typer.Option("--format", help="Form of the table.")] = "text",
     page: Annotated[
         Path | None, typer.Option("--page", metavar="FILE", help="Write a page with curves and free runs, too (.html).")
     ] = None,
@@ -36,7 +33,7 @@ def diff(
 ) -> None:
     """Runs side by side: only what differs in settings, versions, raw logs, scores, facts of the device and artifacts.
 
-    NRMSE in percent, a fraction in JSON and CSV; artifacts are compared with those of the first run. Exit code 0
+    NRMSE in percent, a fraction in JSON; artifacts are compared with those of the first run. Exit code 0
     whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
     from ..reporting.several_runs import DiffTable
@@ -50,20 +47,8 @@ def diff(
         write_diff_page(runs, different.names, tables, page)
     if as_json:
         emit_json(asdict(different) | {"equal": different.equal})
-    elif form == "csv":
-        _emit_csv(different)
     else:
         _emit_differences(different)
-
-
-def _emit_csv(runs: "RunDifferences") -> None:
-    """Print a row for each key that differs: its part, the key, and the value of each run as it is stored."""
-    from ..reporting.tables import disarmed
-
-    writer = csv.writer(sys.stdout, lineterminator="\n")
-    writer.writerow(("part", "key", *map(disarmed, runs.names)))
-    for part in ("settings", "versions", "sources", "scores", "facts"):
-        writer.writerows((part, disarmed(row.key), *map(disarmed, row.values)) for row in getattr(runs, part))
 
 
 def _difference_tables(runs: "RunDifferences") -> list[tuple[str, str, list[tuple[str, ...]]]]:
