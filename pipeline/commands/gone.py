@@ -36,6 +36,7 @@ OPTIONS = {
     "physics calibrate --seed": _SEARCH.format("seed"),
     "physics calibrate --jobs": _SEARCH.format("threads"),
     "physics calibrate --force": _NO_FORCE,
+    "physics calibrate --figure": "the table, or the correlations of --json",
     "rig --faults": _EXPERIMENT.format('faults = ["gaps"]'),
     "rig --charging-time": _EXPERIMENT.format("charging_time_s"),
     "rig --size": _EXPERIMENT.format("size"),
