@@ -37,8 +37,8 @@ if TYPE_CHECKING:
 class Shown:
     """What of a run a figure shows, and how it is set."""
 
-    start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None
-    stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None
+    start: Annotated[float | None, typer.Option("--from", help="Start of the segment, in s or SI.")] = None
+    stop: Annotated[float | None, typer.Option("--to", help="End of the segment, in s or SI.")] = None
     typeface: Annotated[Typeface, typer.Option("--typeface", help="Typeface of the figure.")] = "sans"
     model: Annotated[
         list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")

@@ -143,7 +143,7 @@ class Figure:
     marks : mapping of str to FloatArray
         Positions on the x axis by what happens there, e.g. voltage switches.
     gaps : tuple of (float, float)
-        Stretches of x without data.
+        Segments of x without data.
     columns : int
         Panels beside one another.
     tall : float

@@ -243,7 +243,7 @@ def ingested(run: RunFolder) -> list[dict[str, Any]]:
 
 
 def differentiated(run: RunFolder) -> list[dict[str, Any]]:
-    """Of each log the method, and of each of its stretches α and the noise, in units that the settings have α in."""
+    """Of each log the method, and of each of its segments α and the noise, in units that the settings have α in."""
     unit = ALPHA_UNIT[device(run.prototype).displacement.symbol][0]
     results = []
     for role, log, path in layout.logs(run.prototype):
