@@ -344,6 +344,19 @@ def run_loop(
 ) -> ClosedLoop:
     """Run a controller on a joint, from rest in a well or from the coordinates `start`, shape (n,).
 
+    Parameters
+    ----------
+    p : RigParameters
+        The joint.
+    bench : Bench
+        Instruments and converters.
+    scenario : Scenario
+        Targets and disturbances.
+    controller : Controller
+        What commands the voltages.
+    start : FloatArray, shape (n,), optional
+        Coordinates at the start.
+
     Raises
     ------
     InputError

@@ -98,7 +98,7 @@ def _member(output: Path, name: str, reason: str) -> Summary:
 
 
 def _scores_alone(run: Path) -> dict[str, Any]:
-    """Entries of the page for a run without a datasheet: errors, without facts or a verdict."""
+    """Entries of the page for a run without a datasheet: errors, without facts or an assessment."""
     scores = load_scores(run)
     judged = next((row["model"] for row in scores if row["headline"]), scores[0]["model"])
     return {"scores": scores, "judged_model": judged, "facts": [], "verdict": {"data": "", "model": ""}}

@@ -41,6 +41,17 @@ class AnalyticalModel(ModelFile):
         """Free run from the static shape at ``q0`` that moves with ``qdot0``; v is left and right [V].
 
         Cost: 0.1 s of processor time for 37.5 s, at 10 ms samples.
+
+        Parameters
+        ----------
+        t : FloatArray, shape (N,)
+            Times [s].
+        v : FloatArray, shape (N, 2) or (N, r, 2)
+            Voltages [V] at the samples, or at r times of each interval.
+        q0 : float
+            Displacement [m] at the first sample.
+        qdot0 : float
+            Velocity [m/s] there.
         """
         knots = voltage_knots(t, v)
         start = rest_state(self.parameters, q0, qdot0, knots.v[0])

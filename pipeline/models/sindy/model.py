@@ -334,6 +334,19 @@ def identify_default_sindy(
     """SINDy as pysindy ships it: `pipeline.models.sindy.fit.fit_default_sindy`; parameters as above.
 
     `log_units`: those of the log for q and the inputs, in SI.
+
+    Parameters
+    ----------
+    trajectories : sequence of Log
+        Gap-free training segments.
+    inputs : {"squared", "linear"}
+        How the inputs act.
+    mass : float
+        Moving mass [kg]; 1 if unknown.
+    units : (str, str)
+        SI units of q and of the inputs.
+    log_units : (float, float)
+        Units of the log for q and the inputs, in SI.
     """
     from .fit import fit_default_sindy
 
