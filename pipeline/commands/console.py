@@ -220,18 +220,6 @@ class Progress:
 
 
 @contextmanager
-def working(text: str, *, quiet: bool = False) -> Iterator[None]:
-    """Say on stderr what is done, with a spinner; nothing where stderr is no terminal."""
-    if quiet or not sys.stderr.isatty():
-        yield
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status(printable(text)):
-        yield
-
-
-@contextmanager
 def progress_report(first: str, *, quiet: bool = False) -> Iterator[Callable[[str, float], None] | None]:
     """Yield a callable that shows what is done, to begin with `first`, and its share; None without a terminal."""
     if quiet or not sys.stderr.isatty():
