@@ -98,6 +98,19 @@ def identified(
     Where "auto" fits the joint's equations and chooses the network, both are among the models; only the network is
     named in the note `IDENTIFIED`. An `rbf` beside "auto" that the training logs refuse is left out, with a warning.
 
+    Parameters
+    ----------
+    data : list of Log
+        Training logs.
+    prototype : Prototype
+        Settings.
+    parameters : JointParameters or None
+        Parameter set of the analytical joint.
+    prior_knowledge : PriorKnowledge, optional
+        Curves and prior beside the logs.
+    on_progress : callable
+        Receives what a fit is doing, and its share.
+
     Raises
     ------
     DataRefusedError

@@ -42,7 +42,21 @@ def tasks(prototype: Prototype, parameters: JointParameters | None, models: Sequ
 
 
 def task(prototype: Prototype, parameters: JointParameters | None, stage: str, model: str, source: str) -> Task:
-    """The free runs of `model`, which the artifact `source` holds."""
+    """The free runs of `model`, which the artifact `source` holds.
+
+    Parameters
+    ----------
+    prototype : Prototype
+        Settings.
+    parameters : JointParameters or None
+        Parameter set of a joint, for φ.
+    stage : str
+        Stage that the free runs belong to.
+    model : str
+        Name of the model.
+    source : str
+        Artifact that holds it.
+    """
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
         stage=stage,
