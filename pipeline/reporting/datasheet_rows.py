@@ -166,8 +166,8 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
 
     def texts(row: SheetRow, of: Callable[[SheetCell], str]) -> tuple[str, ...]:
         """Title and cells of a row, in one line each."""
-        cells = (*(of(cell) for cell in row.cells), "")[:2]
-        return (row.title, *(cell.replace("\u00a0", " ").replace("\n", "; ") for cell in cells))
+        cells = (row.title, *(of(cell) for cell in row.cells), "")[:3]
+        return tuple(cell.replace("\u00a0", " ").replace("\n", "; ") for cell in cells)
 
     assessment = document["verdict"]
     checks: Rows = [
