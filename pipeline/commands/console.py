@@ -128,7 +128,7 @@ def brief(reasons: Sequence[str]) -> str:
 
 
 class Progress:
-    """Tells on stderr what a run does; a spinner or bar where stderr is a terminal, one line per task where not."""
+    """Progress of a run on stderr; a spinner or bar where stderr is a terminal, one line per task where not."""
 
     def __init__(self, *, quiet: bool = False) -> None:
         self._quiet = quiet

@@ -256,7 +256,7 @@ class Hdf5Source(Source):
         return None
 
     def _note_rate(self, name: str, dataset: Any) -> bool:
-        """Tell of a number that may be the sample rate or interval; whether there are not several numbers."""
+        """Note a number that may be the sample rate or interval; whether there are not several numbers."""
         if dataset.dtype.kind not in "fiu" or not dataset.size:
             return True
         if dataset.size == 1:

@@ -94,7 +94,7 @@ def identify_rbf(
         data and limit give the same model on every machine. The structure search takes at most 0.6 of it. Where a
         structure is searched on more than `SAMPLES_OF_LIMIT` samples, it is as many times as long.
     on_progress : callable
-        Told what is going on, with the present error, and which share of the limit is spent.
+        Receives what is going on, with the present error, and which share of the limit is spent.
 
     Raises
     ------

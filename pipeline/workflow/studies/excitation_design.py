@@ -149,7 +149,7 @@ def design_excitation(
     wanted : Requirements
         Length, limits, shapes, effort.
     report : callable, optional
-        Told the share that is designed.
+        Receives the share that is designed.
 
     Raises
     ------

@@ -77,7 +77,7 @@ def run_folds(
     root : Path
         Run folder with kinematics.
     observer : Observer
-        Told what is done.
+        Receives what is done.
     by : {"blocks", "logs"}
         What is left out.
     folds : int, optional
