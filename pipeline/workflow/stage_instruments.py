@@ -19,7 +19,7 @@ from .corrections import corrections
 from .engine import Task
 from .logs import fitted_parts, load_motion, sources
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 
 Logs = Mapping[tuple[Role, str], Log]
 """Logs by role and name."""
