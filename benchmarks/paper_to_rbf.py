@@ -19,7 +19,7 @@ from scipy.optimize import lsq_linear
 
 from pipeline.models.base import DynamicModel
 from pipeline.models.free_runs import free_run
-from pipeline.models.kind import Training
+from pipeline.models.model_type import Training
 from pipeline.models.paper.model import RBF_PAPER, RbfPaperModel
 from pipeline.models.rbf import identify as rbf
 from pipeline.models.rbf.candidates import FRICTION, Candidate, candidate

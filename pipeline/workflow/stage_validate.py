@@ -18,7 +18,7 @@ from ..diagnostics.facts.characteristics import believed_wells, stable_rests
 from ..models.analytical.statics import RotationMap, rotation_map
 from ..models.base import DynamicModel, FreeRun, HasTubes, predictor
 from ..models.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..models.tubes import Tubes
 from ..numerics.arrays import FloatArray
 from ..scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors

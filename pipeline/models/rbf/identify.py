@@ -22,7 +22,7 @@ from ...settings.models import RBF_TIME_LIMIT
 from ...signals.log import Log, operating_range
 from ...system.progress import OnProgress, silent
 from ..free_runs import scale_on
-from ..kind import Kind, KnownCurves, Training
+from ..model_type import KnownCurves, ModelType, Training
 from .candidates import (
     Candidate,
     RbfChoice,
@@ -282,4 +282,4 @@ def _fit(training: Training) -> RbfModel:
     )
 
 
-RBF = Kind(_fit, RbfModel.from_tree, "export.data_driven:realise")
+RBF = ModelType(_fit, RbfModel.from_tree, "export.data_driven:realise")

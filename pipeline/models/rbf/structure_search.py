@@ -13,7 +13,7 @@ from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import Log
 from ...system.progress import OnProgress, silent
-from ..kind import KnownCurves
+from ..model_type import KnownCurves
 from .candidates import Candidate, Offer
 from .parameter_layout import ParameterLayout
 from .prior import joint_prior, pin_curves, population
