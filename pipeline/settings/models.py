@@ -16,7 +16,7 @@ class ModelEntry:
     name : str
         Under which predictions and scores are filed.
     model_type : str
-        Where its `pipeline.models.model_type.ModelType` is: ``module:attribute``. It is imported when the model is used.
+        Place of its `pipeline.models.model_type.ModelType`: ``module:attribute``, imported when the model is used.
     part : {"identify", "compare"}
         The settings table that names it, and the stage that fits it.
     needs_parameters : bool
