@@ -45,7 +45,19 @@ _WEIGHTS = 0.5 * np.polynomial.legendre.leggauss(6)[1]
 
 @compiled
 def tip(x: FloatArray, p: RigParameters, pose: FloatArray, jacobian: FloatArray) -> None:
-    """Fill `pose` = (q, u_y, φ) of the tip and its `jacobian`, shape (3, n), at the coordinates `x`."""
+    """Fill `pose` = (q, u_y, φ) of the tip and its `jacobian`, shape (3, n), at the coordinates `x`.
+
+    Parameters
+    ----------
+    x : FloatArray, shape (n,)
+        Coordinates.
+    p : RigParameters
+        The joint.
+    pose : FloatArray, shape (3,)
+        Filled: q, u_y [m] and φ [rad].
+    jacobian : FloatArray, shape (3, n)
+        Filled: ∂pose/∂x.
+    """
     n = x.size
     l = p.length
     if p.beam == RITZ:
@@ -82,6 +94,19 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
     """Fill the mass `matrix`, shape (n, n), and the velocity-dependent inertia forces `bias`, shape (n,).
 
     The equations of motion read ``M(x) v̇ + bias(x, v) = force(x, v)``.
+
+    Parameters
+    ----------
+    x : FloatArray, shape (n,)
+        Coordinates.
+    v : FloatArray, shape (n,)
+        Their rates.
+    p : RigParameters
+        The joint.
+    matrix : FloatArray, shape (n, n)
+        Filled: the mass matrix.
+    bias : FloatArray, shape (n,)
+        Filled.
     """
     n = x.size
     l = p.length
@@ -127,6 +152,17 @@ def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -
     """Fill `force`, shape (n,), with elasticity and loss of the beam; return its potential energy [J].
 
     The chain's includes the weight of the frame's offset, which the tip's vertical displacement does not carry.
+
+    Parameters
+    ----------
+    x : FloatArray, shape (n,)
+        Coordinates.
+    v : FloatArray, shape (n,)
+        Their rates.
+    p : RigParameters
+        The joint.
+    force : FloatArray, shape (n,)
+        Filled.
     """
     n = x.size
     l = p.length
@@ -186,6 +222,21 @@ def yielding(
     Perfectly plastic layers in parallel with the elastic hinge (Prandtl–Ishlinskii): each holds an elastic angle that
     follows the hinge since `start`, shape (n,), and stops at its yield. `layers`, shape (layers, n), holds these
     angles [rad] before, `after` those at `x`.
+
+    Parameters
+    ----------
+    x : FloatArray, shape (n,)
+        Coordinates.
+    start : FloatArray, shape (n,)
+        Angles of the hinges before [rad].
+    layers : FloatArray, shape (layers, n)
+        Elastic angles before [rad].
+    p : RigParameters
+        The joint.
+    force : FloatArray, shape (n,)
+        Added to [N m].
+    after : FloatArray, shape (layers, n)
+        Filled: elastic angles at `x` [rad].
     """
     n = x.size
     if p.beam == RITZ:
@@ -204,7 +255,19 @@ def yielding(
 
 @compiled
 def stretch(side: int, pose: FloatArray, p: RigParameters, gradient: FloatArray) -> float:
-    """λ1 of membrane `side` (0 left, 1 right) at `pose` = (q, u_y, φ); fills ∂λ1/∂pose, shape (3,)."""
+    """λ1 of membrane `side` (0 left, 1 right) at `pose` = (q, u_y, φ); fills ∂λ1/∂pose, shape (3,).
+
+    Parameters
+    ----------
+    side : int
+        0 left, 1 right.
+    pose : FloatArray, shape (3,)
+        q, u_y [m] and φ [rad].
+    p : RigParameters
+        The joint.
+    gradient : FloatArray, shape (3,)
+        Filled: ∂λ1/∂pose.
+    """
     s = 2.0 * side - 1.0
     sin = math.sin(pose[2])
     cos = math.cos(pose[2])
@@ -284,6 +347,21 @@ def slide(z: FloatArray, shift: float, speed: float, dt: float, p: RigParameters
     ``BOUC_WEN``      ``dz = k(dx − ((1 − c0)|dx| z + c0 dx |z|)/W)``, exponent one, 0 ≤ c0 ≤ ½
 
     where k, W are `slip_stiffness`, `slip_force` and c0… are `friction_shape`.
+
+    Parameters
+    ----------
+    z : FloatArray, shape (elements,)
+        Forces before [N].
+    shift : float
+        Sliding [m].
+    speed : float
+        At the end [m/s].
+    dt : float
+        Time of the sliding [s].
+    p : RigParameters
+        The joint.
+    after : FloatArray, shape (elements,)
+        Filled: forces after [N].
     """
     force = 0.0
     for i in range(z.size):

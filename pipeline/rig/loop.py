@@ -344,6 +344,19 @@ def run_loop(
 ) -> ClosedLoop:
     """Run a controller on a joint, from rest in a well or from the coordinates `start`, shape (n,).
 
+    Parameters
+    ----------
+    p : RigParameters
+        The joint.
+    bench : Bench
+        Converters and instruments.
+    scenario : Scenario
+        Target and disturbances.
+    controller : Controller
+        Gets readings and targets, gives voltages.
+    start : FloatArray | None, shape (n,)
+        Coordinates at rest; computed if left out.
+
     Raises
     ------
     InputError

@@ -233,7 +233,21 @@ def workspace(p: RigParameters, n: int) -> _Work:
 
 @inner
 def read_tip(state: _State, p: RigParameters, work: _Work, pose: FloatArray, rate: FloatArray) -> None:
-    """Fill `pose` and `rate`, shape (2,), with (q, φ) and their rates; `work.pose` is that of the state."""
+    """Fill `pose` and `rate`, shape (2,), with (q, φ) and their rates; `work.pose` is that of the state.
+
+    Parameters
+    ----------
+    state : _State
+        The joint.
+    p : RigParameters
+        Its parameters.
+    work : _Work
+        Arrays to fill.
+    pose : FloatArray, shape (2,)
+        Filled: q [m] and φ [rad].
+    rate : FloatArray, shape (2,)
+        Filled: their rates.
+    """
     tip(state.x, p, work.pose, work.jacobian)
     for row in range(2):
         pose[row] = work.pose[2 * row]
@@ -250,6 +264,23 @@ def advance(
 
     `work.pose` must be that of the state (see `read_tip`); `inverse`, shape (n, n), and `vm`, shape (n,), are kept for
     the next step.
+
+    Parameters
+    ----------
+    h : float
+        Time step [s].
+    renew : bool
+        Whether the Jacobian is computed anew.
+    state : _State
+        The joint; moved on.
+    p : RigParameters
+        Its parameters.
+    work : _Work
+        Arrays to fill.
+    inverse : FloatArray, shape (n, n)
+        Inverse of the Jacobian, kept.
+    vm : FloatArray, shape (n,)
+        Midpoint velocity, kept.
     """
     for side in range(2):
         state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p)[0]

@@ -25,7 +25,7 @@ from ..engine import Observer, Task
 from ..run_models import WORST, controlled_model, failed_validations, load_run_model
 from ..schedule import bring_up_to_date
 
-ALGORITHM = "21"
+ALGORITHM = "22"
 _MISSED = 0.09
 _UNSEEN = 2e-3
 """RMS residual on the training logs above which no control is designed on a model: a share of the wells' distance, or
@@ -193,7 +193,21 @@ def kept_document(
     observer: Observer,
     work: Callable[[ControlRun, OnProgress], dict[str, Any]],
 ) -> dict[str, Any]:
-    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change."""
+    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change.
+
+    Parameters
+    ----------
+    root : Path
+        The run.
+    title : str
+        Name of the document.
+    settings : Mapping[str, Any]
+        That change it.
+    observer : Observer
+        Shows the progress.
+    work : callable
+        Makes the document.
+    """
     with run_lock(root):
         joint_run = control_run(root)
         name = layout.control(title)

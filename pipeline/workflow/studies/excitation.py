@@ -107,6 +107,21 @@ def excite(
 ) -> tuple[Design | NextLog, tuple[Path, ...]]:
     """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
 
+    Parameters
+    ----------
+    output : Path
+        The sequence.
+    source : ExcitationSource
+        What it is simulated with.
+    wanted : Requirements
+        Length, shapes, effort.
+    limits : ExcitationLimits
+        Voltage and field.
+    rate : float
+        Of the samples [Hz].
+    report : callable
+        Told the share that is designed.
+
     Returns
     -------
     Design or NextLog

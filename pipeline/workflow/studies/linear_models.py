@@ -82,7 +82,19 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
 
 
 def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *, force: bool) -> list[Path]:
-    """Write linear models as JSON, MAT (v5) and one CSV of the matrices for each equilibrium."""
+    """Write linear models as JSON, MAT (v5) and one CSV of the matrices for each equilibrium.
+
+    Parameters
+    ----------
+    root : Path
+        The run.
+    document : Mapping[str, Any]
+        Of `linearise`.
+    output : Path | None
+        Folder; that of exports if left out.
+    force : bool
+        Whether files of others are replaced.
+    """
     from scipy.io import savemat
 
     folder = output or root / layout.EXPORTS
