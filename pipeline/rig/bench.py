@@ -81,17 +81,17 @@ def charged(v: float, asked: float, decay: float, rate: float, power: float, dt:
     Parameters
     ----------
     v : float
-        Before [V].
+        Voltage before [V].
     asked : float
-        Command [V].
+        Commanded voltage [V].
     decay : float
         1 − e^(−dt/lag).
     rate : float
-        Largest slope [V/s].
+        Largest rate [V/s].
     power : float
-        Largest power while charging over the capacitance [V²/s].
+        Power of the converter over the capacitance [V²/s].
     dt : float
-        Time step [s].
+        Time [s].
     """
     up = min(rate, power / max(v, _POWER_FLOOR)) * dt
     return v + min(max((asked - v) * decay, -rate * dt), up)
@@ -139,14 +139,14 @@ def bent(q: Any, linearity: float, rail: float, phase: float) -> Any:
 
     Parameters
     ----------
-    q : value
+    q : number or array
         Displacement [m].
     linearity : float
         Largest error [m].
     rail : float
         End of the range [m].
     phase : float
-        Of the wave [rad].
+        Phase of the error [rad].
     """
     return linearity * np.sin(2.0 * np.pi * q / rail + phase)
 
@@ -246,12 +246,12 @@ def record(p: RigParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np
     p : RigParameters
         The joint.
     bench : Bench
-        Converters and instruments.
+        Instruments and converters.
     t : FloatArray, shape (N,)
-        Times of the bench's samples [s].
+        Times of the bench [s].
     u : FloatArray, shape (N, 2)
-        Commands to left and right [V].
-    rng : np.random.Generator
+        Commands [V].
+    rng : numpy.random.Generator
         Draws the noise.
     """
     dt = 1 / bench.rate

@@ -54,9 +54,9 @@ def tip(x: FloatArray, p: RigParameters, pose: FloatArray, jacobian: FloatArray)
     p : RigParameters
         The joint.
     pose : FloatArray, shape (3,)
-        Filled: q, u_y [m] and φ [rad].
+        Takes q [m], u_y [m] and φ [rad].
     jacobian : FloatArray, shape (3, n)
-        Filled: ∂pose/∂x.
+        Takes their derivatives.
     """
     n = x.size
     l = p.length
@@ -97,16 +97,14 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
 
     Parameters
     ----------
-    x : FloatArray, shape (n,)
-        Coordinates.
-    v : FloatArray, shape (n,)
-        Their rates.
+    x, v : FloatArray, shape (n,)
+        Coordinates and their rates.
     p : RigParameters
         The joint.
     matrix : FloatArray, shape (n, n)
-        Filled: the mass matrix.
+        Takes the mass matrix.
     bias : FloatArray, shape (n,)
-        Filled.
+        Takes the inertia forces.
     """
     n = x.size
     l = p.length
@@ -155,14 +153,12 @@ def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -
 
     Parameters
     ----------
-    x : FloatArray, shape (n,)
-        Coordinates.
-    v : FloatArray, shape (n,)
-        Their rates.
+    x, v : FloatArray, shape (n,)
+        Coordinates and their rates.
     p : RigParameters
         The joint.
     force : FloatArray, shape (n,)
-        Filled.
+        Takes the forces.
     """
     n = x.size
     l = p.length
@@ -228,15 +224,15 @@ def yielding(
     x : FloatArray, shape (n,)
         Coordinates.
     start : FloatArray, shape (n,)
-        Angles of the hinges before [rad].
+        Coordinates at the beginning of the step.
     layers : FloatArray, shape (layers, n)
-        Elastic angles before [rad].
+        Elastic angles [rad] at the beginning.
     p : RigParameters
         The joint.
     force : FloatArray, shape (n,)
-        Added to [N m].
+        The moments are added to it.
     after : FloatArray, shape (layers, n)
-        Filled: elastic angles at `x` [rad].
+        Takes the elastic angles [rad] at `x`.
     """
     n = x.size
     if p.beam == RITZ:
@@ -260,13 +256,13 @@ def stretch(side: int, pose: FloatArray, p: RigParameters, gradient: FloatArray)
     Parameters
     ----------
     side : int
-        0 left, 1 right.
+        0 for the left membrane, 1 for the right one.
     pose : FloatArray, shape (3,)
-        q, u_y [m] and φ [rad].
+        q [m], u_y [m] and φ [rad] of the tip.
     p : RigParameters
         The joint.
     gradient : FloatArray, shape (3,)
-        Filled: ∂λ1/∂pose.
+        Takes ∂λ1/∂pose.
     """
     s = 2.0 * side - 1.0
     sin = math.sin(pose[2])
@@ -351,17 +347,17 @@ def slide(z: FloatArray, shift: float, speed: float, dt: float, p: RigParameters
     Parameters
     ----------
     z : FloatArray, shape (elements,)
-        Forces before [N].
+        Friction states before [N].
     shift : float
-        Sliding [m].
+        Travel [m].
     speed : float
-        At the end [m/s].
+        Velocity [m/s].
     dt : float
-        Time of the sliding [s].
+        Time [s].
     p : RigParameters
         The joint.
     after : FloatArray, shape (elements,)
-        Filled: forces after [N].
+        Takes the friction states after [N].
     """
     force = 0.0
     for i in range(z.size):

@@ -102,13 +102,13 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
     Parameters
     ----------
     folder : Path
-        Made if missing.
+        Folder of its files.
     name : str
-        Of the prototype.
+        Name of the prototype.
     experiment : Experiment
-        What to simulate.
+        What is drawn and recorded.
     seed : int
-        Draws everything that is random.
+        Seed of all draws.
 
     Returns
     -------
@@ -155,13 +155,13 @@ def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed:
     Parameters
     ----------
     folder : Path
-        Made if missing.
+        Folder of its files.
     name : str
-        Of the prototype.
+        Name of the prototype.
     experiment : Experiment
-        What to simulate.
+        What is drawn and recorded.
     seed : int
-        Draws everything that is random.
+        Seed of all draws.
 
     Raises
     ------
@@ -183,13 +183,13 @@ def simulate_fleet(folder: Path, count: int, experiment: Experiment, *, seed: in
     Parameters
     ----------
     folder : Path
-        Made if missing.
+        Folder of the prototypes' folders.
     count : int
         Number of prototypes.
     experiment : Experiment
-        What to simulate of each.
+        What is drawn and recorded.
     seed : int
-        Draws everything that is random.
+        Seed of all draws.
     """
     for i in range(count):
         kind = "foreign" if experiment.kind == "same" and i % 2 else experiment.kind
@@ -314,15 +314,15 @@ def prototype_toml(name: str, mass: float, files: Mapping[str, list[str]], form:
     Parameters
     ----------
     name : str
-        Of the prototype.
+        Name of the prototype.
     mass : float
         Moving mass [kg].
-    files : Mapping[str, list[str]]
-        Names of the logs by role.
+    files : mapping of str to list of str
+        Log files by role.
     form : str
-        A name in `LAYOUTS`.
+        Layout of the logs.
     more : str
-        Lines for ``[plant]``.
+        Further lines of ``[plant]``.
     """
     logs = "\n".join(["[logs]", *(f"{role} = {json.dumps(names)}" for role, names in files.items() if names)])
     plant = f'[plant]\nmass = {{ value = {mass:.4f}, unit = "kg" }}\ninputs = "squared"\n{more}'

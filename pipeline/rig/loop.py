@@ -349,13 +349,13 @@ def run_loop(
     p : RigParameters
         The joint.
     bench : Bench
-        Converters and instruments.
+        Instruments and converters.
     scenario : Scenario
-        Target and disturbances.
+        Targets and disturbances.
     controller : Controller
-        Gets readings and targets, gives voltages.
-    start : FloatArray | None, shape (n,)
-        Coordinates at rest; computed if left out.
+        What commands the voltages.
+    start : FloatArray, shape (n,), optional
+        Coordinates at the start.
 
     Raises
     ------

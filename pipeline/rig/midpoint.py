@@ -238,15 +238,15 @@ def read_tip(state: _State, p: RigParameters, work: _Work, pose: FloatArray, rat
     Parameters
     ----------
     state : _State
-        The joint.
+        State of the joint.
     p : RigParameters
-        Its parameters.
+        The joint.
     work : _Work
-        Arrays to fill.
+        Arrays of the integrator.
     pose : FloatArray, shape (2,)
-        Filled: q [m] and φ [rad].
+        Takes q [m] and φ [rad].
     rate : FloatArray, shape (2,)
-        Filled: their rates.
+        Takes their rates.
     """
     tip(state.x, p, work.pose, work.jacobian)
     for row in range(2):
@@ -268,19 +268,19 @@ def advance(
     Parameters
     ----------
     h : float
-        Time step [s].
+        Length of the step [s].
     renew : bool
-        Whether the Jacobian is computed anew.
+        Whether the inverse is made anew.
     state : _State
-        The joint; moved on.
+        State of the joint, which is moved.
     p : RigParameters
-        Its parameters.
+        The joint.
     work : _Work
-        Arrays to fill.
+        Arrays of the integrator.
     inverse : FloatArray, shape (n, n)
-        Inverse of the Jacobian, kept.
+        Inverse of the Newton matrix.
     vm : FloatArray, shape (n,)
-        Midpoint velocity, kept.
+        Rates at the midpoint.
     """
     for side in range(2):
         state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p)[0]

@@ -170,6 +170,15 @@ def rms_difference_interval(
     Two models err at the same switches, so their RMS move together; the paired difference sees through that, the
     comparison of two separate intervals does not. Parameters and None as in `rms_interval`; the series are equally
     long and masked at the same rows.
+
+    Parameters
+    ----------
+    error, other : FloatArray, shape (N,)
+        Errors of the two models, NaN where masked.
+    block : int
+        Length of a block in samples.
+    rng : numpy.random.Generator
+        Draws the blocks.
     """
     if np.count_nonzero(np.isfinite(error)) < 3 * block:
         return None

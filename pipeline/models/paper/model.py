@@ -122,7 +122,19 @@ class RbfPaperModel(ModelFile):
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
+        """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity.
+
+        Parameters
+        ----------
+        t : FloatArray, shape (N,)
+            Times [s].
+        v : FloatArray, shape (N, K)
+            Inputs.
+        q : FloatArray, shape (N,)
+            Displacement.
+        qdot : FloatArray, shape (N,)
+            Velocity.
+        """
         z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag_s)
         signals = curve_signals(q, z, input_signal(v, self.inputs))
         curves = basis_values(q, self.centres, self.width) @ self.weights.T

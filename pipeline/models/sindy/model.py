@@ -176,14 +176,6 @@ class SindyModel(ModelFile):
             begin = (float(seen[start]), float(speed[start]))
             yield free_run(self.dynamics, v[rows], dt, *begin, states[start])[0][:, 0]
 
-    @checked
-    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured gap-free path, lag states filtered from the measured signals."""
-        d = self.dynamics
-        library = monomials(d.exponents, scaled_variables(d, _at_samples(v), q, qdot, sample_interval(t)))
-        acceleration: FloatArray = library @ d.coefficients[1]
-        return acceleration
-
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves on a grid of q [m], shape (n,) (fig. 14).
 
@@ -342,6 +334,19 @@ def identify_default_sindy(
     """SINDy as pysindy ships it: `pipeline.models.sindy.fit.fit_default_sindy`; parameters as above.
 
     `log_units`: those of the log for q and the inputs, in SI.
+
+    Parameters
+    ----------
+    trajectories : sequence of Log
+        Gap-free training segments.
+    inputs : {"squared", "linear"}
+        How the inputs act.
+    mass : float
+        Moving mass [kg]; 1 if unknown.
+    units : (str, str)
+        SI units of q and of the inputs.
+    log_units : (float, float)
+        Units of the log for q and the inputs, in SI.
     """
     from .fit import fit_default_sindy
 
