@@ -35,6 +35,8 @@ PUSH = 1.2e-4
 WALK = 1e-2
 """Standard deviations of a white force on q [√s], over the largest moment through the wells' distance, and of the
 random walk of the unknown moment [1/√s], over the largest one."""
+BOUND = 10.0
+"""Magnitude that no estimate passes, over what it reaches in a snap, or over the largest moment."""
 NODES = 2
 """Points of the table of the corrections in a width σ."""
 
@@ -92,7 +94,8 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     a_snap = distance / float(reach[1])
     targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0, WEIGHT * reach)
     moment = float(np.mean(moments_per_square(plant, wells[1].x, np.zeros(2)))) * plant.highest**2
-    unknown = np.append(READING * distance, [*reach[1:], moment])
+    scale = np.append(reach, moment)
+    unknown = np.append(READING * distance, scale[1:])
     numbers = dict(zip(NUMBERS, law.numbers.tolist(), strict=True)) | {
         "highest": settings.highest,
         "first": places[0],
@@ -115,6 +118,7 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
         "push": (PUSH * moment / distance) ** 2,
         "walk": (WALK * moment) ** 2,
         **{f"unknown_{i}": value**2 for i, value in enumerate(unknown)},
+        **{f"bound_{i}": BOUND * value for i, value in enumerate(scale)},
     }
     slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]
     law = law._replace(numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64), targets=targets)

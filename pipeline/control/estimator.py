@@ -155,7 +155,11 @@ def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, V
     miss = choose(outside, 0.0, whole)
     column = [now["spread"][_packed(i, 0)] for i in range(FILTER)]
     share = [value / (column[0] + n["reading_variance"]) for value in column]
-    moved = [old + miss * gain for old, gain in zip([*now["x"][:CORRECTED], now["moment"][0]], share, strict=True)]
+    bounds = [n[f"bound_{i}"] for i in range(FILTER)]
+    moved = [
+        clip(old + miss * gain, -bound, bound)
+        for old, gain, bound in zip([*now["x"][:CORRECTED], now["moment"][0]], share, bounds, strict=True)
+    ]
     x = [*moved[:CORRECTED], *now["x"][CORRECTED:]]
     spread = [now["spread"][_packed(i, j)] - column[j] * share[i] for i in range(FILTER) for j in range(i + 1)]
     return {

@@ -41,6 +41,7 @@ NUMBERS = (
     *(f"{name}_{side}" for name in ("kept", "kept_mean") for side in SIDES),
     "reading_variance", "push", "walk",
     *(f"unknown_{i}" for i in range(FILTER)),
+    *(f"bound_{i}" for i in range(FILTER)),
     "arm", "length", *(f"travel_{i}" for i in sorted(set(STOP_ELEMENTS))),
     "curve_first", "curve_per_metre", "curve_last", "rest_per_metre",
     "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near",
@@ -49,7 +50,7 @@ NUMBERS = (
 """Single numbers of a law, all SI: the laser's offset, the wall no motion passes, the largest displacement
 that counts as a reading; the share of each converter's voltage that is left after a period and its mean over it;
 variance of a reading; densities of a white force on q and of the unknown moment's random walk; variances where little
-is known; friction's arm, the beam's length, travels of stop operators; grids of the
+is known, magnitudes that no estimate passes; friction's arm, the beam's length, travels of stop operators; grids of the
 tables; those of the feedback law (`pipeline.control.feedback`); the largest change of a voltage in a period and its
 largest mean [V]; half width of the band in which the joint is settled [m]; the mass centre's distance [m] from the tip
 along the beam, the periods after which a brake acts, the rows of the table about a well that mean the well, the part of

@@ -310,12 +310,9 @@ def held_at(plant: ControlledJoint, q: float, saddle: FloatArray) -> tuple[Float
     for start in (relaxed, still(q, float(saddle[2]), float(saddle[4]))):
         for side in (0, 1):
             answer = held(plant, start, np.zeros(2), np.eye(2)[side])
-            if answer is None or answer[1] < -_ROUNDING:
+            if answer is None or answer[1] < 0.0:
                 continue
-            u = max(answer[1], 0.0) * np.eye(2)[side]
+            u = answer[1] * np.eye(2)[side]
             if best is None or u.sum() < best[1].sum():
                 best = answer[0], u
     return (relaxed, np.zeros(2)) if best is None else best
-
-
-_ROUNDING = 1e3  # V²

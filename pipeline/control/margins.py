@@ -189,10 +189,8 @@ def _lengths(law: Law) -> FloatArray:
     Stop operators move along with the shape.
     """
     step = float(np.sqrt(np.finfo(float).eps))
-    _, *rates, moment = np.sqrt([law.number(f"unknown_{i}") for i in range(FILTER)])
-    return step * np.array(
-        [law.number("near"), *rates, *np.ones(STATES - CORRECTED), *np.full(2, law.number("highest")), moment, moment]
-    )
+    *reach, moment = (law.number(f"bound_{i}") for i in range(FILTER))
+    return step * np.array([*reach, *np.ones(STATES - CORRECTED), *np.full(2, law.number("highest")), moment, moment])
 
 
 def _stable(joint: Matrices, controller: Matrices, gain: float = 1.0) -> bool:

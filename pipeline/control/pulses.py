@@ -25,9 +25,9 @@ LONGEST = LENGTH / len(SEGMENTS)
 """Longest segment of a pulse [s]."""
 _BOUNDS = np.array([(0.0, LONGEST), (0.0, 1.0), (0.0, LONGEST), (-1.0, 0.0), (0.0, LONGEST), (-1.0, 1.0)])
 """Durations [s] and efforts of push, brake and catch between which the optimisation looks."""
-ROBUST = 6
+JUDGES = 6
 """Vectors of the ensemble that judge a pulse: the estimate and some draws."""
-_ROUNDS = 40
+_ROUNDS = 60
 _POPULATION = 48
 
 
@@ -68,8 +68,8 @@ def design_pulse(
 ) -> Pulse:  # fmt: skip
     """The pulse that brings the joint from rest at `start` to rest at `target` (readings, m).
 
-    Differential evolution over the durations and efforts of three segments on the estimate, from drawn starts of which
-    half push and brake fully; then on, judged by the mean over the estimate and some draws.
+    Differential evolution over the durations and efforts of three segments, judged by the mean over the estimate and
+    some draws, from drawn starts of which half push and brake fully.
 
     Parameters
     ----------
@@ -96,28 +96,25 @@ def design_pulse(
     Cost: 4 s.
     """
     side = 0 if target > start else 1
-    judges = [joint.subset(slice(0, count)) for count in (1, ROBUST)]
+    judges = joint.subset(slice(0, JUDGES))
     rounds = 0
 
-    def cost(values: FloatArray, judge: Ensemble) -> Any:
+    def cost(values: FloatArray) -> Any:
         """Mean over the ensemble of what each pulse costs."""
         nonlocal rounds
-        on_progress("optimising", rounds / (len(judges) * (_ROUNDS + 1)))
+        on_progress("optimising", rounds / (_ROUNDS + 1))
         rounds += 1
-        runs = judge.run(commands(values.T, side, highest), start)
+        runs = judges.run(commands(values.T, side, highest), start)
         return judged(runs, start, target, distance, values.T, goal, float(joint.lags.mean())).mean(axis=1)
 
     rng = np.random.default_rng(SEED)
     pulses = rng.uniform(_BOUNDS[:, 0], _BOUNDS[:, 1], (_POPULATION, len(_BOUNDS)))
     pulses[::2, 1], pulses[::2, 3] = 1.0, -1.0
     limits: Any = _BOUNDS
-    for judge in judges:
-        search = differential_evolution(
-            cost, limits, (judge,), init=pulses, maxiter=_ROUNDS, vectorized=True, polish=False, updating="deferred",
-            tol=0.0, mutation=(0.4, 0.9), recombination=0.8, rng=rng,
-        )  # fmt: skip
-        pulses = search.population
-    best = np.asarray(search.x)
+    best = differential_evolution(
+        cost, limits, init=pulses, maxiter=_ROUNDS, vectorized=True, polish=False, updating="deferred", tol=0.0,
+        mutation=(0.4, 0.9), recombination=0.8, rng=rng,
+    ).x  # fmt: skip
     v = commands(best[None], side, highest)
     q = joint.run(v, start)[0]
     settling = settling_times(q, target, distance)
