@@ -186,9 +186,9 @@ LONGEST = 600
 """Periods of a motion of the model, at most."""
 EVERY = 2
 """Periods from one braked instant to the next."""
-SPEEDS = (0.5, 1.0, 2.0, 4.0)
+SPEEDS = (1.0, 2.0)
 """Speeds, over the largest of a snap, with which motions begin that are braked."""
-LEVELS = (1.0, 0.5, 0.25)
+LEVELS = (1.0, 0.5)
 """Shares of the largest moment that push them."""
 
 
