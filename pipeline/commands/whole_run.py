@@ -92,9 +92,10 @@ def show(run: Run, as_json: Json = False) -> None:
         emit_json(document)
         return
     shown = show_datasheet(document)
-    emit_table(f"{shown.title}; ring-downs of small motion", ("quantity", "model", "90 % interval"), shown.facts)
+    wells = ("quantity", "left well, or the device", "right well")
+    emit_table(f"{shown.title}; ± half of the central 90 %, ring-downs of small motion", wells, shown.facts)
     if shown.seen:
-        emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
+        emit_table("measured in the logs, and in the model's free runs", wells, shown.seen)
     outcome.emit_instruments(run)
     emit_table(
         f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4

@@ -143,11 +143,11 @@ def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
     path : Path
         The log.
     form : str
-        A name in `LAYOUTS`.
+        Layout of the log.
     run : ClosedLoop
-        What is written.
+        The run.
     name : str
-        Of the prototype.
+        Name of the prototype.
 
     Returns
     -------

@@ -72,17 +72,17 @@ def pulse(
     Parameters
     ----------
     root : Path
-        The run.
-    to : Well
-        Well at the end.
-    start : Well | None
-        Well at the beginning; the other one if left out.
-    goal : Goal
-        What is least.
+        Run folder.
+    to : {"left", "right"}
+        Well to bring the joint to.
+    start : {"left", "right"} or None
+        Well it rests in; None: the other one.
+    goal : str
+        Quantity that the pulse minimises.
     settings : ControlSettings
-        Voltage and lags.
+        Limits of the voltages, and lags.
     observer : Observer
-        Shows the progress.
+        Receives what happens.
     """
     if start == to:
         raise InputError(f"--from {start}: the joint is there already; a pulse brings it from one well to the other")
@@ -129,11 +129,11 @@ def with_draws(model: HybridModel, converters: Converters, places: tuple[float, 
     model : HybridModel
         The identified joint.
     converters : Converters
-        What is known of them.
-    places : tuple[float, float, float]
-        Readings of left well, saddle and right well [m].
-    to : Well
-        Well at the end.
+        Lags of the converters.
+    places : (float, float, float)
+        Left rest, unstable equilibrium and right rest [m].
+    to : {"left", "right"}
+        Well of the pulse.
     """
     lowest = lowest_voltage(model, converters, places, to, TYPICAL)
     return with_voltage_error(ensemble_of(model, DRAWS, converters), [lowest])
@@ -161,13 +161,13 @@ def write_pulse(root: Path, document: Mapping[str, Any], output: Path, *, force:
     Parameters
     ----------
     root : Path
-        The run.
-    document : Mapping[str, Any]
-        Of `pulse`.
+        Run folder.
+    document : mapping
+        The pulse.
     output : Path
-        Name of the files.
+        The file.
     force : bool
-        Whether files of others are replaced.
+        Whether a file of others may be replaced.
     """
     check_pulse_name(output)
     t = np.array(document["t_s"])

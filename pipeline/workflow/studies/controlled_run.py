@@ -197,15 +197,15 @@ def kept_document(
     Parameters
     ----------
     root : Path
-        The run.
+        Run folder.
     title : str
-        Name of the document.
-    settings : Mapping[str, Any]
-        That change it.
+        Title of the document.
+    settings : mapping
+        What decides it beside the model.
     observer : Observer
-        Shows the progress.
+        Receives what happens.
     work : callable
-        Makes the document.
+        Computes the document.
     """
     with run_lock(root):
         joint_run = control_run(root)

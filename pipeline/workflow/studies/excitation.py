@@ -112,15 +112,15 @@ def excite(
     output : Path
         The sequence.
     source : ExcitationSource
-        What it is simulated with.
+        Joint or run that it is designed for.
     wanted : Requirements
-        Length, shapes, effort.
+        Duration, bursts and candidates.
     limits : ExcitationLimits
-        Voltage and field.
+        Largest voltage and field.
     rate : float
-        Of the samples [Hz].
-    report : callable
-        Told the share that is designed.
+        Sampling rate of the file [Hz].
+    report : callable, optional
+        Receives the share that is done.
 
     Returns
     -------

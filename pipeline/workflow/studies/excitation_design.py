@@ -152,7 +152,7 @@ def design_excitation(
     wanted : Requirements
         Length, limits, shapes, effort.
     report : callable, optional
-        Told the share that is designed.
+        Receives the share that is designed.
 
     Raises
     ------
@@ -191,13 +191,13 @@ def greedy_bursts(
     Parameters
     ----------
     criterion : callable
-        Value of bursts and their end [s].
-    rng : np.random.Generator
+        Bursts and their end [s] → value; −∞ refuses them.
+    rng : numpy.random.Generator
         Draws the candidates.
     wanted : Requirements
-        Length, limits, shapes, effort.
-    report : callable
-        Told the share that is designed.
+        Duration, kinds of bursts and candidates.
+    report : callable, optional
+        Receives the share that is done.
 
     Raises
     ------
@@ -235,13 +235,13 @@ def assess(
 
     Parameters
     ----------
-    simulators : Sequence[Simulator]
-        Of the devices.
+    simulators : sequence of Simulator
+        Joints on which the sequence is played.
     weights : ScaledRegressor
-        That are to be determined.
+        Regressor of the weights.
     wells : Wells
-        Of the device as drawn.
-    bursts : list[Burst]
+        Wells of the joints.
+    bursts : list of Burst
         The sequence.
     duration : float
         Its length [s].

@@ -87,13 +87,13 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
     Parameters
     ----------
     root : Path
-        The run.
-    document : Mapping[str, Any]
-        Of `linearise`.
-    output : Path | None
-        Folder; that of exports if left out.
+        Run folder.
+    document : mapping
+        The linear models.
+    output : Path or None
+        Folder of the files; None: the exports of the run.
     force : bool
-        Whether files of others are replaced.
+        Whether files of others may be replaced.
     """
     from scipy.io import savemat
 
