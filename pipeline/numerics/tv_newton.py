@@ -279,8 +279,18 @@ def newton_step_high_order(
     times as long as with the recursions of `newton_step` written out, with about (m+1)(m+5) multiplications and
     additions.
 
-    Parameters as of `newton_step`, with the `order` m = 1, 2, … of the penalised derivative, N ≥ m + 1,
-    ``t[:m+1] = 0``.
+    Parameters
+    ----------
+    at : Iterate
+        Where the step starts; N ≥ m + 1, ``t[:m+1] = 0``.
+    step : NewtonStep
+        The step (output).
+    delta : float
+        Rounding of the total variation [unit of the data].
+    order : int
+        Order m = 1, 2, … of the penalised derivative.
+    first_variance : float
+        0: the first sample is exact, 1: it is as noisy as the others.
     """
     start = difference_weights(order)
     room = start_covariance(start, first_variance), np.zeros((2, order + 1))

@@ -210,7 +210,7 @@ class Controller:
     step : int
         Address of its step function.
     begin : callable
-        Told the first reading [m] before the first step.
+        Receives the first reading [m] before the first step.
     failure : list of Exception
         What its Python raised; the voltages are zero from there on.
     keep : tuple

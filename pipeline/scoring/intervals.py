@@ -149,7 +149,7 @@ def rms_interval(error: FloatArray, block: int, rng: np.random.Generator) -> Int
     Returns
     -------
     Interval or None
-        In the unit of `error`; None with fewer than three blocks in the series, where the bootstrap says nothing.
+        In the unit of `error`; None with fewer than three blocks in the series, where there is no bootstrap.
     """
     means = mean_interval(np.square(error), block, rng)
     return None if means is None else Interval(float(np.sqrt(means.low)), float(np.sqrt(means.high)))

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..device.device import device
 from ..device.parameters import JointParameters
-from ..models.kind import KnownCurves, Training
+from ..models.model_type import KnownCurves, Training
 from ..numerics.arrays import FloatArray, sample_interval
 from ..settings.logs import Role
 from ..settings.prototype import Prototype

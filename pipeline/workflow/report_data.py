@@ -11,7 +11,7 @@ from ..device.device import Device, device
 from ..diagnostics.facts.run_data import WHY, LogData, RunData, Study
 from ..errors import DebistError
 from ..models.base import DynamicModel
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
 from ..settings.logs import LogPart, Role
 from ..settings.prototype import Prototype

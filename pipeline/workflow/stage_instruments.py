@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..models.base import DynamicModel
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
 from ..signals.corrections import Corrections

@@ -13,8 +13,8 @@ from ...numerics.arrays import FloatArray
 from ...numerics.stiff import STATES
 from ...signals.log import Log
 from ..base import FreeRun, checked
-from ..kind import Kind, Training
 from ..model_file import JointSet, ModelFile
+from ..model_type import ModelType, Training
 from .full_order import rest_state, simulate
 from .reduced_order import CURVES, reduce_joint
 from .windows import voltage_knots
@@ -125,7 +125,7 @@ def _parameters(training: Training) -> JointParameters:
 
 
 _read = partial(AnalyticalModel.read, name="analytical", command="compare")
-ANALYTICAL = Kind(lambda training: AnalyticalModel(parameters=_parameters(training)), _read)
-ANALYTICAL_CALIBRATED = Kind(
+ANALYTICAL = ModelType(lambda training: AnalyticalModel(parameters=_parameters(training)), _read)
+ANALYTICAL_CALIBRATED = ModelType(
     lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), _read
 )

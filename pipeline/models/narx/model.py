@@ -27,7 +27,6 @@ from ...numerics.linear_filters import finite_difference
 from ...scoring.cross_validation import free_run_error, held_out_blocks, simplest_within_one_standard_error
 from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked
-from ..kind import Kind
 from ..model_file import (
     MOST_INPUTS,
     Exponents,
@@ -39,6 +38,7 @@ from ..model_file import (
     Table,
     Unit,
 )
+from ..model_type import ModelType
 from ..polynomial_dynamics import monomials
 
 MOST_LAGS = 64
@@ -367,7 +367,7 @@ def _error(model: NarxModel, x: Log, span: float) -> float:
     return free_run_error(x.q, q, span)
 
 
-NARX = Kind(
+NARX = ModelType(
     lambda data: identify_narx(data.segments, inputs=data.inputs, most=data.compare.candidates),
     partial(NarxModel.read, name="narx", command="compare"),
 )

@@ -138,6 +138,17 @@ def _controller(run: Path | None, play: Path | None) -> Controller:
 def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
     """Write a run as a raw log with the reference, and the settings with which debist reads it, beside one another.
 
+    Parameters
+    ----------
+    path : Path
+        The log.
+    form : str
+        Layout of the log.
+    run : ClosedLoop
+        The run.
+    name : str
+        Name of the prototype.
+
     Returns
     -------
     list of Path
@@ -166,7 +177,7 @@ def with_side(scenario: Scenario, joint: VirtualJoint) -> Scenario:
     return replace(scenario, side=1 if near else -1)
 
 
-class Push(SettingsTable):
+class TipForce(SettingsTable):
     """A force on the tip."""
 
     start_s: Number = Field(ge=0.0)
@@ -177,7 +188,7 @@ class Push(SettingsTable):
     """How long it lasts."""
 
 
-class Shake(Push):
+class Shake(TipForce):
     """A force that swings."""
 
     frequency_Hz: Number = Field(gt=0.0)
@@ -204,9 +215,9 @@ class ScenarioFile(SettingsTable):
     """Time constant of the converters; left out, the joint's."""
     highest_V: Number = Field(default=MAX_VOLTAGE, gt=0.0)
     """Largest voltage of the converters."""
-    pushes: tuple[Push, ...] = ()
+    pushes: tuple[TipForce, ...] = ()
     """Constant forces on the tip."""
-    hands: tuple[Push, ...] = ()
+    hands: tuple[TipForce, ...] = ()
     """Forces that rise and fall, as a hand pushes and lets go."""
     shakes: tuple[Shake, ...] = ()
     """Forces that swing, as of a table that shakes."""

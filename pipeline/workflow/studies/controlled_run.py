@@ -24,7 +24,7 @@ from ..engine import Observer, Task
 from ..run_models import WORST, controlled_model, failed_validations, load_run_model
 from ..schedule import bring_up_to_date
 
-ALGORITHM = "21"
+ALGORITHM = "22"
 _MISSED = 0.09
 _UNSEEN = 2e-3
 """RMS residual on the training logs above which no control is designed on a model: a share of the wells' distance, or
@@ -192,7 +192,21 @@ def kept_document(
     observer: Observer,
     work: Callable[[ControlRun, OnProgress], dict[str, Any]],
 ) -> dict[str, Any]:
-    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change."""
+    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    title : str
+        Title of the document.
+    settings : mapping
+        What decides it beside the model.
+    observer : Observer
+        Receives what happens.
+    work : callable
+        Computes the document.
+    """
     with run_lock(root):
         joint_run = control_run(root)
         name = layout.control(title)

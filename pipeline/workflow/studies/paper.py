@@ -119,7 +119,7 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
     output : Path, optional
         Folder of the recipe's run; ``RUN-paper`` or ``runs/NAME-paper`` if left out.
     observer : Observer
-        Told of every task.
+        Receives every task.
     """
     prototype, prototype_file, root = _opened(source)
     recipe, root = paper_settings(prototype), output or root
