@@ -27,16 +27,18 @@ from ..signals.inputs import UNKNOWN
 from ..signals.log import Log, log_of
 from ..signals.missing import code_remarks, codes_in, masked
 from ..signals.quality_gates import scale_suspicion
+from ..signals.raw_log import RawLog
 from ..store import layout
 from ..store.columns import TUBE_COLUMNS
 from ..store.run_folder import RunFolder
 from ..workflow.logs import load_motion, motion, training
 from ..workflow.prior_knowledge import prior_knowledge_in
-from ..workflow.si_log import SiLog, on_uniform_clocks
+from ..workflow.si_log import on_uniform_clocks
 from ..workflow.stage_check import declared, log_signals
 from ..workflow.stage_identify import identified
-from ..workflow.stage_ingest import examined, record_columns, resamplings
 from ..workflow.steps.differentiate import kinematics
+from ..workflow.steps.ingest import examined, record_columns, resamplings
+from ..workflow.steps.joint_angle import with_displacement
 from ..workflow.steps.score import ComparedRun, score_rows
 
 if TYPE_CHECKING:
@@ -83,7 +85,8 @@ def settings(
     channels |= {f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)}
     plant: dict[str, Any] = {"inputs": action}
     if mass is not None:
-        plant["mass"] = {"value": mass, "unit": "kg m^2" if angle else "kg"}
+        turned = angle and parameters is None  # else the angle of a joint, which becomes its displacement
+        plant["mass"] = {"value": mass, "unit": "kg m^2" if turned else "kg"}
     if parameters is not None:
         plant["parameters"] = parameters
     document: dict[str, Any] = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
@@ -180,21 +183,23 @@ def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None
 
 
 def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
-    """Clean signals, bring them to the uniform grid and differentiate them.
+    """Clean signals, bring them to the uniform grid and differentiate them; the angle of a joint becomes its q.
 
     Raises
     ------
     DataRefusedError
         The quality gates refuse them; the text begins with `where`.
     """
-    measured = signals.q[np.isfinite(signals.q)]
-    refuse_other_units({"q": float(np.ptp(measured)) if measured.size else 0.0}, prototype)
     stamps = np.ascontiguousarray(signals.t)
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
     q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
     of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts))
-    log = on_uniform_clocks(SiLog(q, tuple(inputs), notes=of_codes))
+    log = on_uniform_clocks(RawLog(q, tuple(inputs), notes=of_codes))
+    if signals.unit != "m":
+        log = with_displacement(log, device(prototype), parameter_set(prototype, _in_this_folder()))
+    measured = log.q[1][np.isfinite(log.q[1])]
+    refuse_other_units({"q": float(np.ptp(measured)) if measured.size else 0.0}, prototype)
     checked = examined(log, prototype, where)
     fine, coarse = (
         record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(checked, prototype.ingest)
@@ -203,6 +208,11 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     notes = {**checked.notes, "raw_step": checked.raw_step}
     remarks = tuple(f"{where}: {text}" for text in checked.notes["warnings"])
     return Cleaned(motion(moved, fine, prototype, notes.get(UNKNOWN, ())), log_signals(where, fine, notes), remarks)
+
+
+def _in_this_folder() -> Path:
+    """The settings file that paths in settings are relative to where there is none."""
+    return Path.cwd() / "settings.toml"
 
 
 def identify_signals(
@@ -217,7 +227,7 @@ def identify_signals(
     DataRefusedError
         The signals do not show what the model needs, or are in other units, as voltages in kV.
     """
-    settings_file = Path.cwd() / "settings.toml"
+    settings_file = _in_this_folder()
     parameters = parameter_set(prototype, settings_file)
     prior = prior_knowledge_in(settings_file, prototype, parameters)
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]

@@ -31,7 +31,7 @@ class Device:
     time : SiUnit or None
         None where the format carries its own time base.
     displacement : SiUnit
-        To m or rad.
+        To m or rad: the unit in which a run computes.
     inputs : tuple of SiUnit
         To V, or whatever the inputs measure; one or two.
     action : {"squared", "linear"}
@@ -42,6 +42,9 @@ class Device:
         To m/s or rad/s; None where the velocity was not measured.
     film_thickness, field_limit : float
         Thickness of the undeformed film [m], and the largest field in it [V/m].
+    angle : SiUnit or None
+        To rad, where the log has the angle of a joint in place of its displacement: the kinematics of its parameter set
+        make the one of the other.
     """
 
     time: SiUnit | None
@@ -52,6 +55,12 @@ class Device:
     velocity: SiUnit | None = None
     film_thickness: float = 1e-6 * FILM_THICKNESS
     field_limit: float = 1e6 * FIELD_LIMIT
+    angle: SiUnit | None = None
+
+    @property
+    def logged(self) -> SiUnit:
+        """Unit in which the log has q, or the angle in place of it."""
+        return self.angle or self.displacement
 
     @property
     def voltage_limit(self) -> float:
@@ -85,34 +94,37 @@ def device(prototype: Prototype) -> Device:
     ------
     InputError
         A unit is unknown or measures something else, an acceleration would act by its square, or a parameter set is for
-        a joint and q is no length; the text names the key.
+        a joint and q is neither a length nor an angle; the text names the key.
     """
     channels = prototype.channels
     plant = prototype.plant
-    mass = prototype.plant.mass
+    mass = plant.mass
 
     def unit(key: str, stated: LogColumn | Quantity, *allowed: str) -> SiUnit:
         """The unit that is stated under a key, of what is allowed there."""
         return to_si(stated.unit, allowed, f"{prototype.name}: {key}.unit")
 
-    displacement = unit("channels.q", channels.q, *DISPLACEMENT)
+    logged = unit("channels.q", channels.q, *DISPLACEMENT)
     inputs = tuple(unit(f"channels.v{i}", channel, *INPUT) for i, channel in enumerate(channels.inputs, start=1))
-    if prototype.plant.inputs == "squared" and any(channel.symbol in ACCELERATION for channel in inputs):
+    if plant.inputs == "squared" and any(channel.symbol in ACCELERATION for channel in inputs):
         raise InputError(
             f'{prototype.name}: an acceleration acts by itself, not by its square; set [plant] inputs = "linear"'
         )
-    if prototype.plant.parameters is not None and displacement.symbol != "m":
+    if plant.parameters is not None and logged.symbol not in ("m", "rad"):
         raise InputError(
-            f"{prototype.name}: plant.parameters: q of the joint is a length, and this device's is in "
+            f"{prototype.name}: plant.parameters: q of the joint is a length or its angle, and this device's is in "
             f"{channels.q.unit}; leave the set out for another device"
         )
+    angle = logged if plant.parameters is not None and logged.symbol == "rad" else None
+    displacement = to_si("mm", ("m",), "") if angle else logged
     return Device(
         time=unit("channels.time", channels.time, *TIME) if channels.time else None,
         displacement=displacement,
         inputs=inputs,
-        action=prototype.plant.inputs,
+        action=plant.inputs,
         known_mass=mass.value * unit("plant.mass", mass, MASS[displacement.symbol]).factor if mass else None,
-        velocity=unit("channels.qdot", channels.qdot, VELOCITY[displacement.symbol]) if channels.qdot else None,
+        velocity=unit("channels.qdot", channels.qdot, VELOCITY[logged.symbol]) if channels.qdot else None,
         film_thickness=plant.film_thickness.value * unit("plant.film_thickness", plant.film_thickness, "m").factor,
         field_limit=plant.field_limit.value * unit("plant.field_limit", plant.field_limit, "V/m").factor,
+        angle=angle,
     )

@@ -1,7 +1,7 @@
 """Inspection: contents of a raw log, what it excites once its channels are named, and what to add."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
@@ -11,6 +11,7 @@ from pydantic import ValidationError
 
 from ..device.device import device
 from ..device.parameter_sets import parameter_set
+from ..device.parameters import JointParameters
 from ..errors import DebistError, InputError
 from ..fitting.coverage import FEW
 from ..fitting.excitation import Excitation, examine_excitation
@@ -189,20 +190,21 @@ def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExc
     if settings is not None:
         prototype = load_prototype(settings)
         csv = CsvOptions(**prototype.ingest.csv.model_dump())
-        return inspect_log(log, csv=csv), _excitation(log, prototype, assumed=False)
+        return inspect_log(log, csv=csv), _excitation(log, prototype, parameter_set(prototype, settings))
     inspection = inspect_log(log)
     try:
-        return inspection, _excitation(log, _supposed(inspection), assumed=True)
+        return inspection, replace(_excitation(log, _supposed(inspection), None), assumed=True)
     except DebistError as reason:
         return inspection, str(reason)
 
 
-def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitation:
+def _excitation(log: Path, prototype: Prototype, parameters: JointParameters | None) -> LogExcitation:
+    """The excitation of a log whose channels the settings name."""
     from ..signals.uniform_record import Resampling, survey
 
     plant = device(prototype)
     ingest = prototype.ingest
-    signals = read_si(log, prototype, plant)
+    signals = read_si(log, prototype, parameters)
     record = Resampling(survey(signals.q, signals.beside, time_reversal="split"), ingest.sample_interval).record()
     excitation = examine_excitation(
         record.q,
@@ -218,7 +220,7 @@ def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitat
     names = tuple(channel.channel for channel in prototype.channels.inputs)
     lacking = shortfalls(excitation, names, factor, unit, joint=plant.joint)
     si = plant.displacement.symbol, plant.inputs[0].symbol
-    return LogExcitation(excitation, names, assumed, lacking, ingest.sample_interval, factor, unit, si, plant.joint)
+    return LogExcitation(excitation, names, False, lacking, ingest.sample_interval, factor, unit, si, plant.joint)
 
 
 def _supposed(inspection: Inspection) -> Prototype:

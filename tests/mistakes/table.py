@@ -14,9 +14,9 @@ from pipeline.diagnostics.copies import shared_recordings, shared_rows
 from pipeline.errors import DebistError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import parse_prototype
-from pipeline.workflow.si_log import SiLog
+from pipeline.signals.raw_log import RawLog
 from pipeline.workflow.stage_check import declared, log_signals
-from pipeline.workflow.stage_ingest import examined, record_columns, resamplings
+from pipeline.workflow.steps.ingest import examined, record_columns, resamplings
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
@@ -66,7 +66,7 @@ def told(logs: Sequence[Log], plant: dict | None = None, **tables: dict) -> list
         prototype = parse_prototype(document, "P.toml")
         seen = []
         for number, one in enumerate(logs, start=1):
-            signals = SiLog((one.t, one.q), tuple((one.t, np.ascontiguousarray(column)) for column in one.v.T))
+            signals = RawLog((one.t, one.q), tuple((one.t, np.ascontiguousarray(column)) for column in one.v.T))
             found = examined(signals, prototype, f"log {number}")
             said += found.notes["warnings"]
             record = resamplings(found, prototype.ingest)[0].record()
