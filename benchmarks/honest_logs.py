@@ -33,7 +33,7 @@ def pairs(folder: Path) -> Iterator[tuple[str, list[LogSignals], Declared]]:
         kind = "same" if number % 2 else "foreign"
         excitation = EXCITATIONS[number // 2 % len(EXCITATIONS)]
         name = f"{kind}-{excitation}-{number}"
-        experiment = Experiment(kind, "parquet", rate=2000.0, duration=20.0, excitation=excitation)
+        experiment = Experiment(kind=kind, format="parquet", rate=2000.0, duration=20.0, excitation=excitation)
         path = write_prototype(folder / name, name, experiment, seed=500 + number)
         prototype = load_prototype(path)
         run = RunFolder.create(folder / "runs" / name, prototype.model_dump(mode="json"), path)

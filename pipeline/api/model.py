@@ -33,7 +33,7 @@ class Model:
     name : str
         Such as ``hybrid`` or ``rbf``.
     core : DynamicModel
-        What computes: ``simulate(t, v, q0, qdot0)`` and ``accelerate(t, v, q, qdot)`` with arrays.
+        What computes: ``simulate(t, v, q0, qdot0)`` with arrays.
     notes : dict
         What was accepted and chosen when it was identified.
     """

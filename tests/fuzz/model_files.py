@@ -138,7 +138,6 @@ def use(name: str, data: bytes, *, exported: bool = False) -> None:
     t, v = joints.pulses(1.0, model.input_count)
     run = model.simulate(t, v, 0.001, 0.0)
     q, qdot = 1e-3 * np.sin(t), 1e-3 * np.cos(t)
-    model.accelerate(t, v, q, qdot)
     for predicted in predictor(model)(t, v, q, qdot, np.array([0, 19]), np.array([3, 5])):
         assert len(predicted) in (4, 6)
     assert run.q.shape == t.shape

@@ -20,7 +20,7 @@ import numpy as np
 from ...codegen.numba_writer import formula, kernel
 from ...device.parameters import JointParameters
 from ...generated.analytical_joint import dissipation, dynamics
-from ...generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION, REDUCED_RATES
+from ...generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION
 from ...numerics.arrays import FloatArray, IntArray, sample_interval
 from ...numerics.compiled import compiled
 from ...numerics.fixed_step import Methods, integrator, workspace
@@ -342,21 +342,6 @@ def friction_state(q: FloatArray, s_c: float) -> FloatArray:
     for n in range(1, q.size):
         zeta[n] = _slid(q[n], q[n - 1], zeta[n - 1], s_c)
     return zeta
-
-
-def accelerate(reduced: ReducedJoint, t: FloatArray, v: FloatArray, q: FloatArray, q_dot: FloatArray) -> FloatArray:
-    """q̈ [m/s²] of eq. 26 along a measured motion, shape (N,); NaN where q is NaN."""
-    finite = np.isfinite(q)
-    filled = np.interp(t, t[finite], q[finite])
-    value, slope = reduced.evaluate(filled)
-    e = maxwell_strains(value[:, 3:5], float(t[1] - t[0]), reduced.creep_rate)
-    parameters = reduced.parameters
-    zeta = friction_state(filled, parameters.s_c) if parameters.F_c > 0.0 else np.zeros(t.size)
-    outputs = REDUCED_RATES.evaluate(
-        q_dot=q_dot[:, None], e=e, curves=value, slopes=slope, v_squared=v**2, load=-parameters.F_c * zeta[:, None],
-        gain=reduced.creep_gain, rate=reduced.creep_rate,
-    )["rates"]  # fmt: skip
-    return np.where(finite, outputs[:, 0], np.nan)
 
 
 def pulse_sequence(

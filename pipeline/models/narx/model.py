@@ -154,14 +154,6 @@ class NarxModel(ModelFile):
             run, _ = self.run(v[first : start + count + 1], float(past[-1]), float(speed[start]), past)
             yield run[start - first :]
 
-    @checked
-    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] of the one-step prediction along a gap-free path; `qdot` is not used."""
-        check_interval(t, self.interval_s, self.name)
-        theta, _, first = self.regression(q, v)
-        change = theta @ self.coefficients / self.interval_s**2
-        return np.pad(change, (first, 1), mode="edge")  # rows whose lags reach beyond the record repeat their neighbour
-
     def run(self, v: FloatArray, q0: float, qdot0: float, seen: FloatArray | None = None) -> tuple[FloatArray, int]:
         """Free run at the equation's own sample interval; before what was seen q followed a parabola of slope q̇0.
 

@@ -176,14 +176,6 @@ class SindyModel(ModelFile):
             begin = (float(seen[start]), float(speed[start]))
             yield free_run(self.dynamics, v[rows], dt, *begin, states[start])[0][:, 0]
 
-    @checked
-    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured gap-free path, lag states filtered from the measured signals."""
-        d = self.dynamics
-        library = monomials(d.exponents, scaled_variables(d, _at_samples(v), q, qdot, sample_interval(t)))
-        acceleration: FloatArray = library @ d.coefficients[1]
-        return acceleration
-
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves on a grid of q [m], shape (n,) (fig. 14).
 

@@ -17,22 +17,14 @@ from ...models.analytical.reduced_order import reduce_joint, simulate_reduced
 from ...models.analytical.statics import equilibria
 from ...models.hybrid.model import HybridModel
 from ...numerics.arrays import FloatArray
-from ...rig.excitation import ENDINGS, Sequence, command, save_sequence
+from ...rig.excitation import BURSTS, ENDINGS, BurstKind, Sequence, command, save_sequence
 from ...settings.logs import Number, SettingsTable, Whole
 from ...settings.models import CENTRES
 from ...settings.prototype import FIELD_LIMIT, Prototype
 from ...store.outputs import check_places, new_outputs, rebased
 from ...store.run_folder import RunFolder
 from ..run_models import subject
-from .excitation_design import (
-    KINDS,
-    Assessment,
-    BurstKind,
-    Design,
-    Requirements,
-    Simulator,
-    design_excitation,
-)
+from .excitation_design import Assessment, Design, Requirements, Simulator, design_excitation
 from .next_log import NextLog, design_next_log
 
 _COMMAND = "rig excite"
@@ -96,7 +88,7 @@ class DesignFile(SettingsTable):
     """Rest before the first burst."""
     rate_Hz: Number = Field(default=1000.0, ge=100.0, le=100e3)
     """Rate of the written samples."""
-    kinds: tuple[BurstKind, ...] = Field(default=KINDS, min_length=1)
+    kinds: tuple[BurstKind, ...] = Field(default=BURSTS, min_length=1)
     """Bursts to use."""
     basis_functions: Whole = Field(default=CENTRES, ge=2, le=50)
     """Basis functions of each curve."""

@@ -174,14 +174,6 @@ def test_a_log_that_begins_in_motion_is_compared_from_where_its_hidden_states_ar
     assert len(error) == len(whole.t) - begin - 100
 
 
-def test_acceleration_along_the_own_path_is_the_own(identified: tuple[HybridModel, HybridModel]) -> None:
-    truth, _ = identified
-    t, v = pulses(3, 5.0)
-    run = truth.simulate(t, v, -0.0105, 0.0)
-    along = truth.accelerate(t, v, run.q, run.qdot)
-    assert np.sqrt(np.mean((along - run.qddot) ** 2)) < 0.03 * np.ptp(run.qddot)
-
-
 def test_the_tree_goes_round(identified: tuple[HybridModel, HybridModel]) -> None:
     _, model = identified
     again = HybridModel.from_tree(model.to_tree())
