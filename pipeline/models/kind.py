@@ -110,6 +110,8 @@ class Training:
         Moving mass [kg] or inertia [kg·m²], if it is known.
     parameters : JointParameters or None
         Parameter set of the analytical joint, if one is given.
+    rotation : FloatArray, shape (K, 2), or None
+        q [m] and φ [rad] at rest, by which the measured angle of the joint was made its displacement.
     known_curves : KnownCurves or None
         Measured characteristic curves that a fit keeps.
     identify, compare : Identify, Compare
@@ -136,6 +138,7 @@ class Training:
     log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
     siblings: NormalPopulation | None = None
+    rotation: FloatArray | None = None
     on_progress: OnProgress = silent
 
     @property

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..device.device import device
 from ..device.parameters import JointParameters
+from ..models.analytical.statics import rotation_nodes
 from ..models.kind import KnownCurves, Training
 from ..numerics.arrays import FloatArray, sample_interval
 from ..settings.logs import Role
@@ -60,6 +61,7 @@ def training(
         compare=prototype.compare,
         log_units=(plant.displacement.factor, plant.inputs[0].factor),
         inputs_before=prototype.plant.inputs_before,
+        rotation=None if plant.angle is None or parameters is None else rotation_nodes(parameters),
         on_progress=on_progress,
     )
 

@@ -427,10 +427,10 @@ def displacement_of_rotation(phi: FloatArray, parameters: JointParameters) -> tu
     return q, 1.0 / np.interp(q, path.q, slopes)
 
 
-def rotation_reach(parameters: JointParameters) -> tuple[float, float]:
-    """Smallest and largest φ [rad] on the computed path, at q = ±30 mm."""
-    phi = unactuated_path(parameters).phi
-    return float(phi[0]), float(phi[-1])
+def rotation_nodes(parameters: JointParameters) -> FloatArray:
+    """Q [m] and φ [rad] on the static path without voltage, of rising q up to ±30 mm, shape (241, 2)."""
+    path = unactuated_path(parameters)
+    return np.column_stack([path.q, path.phi])
 
 
 def _rotation_slopes(parameters: JointParameters) -> FloatArray:

@@ -32,10 +32,10 @@ def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | 
     """
     if plant.angle is None or parameters is None:
         return log
-    from ...models.analytical.statics import displacement_of_rotation, rotation_reach
+    from ...models.analytical.statics import displacement_of_rotation, rotation_nodes
 
     time, phi = log.q
-    low, high = rotation_reach(parameters)
+    low, high = rotation_nodes(parameters)[[0, -1], 1]
     middle = float(np.nanmedian(phi))
     if not low <= middle <= high:
         raise InputError(
