@@ -119,6 +119,8 @@ def identified(
         if wanted == AUTO:
             choice = _choose(whole, data, prototype)
             model, notes[CHOICE] = choice.model, choice.to_json()
+            if not choice.held_out and whole.units[0] == "rad" and prototype.may_be_a_joint:
+                notes["warnings"].append(choice.reason)
             if choice.other is not None:
                 beside[choice.other.name] = choice.other
         else:

@@ -159,9 +159,10 @@ class RunData:
 
     @property
     def why_chosen(self) -> str:
-        """Why "auto" chose the headline; empty where it had no choice, as the joint's equations hold for no other."""
+        """Why "auto" chose the headline; empty where it had no choice, as the joint has two squared inputs."""
         choice = self.choice or {}
-        return str(choice.get("reason") or "") if self.joint or choice.get("held_out_error") else ""
+        two = self.squared and len(self.inputs) == 2
+        return str(choice.get("reason") or "") if two or choice.get("held_out_error") else ""
 
     @property
     def curve_units(self) -> dict[str, str]:

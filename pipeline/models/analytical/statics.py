@@ -408,7 +408,7 @@ def static_rotation(q: FloatArray, parameters: JointParameters) -> FloatArray:
     Cubic Hermite interpolation of 241 nodes with the exact slopes dφ/dq; its error is below 1e-8 rad.
     """
     path = unactuated_path(parameters)
-    return _interpolated(q, path.q, path.phi, _rotation_slopes(parameters))
+    return _interpolated(q, path.q, path.phi, _rotation_slopes(parameters))[0]
 
 
 def displacement_of_rotation(phi: FloatArray, parameters: JointParameters) -> tuple[FloatArray, FloatArray]:
@@ -423,8 +423,7 @@ def displacement_of_rotation(phi: FloatArray, parameters: JointParameters) -> tu
     slopes = _rotation_slopes(parameters)
     if not np.all(slopes > 0.0):
         raise InputError("the parameter set has one rotation of the tip at several displacements; correct it")
-    q = _interpolated(phi, path.phi, path.q, 1.0 / slopes)
-    return q, 1.0 / np.interp(q, path.q, slopes)
+    return _interpolated(phi, path.phi, path.q, 1.0 / slopes)
 
 
 def rotation_nodes(parameters: JointParameters) -> FloatArray:
@@ -446,11 +445,12 @@ def _rotation_slopes(parameters: JointParameters) -> FloatArray:
     return slopes
 
 
-def _interpolated(at: FloatArray, x: FloatArray, y: FloatArray, slopes: FloatArray) -> FloatArray:
-    """The cubic Hermite interpolant of nodes with slopes, linear beyond them."""
+def _interpolated(at: FloatArray, x: FloatArray, y: FloatArray, slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The cubic Hermite interpolant of nodes with slopes, linear beyond them, and its derivative."""
     from scipy.interpolate import CubicHermiteSpline
 
     inside = np.clip(at, x[0], x[-1])
     beyond = np.asarray(at) - inside
     edge = np.where(beyond > 0.0, slopes[-1], slopes[0])
-    return np.asarray(CubicHermiteSpline(x, y, slopes)(inside) + edge * beyond)
+    spline = CubicHermiteSpline(x, y, slopes)
+    return np.asarray(spline(inside) + edge * beyond), np.asarray(spline(inside, 1))

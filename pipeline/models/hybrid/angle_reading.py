@@ -15,6 +15,11 @@ from scipy.interpolate import CubicSpline
 from ...numerics.arrays import FloatArray
 from ...signals.log import Log
 
+ANGLE_IS_READ = (
+    "{name} was identified from the angle of the joint, and {what} of it take a measured displacement; measure q, or "
+    "take another model"
+)
+"""What uses of a model that read q alone refuse it with."""
 _NEWTON = 4
 """Steps from linear interpolation of 0.25 mm to rounding."""
 

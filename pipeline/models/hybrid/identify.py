@@ -78,6 +78,7 @@ OPEN = (0, 1)
 equations simplify more than the capacitances. With none the bands of 40 simulated joints held 84 to 96 % of the true
 curves, with these 88 to 98 %, with all nine 95 to 100 %."""
 
+ANGLE_ALONE = "q is an angle; with a parameter set (plant.parameters) the equations of the joint read it"
 _NO_FIT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
 
 ALONE = "equations_alone"
@@ -402,6 +403,8 @@ def _fit(training: Training) -> HybridModel:
             training.records, training.parameters, similarity=own, corrections=corrections, siblings=training.siblings,
             rotation=training.rotation,
         )  # fmt: skip
+    if (training.units, training.inputs, training.records[0].v.shape[1]) == (("rad", "V"), "squared", 2):
+        raise DataRefusedError(ANGLE_ALONE)
     if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
     units = similar_joint(training.records, NOMINAL, mass)

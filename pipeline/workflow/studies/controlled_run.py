@@ -11,6 +11,7 @@ from ...control.plant import ASSUMED_LAG, ControlledJoint, plant_of
 from ...device.device import device
 from ...diagnostics.facts.converters import converter_lag
 from ...errors import DataRefusedError, InputError
+from ...models.hybrid.angle_reading import ANGLE_IS_READ
 from ...models.hybrid.model import HybridModel
 from ...scoring.wells import Wells, wells_of
 from ...settings.prototype import Prototype
@@ -160,6 +161,8 @@ def control_run(root: Path) -> ControlRun:
         joint = "name the model 'hybrid' first in [identify] models"
         advice = joint if device(prototype).joint else "it is for a joint with two membranes, not for another device"
         raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
+    if model.joint.angle:
+        raise InputError(f"{root}: {ANGLE_IS_READ.format(name=name, what='controllers')}")
     rests = _rests(run, prototype)
     _refuse_bad_model(run, name, model, _MISSED * (rests[1] - rests[0]) if rests else _UNSEEN)
     return ControlRun(run, prototype, model, name, artifact, rests)
