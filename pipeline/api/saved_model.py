@@ -120,6 +120,17 @@ def load_saved(path: Path) -> tuple[Subject, Prototype]:
 def export_model(subject: Subject, target: str, folder: Path, *, force: bool = False) -> Exported:
     """Write a model for another tool.
 
+    Parameters
+    ----------
+    subject : Subject
+        The model with its bounds.
+    target : {"c", "fmu", "json", "matlab"}
+        The form.
+    folder : Path
+        Folder of the files.
+    force : bool
+        Whether files of others may be replaced.
+
     Raises
     ------
     InputError

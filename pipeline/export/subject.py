@@ -259,6 +259,17 @@ def lagged_nodes(
     """Lagged inputs at the middle and the end of a step of h [s] whose inputs go on lines between its three nodes.
 
     The lag [s] may be far shorter than the step.
+
+    Parameters
+    ----------
+    lagged : list, length K
+        Lagged inputs at the beginning of the step.
+    before, within, after : list, length K
+        Inputs at the beginning, the middle and the end.
+    h : number
+        Length of the step [s].
+    lag : float
+        Time constant [s].
     """
     half = 0.5 * h
     middles = [_behind(half, lag, *interval) for interval in zip(lagged, before, within, strict=True)]

@@ -178,7 +178,7 @@ class Kind:
     equations: str = ""
 
 
-HEADLINE = "headline"
+MAIN_MODEL = "headline"
 """Entry of ``model.h5`` that names the model which the settings put first, or held-out data chose."""
 
 
@@ -226,7 +226,7 @@ def load_model(path: Path | str) -> DynamicModel:
     Parameters
     ----------
     path : Path or str
-        The file; of the models in ``model.h5`` it is the headline.
+        The file; of the models in ``model.h5`` it is the main model.
 
     Raises
     ------
@@ -241,7 +241,7 @@ def load_model(path: Path | str) -> DynamicModel:
     held = [model.name for model in ENTRIES if model.name in tree]
     if not held:
         raise CorruptArtifactError(f"{path}: holds no model; run `debist run` again")
-    headline = str(tree.get(HEADLINE, held[0]))
-    if headline not in held:
-        raise CorruptArtifactError(f"{path}: holds no model {headline!r}, which it names; run `debist run` again")
-    return model_from_tree(headline, tree[headline])
+    main_model = str(tree.get(MAIN_MODEL, held[0]))
+    if main_model not in held:
+        raise CorruptArtifactError(f"{path}: holds no model {main_model!r}, which it names; run `debist run` again")
+    return model_from_tree(main_model, tree[main_model])

@@ -12,7 +12,7 @@ from ..store.columns import FACT_COLUMNS, STABLE, FactColumn
 from ..units.quantity import interval, percent, power, quantity, scale, significant
 
 NOT_USED = " (a model not to be used)"
-"""Remark beside facts of a model that the verdict rejects."""
+"""Remark beside facts of a model that the assessment rejects."""
 WIDE = 2.0
 """Ratio of the ends of an interval beyond which it is written by its ends."""
 _WHAT = {
@@ -36,13 +36,13 @@ Rows = list[tuple[str, ...]]
 
 @dataclass(frozen=True)
 class ShownDatasheet:
-    """A datasheet for the terminal: facts, what the logs show of them, checks, and the verdict in a line."""
+    """A datasheet for the terminal: facts, what the logs show of them, checks, and the assessment in a line."""
 
     title: str
     facts: Rows
     seen: Rows
     checks: Rows
-    verdict: str
+    assessment: str
 
 
 @dataclass(frozen=True)
@@ -118,20 +118,20 @@ class CalibratedRow:
 
 
 def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
-    """One row for each quantity that the hybrid model's fit moves; none of another headline."""
-    return [_row(fitted) for fitted in _known(calibrated(data.models.get(sheet.headline)))]
+    """One row for each quantity that the hybrid model's fit moves; none of another main model."""
+    return [_row(fitted) for fitted in _known(calibrated(data.models.get(sheet.main_model)))]
 
 
 def structure_summary(data: RunData, sheet: Datasheet) -> str:
-    """Which model the headline is, why, how many basis functions act, and what they change."""
-    description = data.descriptions.get(sheet.headline, {})
+    """Which model the main model is, why, how many basis functions act, and what they change."""
+    description = data.descriptions.get(sheet.main_model, {})
     count = description.get("basis_functions")
     if count is None:
         return ""
     physical = description.get("physical_parameters", 0)
-    sentences = [_WHAT.get((sheet.headline, bool(count)), "").format(count=count, physical=physical)]
+    sentences = [_WHAT.get((sheet.main_model, bool(count)), "").format(count=count, physical=physical)]
     choice = data.choice or {}
-    if choice.get("chosen") == sheet.headline and data.why_chosen:
+    if choice.get("chosen") == sheet.main_model and data.why_chosen:
         sentences.append(f"Why this model: {data.why_chosen}.")
     ablation = [
         f"{_PARTS[name]} {percent(error)}"
@@ -182,14 +182,14 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
         if fact["events"]:
             measured = f"{quantity(of_logs, fact['unit'], spread)} ({fact['events']}×)"
             measured_rows.append((fact["title"], quantity(own, fact["unit"]), measured))
-    verdict = document["verdict"]
+    assessment = document["verdict"]
     checks: Rows = [
         (check["about"], check["grade"], check["statement"], "" if check["grade"] == "good" else check["advice"])
-        for check in verdict["checks"]
+        for check in assessment["checks"]
     ]
-    line = f"data {verdict['data']}, model {document['judged_model']} {verdict['model']}"
+    line = f"data {assessment['data']}, model {document['judged_model']} {assessment['model']}"
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
-    if document["facts_from"] == document["judged_model"] and is_refused(verdict["checks"]):
+    if document["facts_from"] == document["judged_model"] and is_refused(assessment["checks"]):
         source += NOT_USED
     return ShownDatasheet(f"{document['name']}: {source}", facts, measured_rows, checks, line)
 
@@ -223,6 +223,17 @@ def described(
     """The description of a model, as `DynamicModel.describe` returns it.
 
     A model calls its displacement a length, and its mass 1 kg if it has none: `displacement` is the true unit.
+
+    Parameters
+    ----------
+    name : str
+        Name of the model.
+    description : mapping
+        Its facts, with units in the keys.
+    displacement : str
+        SI unit of q.
+    mass_known : bool
+        Whether the mass is more than 1 by convention.
     """
     facts = {key: value for key, value in description.items() if mass_known or key != "mass_kg"}
     stated = facts.pop("equations", ())

@@ -10,9 +10,8 @@ import numpy as np
 
 from ..numerics.metrics import robust_std
 from ..units.quantity import scale, significant
-from .canvas import page_chart
+from .canvas import chart
 from .fleet_table import FACTS, FleetColumn, Summary, decimals, distribution
-from .legend import swatches
 from .page import render
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
@@ -42,7 +41,7 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
         "bare": sum(not member.model for member in done),
         "headings": [q.heading for q in quantities],
         "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
-        "charts": [_chart(q) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
+        "charts": [chart(distribution(q), ()) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
         "models": _models(done),
     }
     return render("fleet.html.j2", ("tables.js",), context)
@@ -63,11 +62,6 @@ def _varies(q: FleetColumn) -> bool:
     """Whether there is a distribution to draw: as many values as an outlier needs, of which two differ."""
     finite = q.values[np.isfinite(q.values)]
     return finite.size >= LEAST_VALUES and bool(np.ptp(finite) > 0.0)
-
-
-def _chart(q: FleetColumn) -> dict[str, Any]:
-    figure = distribution(q)
-    return {"figure": figure, "drawings": page_chart(figure, ()), "legend": swatches(figure, (), marks=True)}
 
 
 def _validated(q: FleetColumn, members: Sequence[Summary]) -> FleetColumn:

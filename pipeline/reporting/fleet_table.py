@@ -32,7 +32,7 @@ class Summary:
     done : bool
         Whether it has a datasheet.
     data, model : str
-        Grades of the verdict; empty if it has none.
+        Grades of the assessment; empty if it has none.
     why : str
         The finding that decides the lower of both grades, and how many more there are; empty where both are good.
     diverged : bool

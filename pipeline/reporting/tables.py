@@ -61,10 +61,6 @@ def _columns(table: str, rows: Sequence[ScoreRow] | None = None) -> tuple[Column
     )  # fmt: skip
 
 
-EXPLANATION = " ".join([_ERRORS, *notes_of(_columns("errors"))])
-BEHAVIOUR_EXPLANATION = " ".join([_HORIZONS, *notes_of(_columns("behaviour"))])
-
-
 @dataclass(frozen=True)
 class TableCell:
     """One number of the table.

@@ -117,6 +117,19 @@ def run_figures(root: Path) -> RunFigures:
 def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, force: bool = False) -> Path:
     """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.figure`.
 
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    name : str
+        Name of the figure.
+    target : Path
+        The file.
+    part : Excerpt
+        What is drawn of it, and how.
+    force : bool
+        Whether a file of others may be replaced.
+
     Raises
     ------
     InputError
@@ -136,6 +149,19 @@ def plot_runs(
     """The same figure of one or several runs.
 
     `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
+
+    Parameters
+    ----------
+    roots : sequence of Path
+        Run folders.
+    name : str
+        Name of the figure.
+    output : Path or None
+        File of a single run, or a folder; None: the current folder.
+    part : Excerpt
+        What is drawn of it, and how.
+    force : bool
+        Whether files of others may be replaced.
     """
     draw = partial(plot_figure, part=part, force=force)
     if len(roots) == 1 and output is not None and output.suffix in FORMATS:

@@ -77,6 +77,17 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
 
     `figures` is the typeface of the figures for a paper, which the report makes if given, or if the run holds some.
 
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    stage : str
+        Name of the stage.
+    observer : Observer
+        Receives what happens.
+    figures : {"sans", "serif"}, optional
+        Typeface of the figures for a paper, which the report then makes; without one it keeps those of the run.
+
     Raises
     ------
     CorruptArtifactError

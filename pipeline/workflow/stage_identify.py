@@ -14,12 +14,12 @@ from ..device.parameters import JointParameters
 from ..diagnostics.gates import accepted_settings, judge
 from ..diagnostics.sentences import not_converged
 from ..errors import DataRefusedError
-from ..models.kind import HEADLINE, StoredModel, Training, kind
+from ..models.kind import MAIN_MODEL, StoredModel, Training, kind
 from ..models.model_file import columns_of, declaration
 from ..settings.models import AUTO, ENTRIES
 from ..settings.prototype import FILM, Prototype, TrainingGate
+from ..signals.findings import Finding
 from ..signals.log import Log
-from ..signals.quality_gates import Finding
 from ..store import layout
 from ..store.run_folder import RunFolder, Written
 from ..system.progress import OnProgress, silent
@@ -78,7 +78,7 @@ def _identify(
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
         **{name: model.to_tree() for name, model in models.items()},
-        HEADLINE: notes[IDENTIFIED][0],
+        MAIN_MODEL: notes[IDENTIFIED][0],
     }
     if CHOICE in notes:
         tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
@@ -93,7 +93,7 @@ def identified(
     prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
 ) -> tuple[dict[str, StoredModel], dict[str, Any]]:
-    """Models of logs by name, the headline first, and notes on how they came about.
+    """Models of logs by name, the main model first, and notes on how they came about.
 
     Where "auto" fits the joint's equations and chooses the network, both are among the models; only the network is
     named in the note `IDENTIFIED`. An `rbf` beside "auto" that the training logs refuse is left out, with a warning.
@@ -145,11 +145,11 @@ def identified(
 
 
 def _put_first(models: Mapping[str, StoredModel], whole: Training, notes: dict[str, Any]) -> None:
-    """The headline first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
-    from ..models.choose import headline
+    """The main model first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
+    from ..models.choose import main_model
 
     names = notes[IDENTIFIED]
-    best, reason = headline({name: models[name] for name in names}, whole)
+    best, reason = main_model({name: models[name] for name in names}, whole)
     if best == names[0]:
         return
     if names[0] == "hybrid":

@@ -1,4 +1,4 @@
-"""Which models a run has beside its headline: the network is a row of its own, and nothing is fitted twice."""
+"""Which models a run has beside its main model: the network is a row of its own, and nothing is fitted twice."""
 
 from collections import Counter
 from types import SimpleNamespace

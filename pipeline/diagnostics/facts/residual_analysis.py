@@ -116,11 +116,11 @@ def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
     return frequency[1:], density[1:]
 
 
-def headline_residual(data: RunData, log: LogData) -> Residual | None:
+def main_residual(data: RunData, log: LogData) -> Residual | None:
     """Analysis of its free run's residual of q against what acts on the device; None of a short or missing run."""
     model = data.model_names[0]
     if model not in log.predictions:
         return None
     inputs = voltages(log.kinematics)
-    acting = np.square(inputs) if data.squared else inputs
+    acting = np.square(inputs) if (data.device.action == "squared") else inputs
     return analyse_residual(log.kinematics["q"], log.predictions[model]["q"], acting, log.interval)

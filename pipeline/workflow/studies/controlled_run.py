@@ -17,7 +17,6 @@ from ...scoring.wells import Wells, wells_of
 from ...settings.prototype import Prototype
 from ...signals.log import log_of
 from ...store import layout
-from ...store.documents import read_document
 from ...store.lock import run_lock
 from ...store.run_folder import RunFolder, Written
 from ...system.names import shell_word
@@ -210,4 +209,4 @@ def kept_document(
         inputs = (joint_run.artifact, *joint_run.records)
         task = Task("control", title, ALGORITHM, settings, inputs, (name,), write, reports=True)
         bring_up_to_date(joint_run.run, [task], observer)
-        return read_document(joint_run.run, name)
+        return joint_run.run.read_document(name)

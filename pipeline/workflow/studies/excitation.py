@@ -56,7 +56,7 @@ class ExcitationSource:
     run : Path or None
         A run whose model takes the place of the parameter set.
     model : str
-        The run's model; the headline if left out.
+        The run's model; the main model if left out.
     joints : int
         Joints made after the drawing, with tolerances; a run is one joint.
     seed : int

@@ -25,6 +25,15 @@ def energy_over_q(
     """Displacement q [m] and the total potential U − ½ΣC_i v_i² − F q [J] of the joint whose tip is held at q.
 
     None where the beam snaps although its tip is held: no curve over q exists then.
+
+    Parameters
+    ----------
+    joint : JointParameters
+        The joint.
+    v1, v2 : float
+        Voltages [V] of the left and the right membrane.
+    force : float
+        External force along q [N].
     """
     from ...models.analytical.bifurcation import SHOWN
     from ...models.analytical.statics import static_path
@@ -96,6 +105,19 @@ def calibrate(
     """Fit the named parameters to the gap-free stretches of `kinematics.parquet` files.
 
     Voltages between the samples come from the ``record.parquet`` beside each, where there is one.
+
+    Parameters
+    ----------
+    kinematics : sequence of Path
+        Tables of runs.
+    parameters : JointParameters
+        Set to start from.
+    names : sequence of str
+        Parameters that are fitted.
+    search : SearchFile
+        Starts, seed and threads.
+    report : callable, optional
+        Receives what is done, and its share.
 
     Raises
     ------
