@@ -35,7 +35,7 @@ from ..store.run_folder import RunFolder
 from ..workflow.logs import load_motion, motion, training
 from ..workflow.prior_knowledge import prior_knowledge_in
 from ..workflow.si_log import on_uniform_clocks
-from ..workflow.stage_check import declared, log_signals
+from ..workflow.stage_check import log_signals
 from ..workflow.stage_identify import identified
 from ..workflow.steps.differentiate import kinematics
 from ..workflow.steps.ingest import examined, record_columns, resamplings
@@ -194,8 +194,8 @@ def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None
     plant = device(prototype)
     for name, size in sizes.items():
         unit = plant.displacement.symbol if name.startswith("q") else plant.inputs[0].symbol
-        factor = scale_suspicion(size, unit, joint=plant.joint)
-        if factor is not None and factor > 1.0 and plant.displacement.symbol != "V":
+        factor = scale_suspicion(size, plant.plausible_span(unit))
+        if factor is not None and factor > 1.0:
             raise InputError(
                 f"{name} is up to {size:.4g}, which looks {factor:g} times too large for {unit}: give SI units"
             )
@@ -252,8 +252,10 @@ def identify_signals(
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
     measured = [part.motion for part in parts]
     records = [part.signals for part in parts]
-    stated = declared(prototype)
-    findings = [*check_logs(records, stated), *shared_findings(records, shared_recordings(records))]
+    findings = [
+        *check_logs(records, device(prototype), prototype.ingest.sample_interval),
+        *shared_findings(records, shared_recordings(records)),
+    ]
     unaccepted = [finding for finding in refusing(findings) if finding.gate not in prototype.quality.accept]
     contradictions = [": ".join(sentences(finding)) for finding in unaccepted]
     if units := [text for finding, text in zip(unaccepted, contradictions, strict=True) if finding.gate == "scale"]:
@@ -279,7 +281,7 @@ def score_table(model: DynamicModel, log: Log, plant: Device) -> list[dict[str, 
     run = free_run(log, model)
     pairs = {name: (getattr(log, name), getattr(run, name)) for name in ("q", "qdot", "qddot")}
     rests = stable_rests(model, [log.q])
-    wells = believed_wells(wells_of([log], joint=plant.joint), model.name, rests, joint=plant.joint)
+    wells = believed_wells(wells_of([log], plant=plant), model.name, rests, plant=plant)
     compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
     return [
         {"signal": row["signal"], "fit_percent": _or_nan(fit_percent(*pairs[row["signal"]])), "unit": row["unit"]}

@@ -1,11 +1,12 @@
 """The device by its settings: units, law of the inputs, mass and limits, in SI."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from ..errors import InputError
+from ..numerics.arrays import FloatArray
 from ..settings.logs import LogColumn
 from ..settings.prototype import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
 from ..units.units import (
@@ -17,9 +18,13 @@ from ..units.units import (
     VELOCITY,
     SiUnit,
     curve_units,
-    of_joint,
     to_si,
 )
+
+_PLAUSIBLE_SPANS = {"m": (1e-5, 0.5), "rad": (1e-3, 20.0), "V": (0.5, 5e4)}
+_OTHER_SPANS = {"m": (1e-6, 10.0), "rad": (1e-4, 1e5), "V": (1e-3, 1e6)}
+"""Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides; and those of
+another device: a cart goes metres, a motor turns many times."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +81,7 @@ class Device:
     def curve_units(self) -> dict[str, str]:
         """SI units of its characteristic curves, see `pipeline.units.units.curve_units`."""
         return curve_units(
-            self.displacement.symbol, self.inputs[0].symbol, squared=self.action == "squared",
+            self.displacement.symbol, self.inputs[0].symbol, squared=self.squared,
             mass_known=self.known_mass is not None,
         )  # fmt: skip
 
@@ -94,9 +99,54 @@ class Device:
 
     @property
     def joint(self) -> bool:
-        """Whether it can be the bistable joint."""
-        units = [unit.symbol for unit in self.inputs]
-        return of_joint(self.displacement.symbol, units, squared=self.action == "squared")
+        """Whether it can be the bistable joint: two squared voltages on a length.
+
+        A device with one well, or one that turns to the other side, is no fault.
+        """
+        return self.squared and self.displacement.symbol == "m" and self.input_symbols == ("V", "V")
+
+    @property
+    def squared(self) -> bool:
+        """Whether its inputs act by their squares."""
+        return self.action == "squared"
+
+    @property
+    def input_symbols(self) -> tuple[str, ...]:
+        """SI units of its inputs."""
+        return tuple(unit.symbol for unit in self.inputs)
+
+    def acting(self, v: FloatArray) -> FloatArray:
+        """What of inputs v acts: their squares, or they themselves."""
+        squares: FloatArray = np.square(v)
+        return squares if self.squared else v
+
+    @property
+    def under_other_law(self) -> "Device":
+        """The device if its inputs acted by their other law."""
+        return replace(self, action="linear" if self.squared else "squared")
+
+    def peaks(self, v: FloatArray) -> FloatArray:
+        """Largest magnitude of each input, shape (K,), against which its steps and rests are seen.
+
+        Of the joint, whose voltages are of one kind, the larger one of both; of another device each input's own, but
+        not less than a twentieth of the largest, so that the noise of an unused one is no step.
+        """
+        own: FloatArray = np.max(np.abs(v), axis=0, initial=0.0)
+        largest = float(np.max(own, initial=0.0))
+        return np.full_like(own, largest) if self.joint else np.maximum(own, 0.05 * largest)
+
+    def plausible_span(self, symbol: str) -> tuple[float, float] | None:
+        """Least and largest span [SI] of its signals of this unit; None for a unit without known spans.
+
+        An electronic circuit is built for whatever voltages it was built for.
+        """
+        if self.displacement.symbol == "V":
+            return None
+        return (_PLAUSIBLE_SPANS if self.joint else _OTHER_SPANS).get(symbol)
+
+
+JOINT = Device(None, SiUnit(1e-3, "m"), (SiUnit(1e3, "V"), SiUnit(1e3, "V")), "squared", None)
+"""The bistable joint, of unknown mass."""
 
 
 def device(prototype: Prototype) -> Device:

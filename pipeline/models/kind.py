@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 
+from ..device.device import Device
 from ..errors import CorruptArtifactError, InputError
 from ..fitting.population import NormalPopulation
 from ..numerics.arrays import FloatArray
@@ -16,6 +17,7 @@ from ..signals.log import Log
 from ..store.trees import read_tree
 from ..system.package import object_at
 from ..system.progress import OnProgress, silent
+from ..units.units import SiUnit
 from .base import DynamicModel
 
 if TYPE_CHECKING:
@@ -140,6 +142,12 @@ class Training:
     siblings: NormalPopulation | None = None
     rotation: FloatArray | None = None
     on_progress: OnProgress = silent
+
+    @property
+    def device(self) -> Device:
+        """The device: its units, and how its inputs act."""
+        q, v = (SiUnit(factor, symbol) for factor, symbol in zip(self.log_units, self.units, strict=True))
+        return Device(None, q, (v,) * self.records[0].v.shape[1], self.inputs, self.known_mass)
 
     @property
     def fitted_segments(self) -> list[Log]:

@@ -94,7 +94,7 @@ def _wells(
 
     rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
     judge = next((model for model in models if rests[model] is not None), models[0])
-    return believed_wells(wells_of(logs, joint=plant.joint), judge, rests[judge], joint=plant.joint)
+    return believed_wells(wells_of(logs, plant=plant), judge, rests[judge], plant=plant)
 
 
 def _pairs(

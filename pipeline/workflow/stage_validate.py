@@ -69,7 +69,7 @@ def _predict(
     logs = {(role, name): load_motion(run, prototype, role, name) for role, name, _ in layout.logs(prototype)}
     trained = [log for (role, _), log in logs.items() if role == "train"]
     seen = stable_rests(model, [log.q for log in trained])
-    wells = believed_wells(wells_of(list(logs.values()), joint=plant.joint), name, seen, joint=plant.joint)
+    wells = believed_wells(wells_of(list(logs.values()), plant=plant), name, seen, plant=plant)
     for (role, log_name), log in logs.items():
         if not written:
             _compile(model, log)
@@ -77,10 +77,10 @@ def _predict(
         result = free_run(log, model)
         notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
         ahead = {name: seconds for name, (seconds, _) in HORIZONS.items()}
-        notes["horizons"] = _horizons(log, model, ahead, joint=plant.joint)
+        notes["horizons"] = _horizons(log, model, ahead, plant=plant)
         notes["basis_functions"] = model.describe().get("basis_functions")
         ensemble = drawn_runs(log, model) if isinstance(model, HasTubes) or isinstance(wells, Wells) else None
-        notes |= {"stable_rests": seen} | trust_notes(log, wells, trained, ensemble, joint=plant.joint)
+        notes |= {"stable_rests": seen} | trust_notes(log, wells, trained, ensemble, plant=plant)
         tubes = tubes_of(result.q, ensemble, model)
         notes["in_tube"] = None if tubes is None else tubes.coverage(log.q)
         artifact = layout.predictions(role, log_name, name)
@@ -100,14 +100,14 @@ def measured_path(log: Log, model: DynamicModel) -> tuple[MeasuredPath, Predict]
     return MeasuredPath(log.t, v, log.q, log.qdot), predictor(model)
 
 
-def _horizons(log: Log, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
+def _horizons(log: Log, model: DynamicModel, horizons: Mapping[str, float], plant: Device) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
     shortest = SHORTEST_HORIZON * log.interval
     longest = log.duration
     possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
     path, predict = measured_path(log, model)
-    horizon_scores = horizon_errors(predict, path, list(possible.values()), joint=joint, most_starts=_RESTARTS)
+    horizon_scores = horizon_errors(predict, path, list(possible.values()), plant=plant, most_starts=_RESTARTS)
     errors = dict(zip(possible, horizon_scores, strict=True))
     return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
 
@@ -132,7 +132,7 @@ def _write(
 
 
 def trust_notes(
-    log: Log, wells: Wells | NoWells, trained: Sequence[Log], ensemble: FloatArray | None, *, joint: bool
+    log: Log, wells: Wells | NoWells, trained: Sequence[Log], ensemble: FloatArray | None, plant: Device
 ) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
@@ -146,8 +146,8 @@ def trust_notes(
         The training logs.
     ensemble : FloatArray, shape (draws, N), or None
         Free runs of the draws, from `pipeline.models.free_runs.drawn_runs`.
-    joint : bool
-        Whether the device can be the bistable joint.
+    plant : Device
+        Its inputs, and whether it is the joint.
 
     Returns
     -------
@@ -160,7 +160,7 @@ def trust_notes(
 
     return {
         "outside_training": share_outside(*_valid([log]), *_valid(trained)),
-        "outcomes": _outcomes(log, wells, ensemble, joint=joint),
+        "outcomes": _outcomes(log, wells, ensemble, plant=plant),
     }
 
 
@@ -168,9 +168,9 @@ def _valid(logs: Sequence[Log]) -> tuple[FloatArray, FloatArray]:
     return np.concatenate([log.known_q for log in logs]), np.concatenate([log.qdot[log.valid] for log in logs])
 
 
-def _outcomes(log: Log, wells: Wells | NoWells, ensemble: FloatArray | None, *, joint: bool) -> dict[str, Any] | None:
+def _outcomes(log: Log, wells: Wells | NoWells, ensemble: FloatArray | None, plant: Device) -> dict[str, Any] | None:
     places = log.part_rows()
-    rests = places_of_rest(log.q, log.v, log.interval, joint=joint)
+    rests = places_of_rest(log.q, log.v, log.interval, plant=plant)
     after = [rest for rest in rests if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]
     if ensemble is None or not isinstance(wells, Wells) or not after:
         return None

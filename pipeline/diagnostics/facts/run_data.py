@@ -154,7 +154,7 @@ class RunData:
 
 def wells_of_run(data: RunData) -> Wells | NoWells:
     """The wells in the data of all logs."""
-    return wells_of([log_of(log.kinematics) for log in data.logs], joint=data.device.joint)
+    return wells_of([log_of(log.kinematics) for log in data.logs], plant=data.device)
 
 
 def judged_log(data: RunData) -> LogData:

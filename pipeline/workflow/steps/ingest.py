@@ -303,14 +303,12 @@ def _warnings(signals: RawLog, prototype: Prototype, trusted: "Trusted") -> list
     warnings += _hum_against_rate(signals, prototype.ingest.sample_rate)
     for k, ((time, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1):
         warnings += [f"v{k}: {remark}" for remark in saturation(time, column, nominal_step(time), unit.symbol)]
-    if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
-        return warnings
     ends = [("q", span(trusted.samples), plant.displacement)] + [
         (f"v{k}", span(column), unit)
         for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
     ]
     for name, (smallest, largest), unit in ends:
-        factor = scale_suspicion(largest - smallest, unit.symbol, joint=prototype.may_be_a_joint)
+        factor = scale_suspicion(largest - smallest, plant.plausible_span(unit.symbol))
         if factor is not None:
             size = f"{factor:g}× too large" if factor > 1.0 else f"{1.0 / factor:g}× too small"
             warnings.append(

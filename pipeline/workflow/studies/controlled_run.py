@@ -8,7 +8,7 @@ from typing import Any
 
 from ...control.ensemble import Converters
 from ...control.plant import ASSUMED_LAG, ControlledJoint, plant_of
-from ...device.device import device
+from ...device.device import JOINT, device
 from ...diagnostics.facts.converters import converter_lag
 from ...errors import DataRefusedError, InputError
 from ...models.hybrid.angle_reading import ANGLE_IS_READ
@@ -170,7 +170,7 @@ def control_run(root: Path) -> ControlRun:
 def _rests(run: RunFolder, prototype: Prototype) -> tuple[float, float] | None:
     """Readings [m] at which the logs show the joint at rest; None where they show no two wells."""
     logs = [log_of(run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
-    wells = wells_of(logs, joint=True)
+    wells = wells_of(logs, plant=JOINT)
     return (wells.left, wells.right) if isinstance(wells, Wells) else None
 
 

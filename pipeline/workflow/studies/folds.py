@@ -151,7 +151,7 @@ def _work(
     deal = block_folds if split.by == "blocks" else log_folds
     numbers = deal([log.segment for log in logs], split.count)
     data = _segments(logs)
-    wells = wells_of(logs, joint=device(prototype).joint)
+    wells = wells_of(logs, plant=device(prototype))
     judge = _Judge(
         prototype,
         parameters,
@@ -205,7 +205,7 @@ class _Judge:
             return row | {"status": "refused"}, str(error), time.process_time() - began
         seconds = time.process_time() - began
         rests = stable_rests(fitted, [log.q for log in logs])
-        wells = believed_wells(self.wells, self.model, rests, joint=device(self.prototype).joint)
+        wells = believed_wells(self.wells, self.model, rests, plant=device(self.prototype))
         score = fold_score(fitted, _segments(cut[1]), self.ranges, wells)
         row |= {key: score.nrmse[signal] for key, signal in NRMSE_COLUMNS.items()}
         row |= {"well_agreement": score.well_agreement, "status": "diverged" if score.diverged else "ok"}
