@@ -23,9 +23,9 @@ from pipeline.rig.bench import TIME_STEP
 from pipeline.rig.fleet import Experiment, draw
 from pipeline.rig.joint import simulate
 from pipeline.scoring.wells import SURE, rests
+from pipeline.store.manifest import TIMES
 from pipeline.store.run_folder import RunFolder
 from pipeline.store.tables import Table, read_table
-from pipeline.workflow.engine import TIMES
 
 WRONG_VOLTAGES = (-0.01, -0.005, -0.002, -0.001, 0.001, 0.002, 0.005, 0.01)
 INTERVAL = 0.01  # s

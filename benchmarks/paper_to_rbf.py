@@ -35,9 +35,10 @@ from pipeline.store.run_folder import RunFolder
 from pipeline.system.machine import one_thread
 from pipeline.units.units import ALPHA_UNIT
 from pipeline.workflow.engine import Unheard
-from pipeline.workflow.logs import load_logs, training
+from pipeline.workflow.logs import load_logs
 from pipeline.workflow.schedule import bring_up_to_date
 from pipeline.workflow.stages import Planned, of_stages, plan
+from pipeline.workflow.steps.training import training
 from pipeline.workflow.studies.paper import RECIPE, paper_settings
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "measured" / "paper-to-rbf.md"

@@ -32,15 +32,16 @@ from ..signals.raw_log import RawLog
 from ..store import layout
 from ..store.columns import TUBE_COLUMNS
 from ..store.run_folder import RunFolder
-from ..workflow.logs import load_motion, motion, training
+from ..workflow.logs import load_motion, motion
 from ..workflow.prior_knowledge import prior_knowledge_in
 from ..workflow.si_log import on_uniform_clocks
 from ..workflow.stage_check import log_signals
-from ..workflow.stage_identify import identified
 from ..workflow.steps.differentiate import kinematics
+from ..workflow.steps.identify import identified
 from ..workflow.steps.ingest import examined, record_columns, resamplings
 from ..workflow.steps.joint_angle import with_displacement
 from ..workflow.steps.score import ComparedRun, score_rows
+from ..workflow.steps.training import training
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -31,16 +31,18 @@ from ...settings.prototype import FILM, Prototype
 from ...signals.log import Log
 from ...store import layout, schemas
 from ...store.lock import run_lock
+from ...store.manifest import TIMES
 from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
 from ...system.isolation import in_processes
 from .. import stage_compare as compare
 from .. import stage_identify as identify
-from ..engine import TIMES, Observer, Task
-from ..logs import load_logs, sources, training
-from ..prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
+from ..engine import Observer, Task
+from ..logs import load_logs, sources
+from ..prior_knowledge import known_inputs, prior_knowledge_of
 from ..run_models import identified_models
 from ..schedule import bring_up_to_date
+from ..steps.training import PriorKnowledge, training
 from .study import StudyResult, study_result
 
 ALGORITHM = "5"
