@@ -18,7 +18,7 @@ from ..diagnostics.weak_form import LogSignals
 from ..errors import DataRefusedError, InputError, warn_user
 from ..models.base import DynamicModel, kind_of, real_numbers
 from ..models.free_runs import free_run
-from ..models.kind import StoredModel, kind
+from ..models.model_type import StoredModel, model_type
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import fit_percent
 from ..scoring.wells import wells_of
@@ -265,7 +265,7 @@ def identify_signals(
     for text in (*contradictions, *remarks(findings)):
         warn_user(text)
     if name in names("compare"):
-        model = kind(name).fit(training(measured, prototype, parameters))
+        model = model_type(name).fit(training(measured, prototype, parameters))
         notes: dict[str, Any] = {"warnings": [], name: model.describe()}
     else:
         models, notes = identified(measured, prototype, parameters, prior)

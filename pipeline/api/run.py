@@ -197,7 +197,7 @@ class Run:
         figure : str
             Its name.
         start, stop : float, optional
-            Stretch of the horizontal axis, in SI (times in s).
+            Segment of the horizontal axis, in SI (times in s).
         models : sequence of str
             The models that are drawn; without any those that the report shows.
         typeface : {"sans", "serif"}
@@ -206,7 +206,7 @@ class Run:
         Raises
         ------
         InputError
-            No such figure or model, or an empty stretch.
+            No such figure or model, or an empty segment.
 
         Notes
         -----

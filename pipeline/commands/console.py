@@ -128,7 +128,7 @@ def brief(reasons: Sequence[str]) -> str:
 
 
 class Progress:
-    """Tells on stderr what a run does; a spinner or bar where stderr is a terminal, one line per task where not."""
+    """Progress of a run on stderr; a spinner or bar where stderr is a terminal, one line per task where not."""
 
     def __init__(self, *, quiet: bool = False) -> None:
         self._quiet = quiet
@@ -217,18 +217,6 @@ class Progress:
             if shown is not None:
                 shown.stop()
         self._status = self._bar = None
-
-
-@contextmanager
-def working(text: str, *, quiet: bool = False) -> Iterator[None]:
-    """Say on stderr what is done, with a spinner; nothing where stderr is no terminal."""
-    if quiet or not sys.stderr.isatty():
-        yield
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status(printable(text)):
-        yield
 
 
 @contextmanager

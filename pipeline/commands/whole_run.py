@@ -1,9 +1,9 @@
-"""A run as a whole: made, looked at, drawn."""
+"""A run: made as a whole or stage by stage, looked at, drawn."""
 
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -14,6 +14,7 @@ from .boundary import with_options
 from .console import (
     Details,
     Force,
+    Form,
     Json,
     NoReport,
     Output,
@@ -27,13 +28,17 @@ from .console import (
     progress_report,
 )
 
+if TYPE_CHECKING:
+    from ..workflow.engine import TaskStatus
+    from ..workflow.run import StageName
+
 
 @dataclass(frozen=True)
 class Shown:
     """What of a run a figure shows, and how it is set."""
 
-    start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None
-    stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None
+    start: Annotated[float | None, typer.Option("--from", help="Start of the segment, in s or SI.")] = None
+    stop: Annotated[float | None, typer.Option("--to", help="End of the segment, in s or SI.")] = None
     typeface: Annotated[Typeface, typer.Option("--typeface", help="Typeface of the figure.")] = "sans"
     model: Annotated[
         list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
@@ -87,9 +92,10 @@ def show(run: Run, as_json: Json = False) -> None:
         emit_json(document)
         return
     shown = show_datasheet(document)
-    emit_table(f"{shown.title}; ring-downs of small motion", ("quantity", "model", "90 % interval"), shown.facts)
+    wells = ("quantity", "left well, or the device", "right well")
+    emit_table(f"{shown.title}; ± half of the central 90 %, ring-downs of small motion", wells, shown.facts)
     if shown.seen:
-        emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
+        emit_table("measured in the logs, and in the model's free runs", wells, shown.seen)
     outcome.emit_instruments(run)
     emit_table(
         f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4
@@ -207,3 +213,91 @@ def warmup(
         emit_json({"compiled_in_s": seconds})
     else:
         typer.echo(f"kernels are compiled ({seconds:.0f} s)")
+
+
+def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Read the raw logs into uniform records in SI units (signals.parquet: s, m, V).
+
+    Example: debist ingest P1.toml -o runs/P1
+    """
+    from ..store.run_folder import in_snapshot
+    from ..workflow.place import place_of
+    from ..workflow.report_data import ingested
+    from ..workflow.run import run_prototype
+
+    place = place_of(prototype, output)
+    with Progress(quiet=quiet) as progress:
+        done = run_prototype(place, None, progress, only="ingest")
+    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(place.root, ingested))
+
+
+def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Velocity [m/s] and acceleration [m/s²] by regularised differentiation (kinematics.parquet).
+
+    Example: debist differentiate runs/P1
+    """
+    from ..store.run_folder import in_snapshot
+    from ..workflow.report_data import differentiated
+
+    done = _done(run, "differentiate", quiet)
+    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, differentiated))
+
+
+def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Identify the models on the training logs (model.h5).
+
+    Example: debist identify runs/P1
+    """
+    from ..store.run_folder import in_snapshot
+    from ..workflow.report_data import identified
+
+    done = _done(run, "identify", quiet)
+    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, identified))
+
+
+def validate(
+    run: Run, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
+) -> None:
+    """Free run of the identified models on every log, and the NRMSE table (scores.parquet).
+
+    NRMSE is the root mean square error over the measured range (eq. 41), printed in percent, a fraction in JSON.
+    Example: debist validate runs/P1
+    """
+    _done(run, "validate", quiet)
+    outcome.emit_scores(run, as_json=as_json, form=form, details=details)
+
+
+def compare(
+    run: Run, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
+) -> None:
+    """Fit the baselines (SINDy, analytical, black boxes) on the same logs and add them to the scores.
+
+    NRMSE in percent. Example: debist compare runs/P1
+    """
+    _done(run, "compare", quiet)
+    outcome.emit_scores(run, as_json=as_json, form=form, details=details)
+
+
+def report(
+    run: Run,
+    figures: Annotated[
+        Typeface | None, typer.Option("--figures", help="Also every figure as SVG and PDF, in this typeface.")
+    ] = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Page (report.html) and datasheet (datasheet.json), from what the run holds; figures for a paper on request.
+
+    Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1 --figures serif
+    """
+    outcome.emit_tasks(_done(run, "report", quiet, figures), as_json=as_json)
+    if not as_json:
+        outcome.emit_assessment(run)
+
+
+def _done(run: Path, stage: "StageName", quiet: bool, figures: Typeface | None = None) -> "list[TaskStatus]":
+    """Bring one stage of a run up to date."""
+    from ..workflow.run import run_stage
+
+    with Progress(quiet=quiet) as progress:
+        return run_stage(run, stage, progress, figures=figures)

@@ -127,7 +127,21 @@ class HasDraws(Protocol):
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
-        """Free runs of `count` draws, q of shape (count, N), and the draws."""
+        """Free runs of `count` draws, q of shape (count, N), and the draws.
+
+        Parameters
+        ----------
+        t : FloatArray, shape (N,)
+            Times [s].
+        v : FloatArray, shape (N, K) or (N, r, K)
+            Inputs at the samples, or at r times of each interval.
+        q0 : float
+            Displacement at the first sample [m or rad].
+        qdot0 : float
+            Velocity there.
+        count : int
+            Number of draws.
+        """
 
 
 class DrawnModel(DynamicModel, HasDraws, Protocol):

@@ -20,7 +20,7 @@ from ..scoring.intervals import SEED, Interval, block_of, rms_difference_interva
 from ..signals.log import Log
 from ..units.units import HORIZONS
 from .base import predictor
-from .kind import StoredModel, Training, fitted_samples
+from .model_type import StoredModel, Training, fitted_samples
 
 NETWORK_ERROR = 0.006
 """Share of the operating range: equations whose held-out error is surely smaller are taken without a comparison.

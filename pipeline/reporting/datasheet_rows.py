@@ -1,12 +1,12 @@
 """Facts of the device and of its models as tables for people: units from the keys, values with deviations."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from ..diagnostics.facts.calibrated import Calibrated, calibrated
-from ..diagnostics.facts.datasheet import Datasheet, DatasheetFact, doubt, is_refused
+from ..diagnostics.facts.datasheet import Datasheet, DatasheetFact, is_refused
 from ..diagnostics.facts.run_data import RunData
 from ..store.columns import FACT_COLUMNS, STABLE, FactColumn
 from ..units.quantity import interval, percent, power, quantity, scale, significant
@@ -62,10 +62,10 @@ class SheetRow:
     cells: tuple[SheetCell, ...]
 
 
-def sheet_rows(sheet: Datasheet) -> list[SheetRow]:
+def sheet_rows(known: Sequence[DatasheetFact]) -> list[SheetRow]:
     """The rows that have at least one value."""
-    facts = {fact.key: fact for fact in sheet.facts}
-    stroke = max((abs(f.value or f.measured or 0.0) for f in sheet.facts if f.key.startswith("well")), default=0.0)
+    facts = {fact.key: fact for fact in known}
+    stroke = max((abs(f.value or f.measured or 0.0) for f in known if f.key.startswith("well")), default=0.0)
     grouped: dict[tuple[str, bool], dict[str, list[str]]] = {}
     helps: dict[tuple[str, bool], FactColumn] = {}
     for column in FACT_COLUMNS:
@@ -161,27 +161,14 @@ def _row(fitted: Calibrated) -> CalibratedRow:
 
 
 def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
-    """The datasheet as text; where the logs show a fact too, beside what the model's free runs over them show."""
-    alike: dict[str, float] = {}
-    for fact in document["facts"]:
-        ends = (abs(fact[key] or 0.0) for key in ("value", "low", "high"))
-        alike[_kind(fact)] = max(alike.get(_kind(fact), 0.0), *ends)
-    facts: Rows = []
-    measured_rows: Rows = []
-    for fact in document["facts"]:
-        factor = 100.0 if fact["unit"] == "%" else 1.0
-        value, low, high, of_logs, spread, own = (
-            None if fact.get(key) is None else factor * fact[key]
-            for key in ("value", "low", "high", "measured", "measured_spread", "free_run")
-        )
-        model = quantity(value, fact["unit"])
-        limits = doubt(low, fact.get("in_draws")) or "–"
-        if low is not None and high is not None:
-            model, limits = interval(value, low, high, fact["unit"], alike[_kind(fact)])
-        facts.append((fact["title"], model, limits))
-        if fact["events"]:
-            measured = f"{quantity(of_logs, fact['unit'], spread)} ({fact['events']}×)"
-            measured_rows.append((fact["title"], quantity(own, fact["unit"]), measured))
+    """The datasheet as text: the rows of the page, and what the logs show of them."""
+    sheet = sheet_rows([DatasheetFact(**fact) for fact in document["facts"]])
+
+    def texts(row: SheetRow, of: Callable[[SheetCell], str]) -> tuple[str, ...]:
+        """Title and cells of a row, in one line each."""
+        cells = (row.title, *(of(cell) for cell in row.cells), "")[:3]
+        return tuple(cell.replace("\u00a0", " ").replace("\n", "; ") for cell in cells)
+
     assessment = document["verdict"]
     checks: Rows = [
         (check["about"], check["grade"], check["statement"], "" if check["grade"] == "good" else check["advice"])
@@ -191,12 +178,13 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
     if document["facts_from"] == document["judged_model"] and is_refused(assessment["checks"]):
         source += NOT_USED
-    return ShownDatasheet(f"{document['name']}: {source}", facts, measured_rows, checks, line)
-
-
-def _kind(fact: dict[str, Any]) -> str:
-    """Facts of one kind share their unit: both wells, and the saddle between them."""
-    return {"saddle": "well"}.get(fact["key"], str(fact["key"]).partition("_")[0])
+    return ShownDatasheet(
+        f"{document['name']}: {source}",
+        [texts(row, lambda cell: cell.value) for row in sheet],
+        [texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
+        checks,
+        line,
+    )
 
 
 LONGEST_LIST = 12

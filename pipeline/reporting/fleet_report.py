@@ -42,7 +42,6 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
         "headings": [q.heading for q in quantities],
         "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
         "charts": [chart(distribution(q), ()) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
-        "models": _models(done),
     }
     return render("fleet.html.j2", ("tables.js",), context)
 
@@ -154,24 +153,3 @@ def _grades(done: Sequence[Summary]) -> list[tuple[str, str, int]]:
             if number:
                 counts.append((about, grade, number))
     return counts
-
-
-def _models(done: Sequence[Summary]) -> list[dict[str, Any]]:
-    """For every model the distribution of its NRMSE of q over all validation logs of the fleet."""
-    errors: dict[str, list[float | None]] = {}
-    for member in done:
-        for model, error in member.validation:
-            errors.setdefault(model, []).append(error)
-    rows = []
-    for model, values in errors.items():
-        defined = 100.0 * np.array([v for v in values if v is not None])
-        quartiles = (
-            [float(x) for x in np.quantile(defined, [0.5, 0.25, 0.75, 1.0])] if defined.size else [float("nan")] * 4
-        )
-        counts = [{"text": str(n), "value": str(n)} for n in (len(values), len(values) - defined.size)]
-        errors_of = [
-            {"text": significant(x) if np.isfinite(x) else "–", "value": repr(x) if np.isfinite(x) else ""}
-            for x in quartiles
-        ]
-        rows.append({"model": model, "cells": counts + errors_of})
-    return rows

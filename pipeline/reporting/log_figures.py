@@ -94,7 +94,7 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 
 
 def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
-    """The inputs over time, without stretches in which they are not known."""
+    """The inputs over time, without segments in which they are not known."""
     t = log.record["t"]
     sides = {"v1": " (left)", "v2": " (right)"} if data.device.joint else {}
     recorded = {name: np.where(_unknown(log, t), np.nan, log.record[name]) for name in data.inputs}
@@ -139,7 +139,7 @@ def differentiation(data: RunData, log: LogData) -> str:
         between = " … ".join(significant(alpha) for alpha in sorted({min(alphas), max(alphas)}))
         text += f", α = {between} {unit}"
     failed = sum(not s.get("converged", True) for s in stretches)
-    return text + (f"; {failed} of {len(stretches)} stretches did not converge." if failed else ", converged.")
+    return text + (f"; {failed} of {len(stretches)} segments did not converge." if failed else ", converged.")
 
 
 def measured_signals(log: LogData) -> dict[str, FloatArray]:

@@ -64,7 +64,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         if name not in shown:
             kind = name.partition("-")[0]
             charts[kind if kind in charts else ""].append(chart(figure, models))
-    rows = sheet_rows(sheet)
+    rows = sheet_rows(sheet.facts)
     context = {
         "name": data.prototype.name,
         "subtitle": _subtitle(data),

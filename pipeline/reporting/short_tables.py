@@ -13,7 +13,7 @@ from .tables import BEST, HEADINGS, TIED, ScoreRow, notes_of, notes_on
 
 _EXTRAS = tuple(column for column in SCORE_COLUMNS if column.cell and column.cell.table == "errors")
 FOLD_EXPLANATION = (
-    "Free-run NRMSE in % of the range in all data, each stretch of a fold from its measured first state; a run that "
+    "Free-run NRMSE in % of the range in all data, each segment of a fold from its measured first state; a run that "
     "diverged counts as 100. Mean over folds [95 % interval, t-test corrected for shared training data]. * lowest, all "
     "others higher fold by fold; ≈ not told apart from the lowest."
 )

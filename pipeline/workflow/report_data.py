@@ -11,7 +11,7 @@ from ..device.device import Device, device
 from ..diagnostics.facts.run_data import WHY, LogData, RunData, Study
 from ..errors import DebistError
 from ..models.base import DynamicModel
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
 from ..settings.logs import LogPart, Role
 from ..settings.prototype import Prototype
@@ -244,7 +244,7 @@ def ingested(run: RunFolder) -> list[dict[str, Any]]:
 
 
 def differentiated(run: RunFolder) -> list[dict[str, Any]]:
-    """Of each log the method, and of each of its stretches α and the noise, in units that the settings have α in."""
+    """Of each log the method, and of each of its segments α and the noise, in units that the settings have α in."""
     unit = ALPHA_UNIT[device(run.prototype).displacement.symbol][0]
     results = []
     for role, log, path in layout.logs(run.prototype):

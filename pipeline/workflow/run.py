@@ -42,7 +42,7 @@ def run_prototype(
     output : Path or None
         The run folder; None: ``runs/NAME``, or the run folder that was given.
     observer : Observer
-        Told what happens.
+        Receives what happens.
     only : str, optional
         A stage: this one only.
     with_report : bool

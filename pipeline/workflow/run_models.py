@@ -9,7 +9,7 @@ from ..device.device import device
 from ..errors import InputError
 from ..models.base import DynamicModel
 from ..models.free_runs import start_of
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..settings.prototype import Prototype
 from ..signals.log import Log
 from ..store import layout

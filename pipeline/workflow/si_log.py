@@ -49,11 +49,11 @@ def read_si(
     path : Path
         The log.
     prototype : Prototype
-        Says which channel is which, and in which units.
+        States which channel is which, and in which units.
     parameters : JointParameters, optional
         Geometry of a joint whose angle is logged.
     progress : callable, optional
-        Told the share of the samples that are read.
+        Receives the share of the samples that are read.
 
     Raises
     ------

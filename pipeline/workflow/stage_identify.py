@@ -9,8 +9,8 @@ from ..device.device import device
 from ..device.parameter_sets import parameter_values
 from ..device.parameters import JointParameters
 from ..diagnostics.gates import accepted_settings
-from ..models.kind import MAIN_MODEL
 from ..models.model_file import columns_of, declaration
+from ..models.model_type import MAIN_MODEL
 from ..settings.prototype import FILM, Prototype, TrainingGate
 from ..store import layout
 from ..store.run_folder import RunFolder, Written

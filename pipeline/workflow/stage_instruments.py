@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..models.base import DynamicModel
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
 from ..signals.corrections import Corrections
@@ -20,7 +20,7 @@ from .engine import Task
 from .logs import load_motion, sources
 from .steps.training import fitted_parts
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 
 Logs = Mapping[tuple[Role, str], Log]
 """Logs by role and name."""

@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.models.base import FreeRun
 from pipeline.models.choose import main_model
-from pipeline.models.kind import Training
+from pipeline.models.model_type import Training
 from pipeline.settings.prototype import Identify
 from pipeline.signals.log import Log
 

@@ -76,19 +76,14 @@ class DatasheetFact:
     @property
     def doubt(self) -> str:
         """Text in place of an interval where too few draws have the fact; empty otherwise."""
-        return doubt(self.low, self.in_draws)
+        if self.low is not None or self.in_draws is None or self.in_draws >= COVERAGE:
+            return ""
+        return f"not certain: in {100.0 * self.in_draws:.0f} % of the draws"
 
     @property
     def half_width(self) -> float | None:
         """Half of the interval of `value`."""
         return None if self.low is None or self.high is None else (self.high - self.low) / 2.0
-
-
-def doubt(low: float | None, in_draws: float | None) -> str:
-    """See `DatasheetFact.doubt`."""
-    if low is not None or in_draws is None or in_draws >= COVERAGE:
-        return ""
-    return f"not certain: in {100.0 * in_draws:.0f} % of the draws"
 
 
 def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:

@@ -18,7 +18,7 @@ from ...numerics.metrics import rms
 from ...signals.inputs import MOST_SAMPLES
 from ...signals.log import Log, operating_range, within
 from ..free_runs import scale_on
-from ..kind import Kind, Training, fitted_samples
+from ..model_type import ModelType, Training, fitted_samples
 from . import parameters as condensed_parameters
 from .kernels import CURVES
 from .model import HybridModel
@@ -413,4 +413,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 
-HYBRID = Kind(_fit, HybridModel.from_tree, "export.hybrid:realise")
+HYBRID = ModelType(_fit, HybridModel.from_tree, "export.hybrid:realise")

@@ -11,7 +11,7 @@ from ...device.parameters import JointParameters
 from ...diagnostics.gates import judge
 from ...diagnostics.sentences import not_converged
 from ...errors import DataRefusedError
-from ...models.kind import StoredModel, Training, kind
+from ...models.model_type import StoredModel, Training, model_type
 from ...settings.models import AUTO, ENTRIES
 from ...settings.prototype import Prototype
 from ...signals.findings import Finding
@@ -47,6 +47,19 @@ def identified(
 
     Where "auto" fits the joint's equations and chooses the network, both are among the models; only the network is
     named in the note `IDENTIFIED`. An `rbf` beside "auto" that the training logs refuse is left out, with a warning.
+
+    Parameters
+    ----------
+    data : list of Log
+        Training logs.
+    prototype : Prototype
+        Settings.
+    parameters : JointParameters or None
+        Parameter set of the analytical joint.
+    prior_knowledge : PriorKnowledge, optional
+        Curves and prior beside the logs.
+    on_progress : callable
+        Receives what a fit is doing, and its share.
 
     Raises
     ------
@@ -126,7 +139,7 @@ def _asked(
 ) -> StoredModel | None:
     """A model that the settings name; no `rbf` beside "auto" where the logs refuse one, which `warnings` then state."""
     if wanted != "rbf" or AUTO not in prototype.identify.models:
-        return kind(wanted).fit(given)
+        return model_type(wanted).fit(given)
     try:
         return _network(given, data, prototype)
     except DataRefusedError as refused:
@@ -139,13 +152,13 @@ def _choose(given: Training, data: list[Log], prototype: Prototype) -> "Choice":
 
     if given.known_curves is not None:
         return Choice(_network(given, data, prototype), "only rbf keeps the measured curves of plant.curves", {})
-    return choose(given, kind("hybrid").fit, lambda part: _network(part, data, prototype))
+    return choose(given, model_type("hybrid").fit, lambda part: _network(part, data, prototype))
 
 
 def _network(given: Training, data: list[Log], prototype: Prototype) -> StoredModel:
     """The data-driven model; what the joint's equations would know the data must show."""
     judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in({"rbf"}))
-    return kind("rbf").fit(given)
+    return model_type("rbf").fit(given)
 
 
 def _findings(data: list[Log], prototype: Prototype) -> list[Finding]:

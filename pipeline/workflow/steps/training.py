@@ -9,7 +9,7 @@ from ...device.device import device
 from ...device.parameters import JointParameters
 from ...fitting.population import NormalPopulation
 from ...models.analytical.statics import rotation_nodes
-from ...models.kind import KnownCurves, Training
+from ...models.model_type import KnownCurves, Training
 from ...settings.prototype import Prototype
 from ...signals.log import EDGE, Log
 from ...store.tables import Table

@@ -195,7 +195,21 @@ def kept_document(
     observer: Observer,
     work: Callable[[ControlRun, OnProgress], dict[str, Any]],
 ) -> dict[str, Any]:
-    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change."""
+    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    title : str
+        Title of the document.
+    settings : mapping
+        What decides it beside the model.
+    observer : Observer
+        Receives what happens.
+    work : callable
+        Computes the document.
+    """
     with run_lock(root):
         joint_run = control_run(root)
         name = layout.control(title)

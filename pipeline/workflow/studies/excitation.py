@@ -107,6 +107,21 @@ def excite(
 ) -> tuple[Design | NextLog, tuple[Path, ...]]:
     """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
 
+    Parameters
+    ----------
+    output : Path
+        The sequence.
+    source : ExcitationSource
+        Joint or run that it is designed for.
+    wanted : Requirements
+        Duration, bursts and candidates.
+    limits : ExcitationLimits
+        Largest voltage and field.
+    rate : float
+        Sampling rate of the file [Hz].
+    report : callable, optional
+        Receives the share that is done.
+
     Returns
     -------
     Design or NextLog

@@ -150,7 +150,7 @@ def design_excitation(
     wanted : Requirements
         Length, limits, shapes, effort.
     report : callable, optional
-        Told the share that is designed.
+        Receives the share that is designed.
 
     Raises
     ------
@@ -186,6 +186,17 @@ def greedy_bursts(
 
     `criterion` takes bursts and where they end [s]; −∞ refuses them.
 
+    Parameters
+    ----------
+    criterion : callable
+        Bursts and their end [s] → value; −∞ refuses them.
+    rng : numpy.random.Generator
+        Draws the candidates.
+    wanted : Requirements
+        Duration, kinds of bursts and candidates.
+    report : callable, optional
+        Receives the share that is done.
+
     Raises
     ------
     InputError
@@ -218,7 +229,21 @@ def greedy_bursts(
 def assess(
     simulators: Sequence[Simulator], weights: ScaledRegressor, wells: Wells, bursts: list[Burst], duration: float
 ) -> Assessment:
-    """Play a sequence on every simulator; the information of its motions on the weights."""
+    """Play a sequence on every simulator; the information of its motions on the weights.
+
+    Parameters
+    ----------
+    simulators : sequence of Simulator
+        Joints on which the sequence is played.
+    weights : ScaledRegressor
+        Regressor of the weights.
+    wells : Wells
+        Wells of the joints.
+    bursts : list of Burst
+        The sequence.
+    duration : float
+        Its length [s].
+    """
     runs = [_play(simulate, bursts, duration) for simulate in simulators]
     information = [weights.information(*run, INTERVAL) for run in runs]
     coverages = [_coverage(weights, run) for run in runs]

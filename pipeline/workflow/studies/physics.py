@@ -102,7 +102,7 @@ def calibrate(
     search: SearchFile,
     report: Callable[[str, float], None] | None = None,
 ) -> "Calibration":
-    """Fit the named parameters to the gap-free stretches of `kinematics.parquet` files.
+    """Fit the named parameters to the gap-free segments of `kinematics.parquet` files.
 
     Voltages between the samples come from the ``record.parquet`` beside each, where there is one.
 
@@ -122,7 +122,7 @@ def calibrate(
     Raises
     ------
     InputError
-        A table lacks a column, or none has a stretch of motion.
+        A table lacks a column, or none has a segment of motion.
     """
     from ...models.analytical.calibration import calibrate as fit
     from ...signals.log import log_of

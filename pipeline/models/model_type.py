@@ -1,4 +1,4 @@
-"""Kinds of models: how each is fitted, read from trees and files, and exported; and the data that a fit takes."""
+"""Types of models: how each is fitted, read from trees and files, and exported; and the data that a fit takes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -164,11 +164,11 @@ class StoredModel(DynamicModel, Protocol):
     """A model that can be filed."""
 
     def to_tree(self) -> dict[str, Any]:
-        """The model as a dictionary of arrays, numbers and texts, which its kind reads back."""
+        """The model as a dictionary of arrays, numbers and texts, which its type reads back."""
 
 
 @dataclass(frozen=True)
-class Kind:
+class ModelType:
     """Functions that make a model.
 
     Attributes
@@ -190,8 +190,8 @@ MAIN_MODEL = "headline"
 """Entry of ``model.h5`` that names the model which the settings put first, or held-out data chose."""
 
 
-def kind(name: str) -> Kind:
-    """The kind of the model called `name`; its module is imported here.
+def model_type(name: str) -> ModelType:
+    """The type of the model called `name`; its module is imported here.
 
     Raises
     ------
@@ -202,7 +202,7 @@ def kind(name: str) -> Kind:
     if listed is None:
         every = ", ".join(sorted(model.name for model in ENTRIES))
         raise InputError(f"there is no model {name!r}; choose one of {every}")
-    loaded: Kind = object_at(listed.kind)
+    loaded: ModelType = object_at(listed.model_type)
     return loaded
 
 
@@ -216,7 +216,7 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
     CorruptArtifactError
         A tree that lacks what the model needs.
     """
-    family = kind(name)
+    family = model_type(name)
     if name == "rbf" and tree.get("kind") == "hybrid":
         raise CorruptArtifactError(
             "an older debist made this run and called the joint's equations with corrections `rbf`; they are now "
