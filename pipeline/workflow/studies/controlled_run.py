@@ -25,7 +25,7 @@ from ..engine import Observer, Task
 from ..run_models import WORST, controlled_model, failed_validations, load_run_model
 from ..schedule import bring_up_to_date
 
-ALGORITHM = "21"
+ALGORITHM = "22"
 _MISSED = 0.09
 _UNSEEN = 2e-3
 """RMS residual on the training logs above which no control is designed on a model: a share of the wells' distance, or
