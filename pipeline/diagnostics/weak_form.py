@@ -120,7 +120,19 @@ def weak_terms(log: LogSignals, acting: FloatArray, sample_interval: float) -> W
 
 
 def under_inputs(terms: WeakTerms, log: LogSignals, acting: FloatArray, sample_interval: float) -> WeakTerms:
-    """The terms of a log of the same motion with other inputs, of which `acting` (N, K) acts."""
+    """The terms of a log of the same motion with other inputs.
+
+    Parameters
+    ----------
+    terms : WeakTerms
+        Terms of the log.
+    log : LogSignals
+        The log.
+    acting : FloatArray, shape (N, K)
+        What acts of the other inputs.
+    sample_interval : float
+        Sample interval [s] of the identification.
+    """
     z, _, _ = _scaled(log)
     bump, _, _ = _bump(_half_width(log, sample_interval), log.interval)
     return replace(terms, push=_pushes(acting, z, bump))

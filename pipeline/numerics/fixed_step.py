@@ -79,11 +79,21 @@ def finish(system: Any, x: FloatArray) -> None:
 
 
 def shown(system: Any, x: FloatArray, j: int, width: int) -> tuple[float, float]:
-    """Displacement and velocity of the system `j` of `width`, as they are written out."""
+    """Displacement and velocity of one of the systems side by side, as they are written out.
+
+    Parameters
+    ----------
+    system : NamedTuple
+        The systems.
+    x : FloatArray, shape (S,)
+        Their state.
+    j, width : int
+        Number of the system, and of all.
+    """
     raise NotImplementedError
 
 
-def first_states(system, x, j, width):
+def _first_states(system, x, j, width):
     """For systems whose first states are what is written out."""
     return x[j], x[width + j]
 
@@ -94,7 +104,7 @@ class Methods(NamedTuple):
     begin: Callable[..., None]
     rates: Callable[..., None]
     finish: Callable[..., None]
-    shown: Callable[..., tuple[float, float]] = first_states
+    shown: Callable[..., tuple[float, float]] = _first_states
 
 
 def no_begin(system, x, node):

@@ -139,7 +139,17 @@ def rest_at_reading(
     reading: float, by: tuple[float, float], u: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray,
     weights: FloatArray, age: float,
 ) -> tuple[FloatArray, FloatArray]:  # fmt: skip
-    """As `rest_state`, at a reading [m] to which q contributes by[0] and τ by[1] [m]; by the secant method."""
+    """State and stop operators as after a long rest at a reading, by the secant method.
+
+    Parameters
+    ----------
+    reading : float
+        Reading [m] without the laser's offset.
+    by : (float, float)
+        What q [1] and τ [m] contribute to it.
+    u, k, p, basis, weights, age
+        As in `rest_state`.
+    """
     q = reading
     x, z = rest_state(q, u, k, p, basis, weights, age)
     if by[1] == 0.0:
