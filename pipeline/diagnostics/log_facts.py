@@ -88,6 +88,15 @@ def log_facts(log: LogSignals, sample_interval: float, plant: Device) -> LogFact
     """Look at one log.
 
     Cost: 0.1 s for 40,000 samples, most of it the weak form.
+
+    Parameters
+    ----------
+    log : LogSignals
+        The log.
+    sample_interval : float
+        Interval at which it is looked at [s].
+    plant : Device
+        How its inputs act, and whether it is the joint.
     """
     terms = weak_terms(log, plant.acting(log.v), sample_interval)
     every = samples_of(sample_interval, log.interval)
