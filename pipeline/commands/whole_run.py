@@ -92,6 +92,10 @@ def show(run: Run, as_json: Json = False) -> None:
     emit_table(f"{shown.title}; ring-downs of small motion", ("quantity", "model", "90 % interval"), shown.facts)
     if shown.seen:
         emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
+    if shown.elements:
+        emit_table(
+            "what acts along the training logs", ("element", "RMS force", "of the restoring force"), shown.elements
+        )
     outcome.emit_instruments(run)
     emit_table(f"verdict: {shown.verdict}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4)
 

@@ -36,11 +36,12 @@ Rows = list[tuple[str, ...]]
 
 @dataclass(frozen=True)
 class ShownDatasheet:
-    """A datasheet for the terminal: facts, what the logs show of them, checks, and the verdict in a line."""
+    """A datasheet for the terminal: facts, what the logs show of them, what acts, checks, and the verdict in a line."""
 
     title: str
     facts: Rows
     seen: Rows
+    elements: Rows
     checks: Rows
     verdict: str
 
@@ -191,7 +192,20 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
     if document["facts_from"] == document["judged_model"] and is_refused(verdict["checks"]):
         source += NOT_USED
-    return ShownDatasheet(f"{document['name']}: {source}", facts, measured_rows, checks, line)
+    elements = element_rows(document.get("elements", ()))
+    return ShownDatasheet(f"{document['name']}: {source}", facts, measured_rows, elements, checks, line)
+
+
+def element_rows(elements: Sequence[Mapping[str, Any]]) -> Rows:
+    """Element, RMS force and share of the restoring force, of what acts; "absent" of what does not."""
+    return [
+        (
+            element["name"],
+            quantity(element["force_rms"], element["unit"]) if element["force_rms"] else "absent",
+            "–" if element["share"] is None or not element["force_rms"] else percent(element["share"]),
+        )
+        for element in elements
+    ]
 
 
 def _kind(fact: dict[str, Any]) -> str:

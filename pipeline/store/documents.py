@@ -53,9 +53,10 @@ def _kinds() -> dict[str, type[BaseModel]]:
         key=str, title=str, unit=str, value=Number, low=Number, high=Number, measured=Number, measured_spread=Number,
         events=int, free_run=(Number, None), in_draws=(Number, None),
     )  # fmt: skip
+    element = kind(name=str, force_rms=float, unit=str, share=Number)
     datasheet = kind(
         verdict=kind(data=str, model=str, checks=list_of(finding)), name=str, facts_from=str | None,
-        judged_model=str | None, scores=list_of(score), facts=list_of(fact),
+        judged_model=str | None, scores=list_of(score), facts=list_of(fact), elements=(list_of(element), []),
     )  # fmt: skip
     return {
         layout.CHECK: kind(rows=list_of(check)),

@@ -64,7 +64,7 @@ class CurveEquilibrium:
 
     @property
     def stable(self) -> bool:
-        """Whether the device stays there."""
+        """True where the device stays."""
         return self.stiffness > 0.0
 
 
@@ -201,6 +201,15 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
 
     On the way the input's force must exceed the restoring one everywhere: u > max F/g_k over the path. None where the
     input pushes the other way, or not at all, somewhere on the way.
+
+    Parameters
+    ----------
+    curves : Curves
+        F and g_k.
+    k : int
+        Number of the electrode, from 0.
+    start, saddle : float
+        Places [m or rad].
     """
     low = min(start, saddle)
     high = max(start, saddle)

@@ -173,6 +173,19 @@ class Datasheet:
         """The verdict on the data and on the model: the worst grade of the checks of each."""
         return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
 
+    def elements(self, data: RunData) -> list[dict[str, Any]]:
+        """Forces of the elements of the judged model along the training logs, 0 of one that is absent; its own first.
+
+        The share is that of the restoring force. Empty for a model whose elements are not known.
+        """
+        forces: Mapping[str, float] = data.descriptions.get(self.headline, {}).get("elements", {})
+        whole = next(iter(forces.values()), 0.0)
+        unit = data.curve_units["F"]
+        return [
+            {"name": name, "force_rms": force, "unit": unit, "share": force / whole if whole else None}
+            for name, force in forces.items()
+        ]
+
     def to_json(self, data: RunData) -> dict[str, Any]:
         """The document that is written as ``datasheet.json``; SI units, null where unknown."""
         return {
@@ -183,6 +196,7 @@ class Datasheet:
             "choice": None if data.choice is None else dict(data.choice),
             "level_of_intervals": COVERAGE,
             "facts": [asdict(fact) for fact in self.facts],
+            "elements": self.elements(data),
             "verdict": {**self.grades, "checks": [asdict(check) for check in self.checks]},
             "instruments": [dict(row) for row in data.instruments],
             "scores": [dict(score) for score in data.scores],

@@ -25,7 +25,19 @@ WORST = 0.15
 def model_checks(
     data: RunData, model: str, rest_errors: tuple[float, float] | None, wells: Wells | NoWells
 ) -> list[Check]:
-    """The headline model: free-run error, wells, generalisation, and by how much its two rests err."""
+    """Checks of the headline model: free-run error, wells, generalisation, and by how much its two rests err.
+
+    Parameters
+    ----------
+    data : RunData
+        The run.
+    model : str
+        Name of the model.
+    rest_errors : (float, float) or None
+        Modelled minus measured rests on the left and on the right [m or rad].
+    wells : Wells or NoWells
+        Seen in the data.
+    """
     by_role = {
         role: [s for s in data.scores if s["model"] == model and s["role"] == role and s["signal"] == "q"]
         for role in ("train", "validation")

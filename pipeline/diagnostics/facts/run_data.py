@@ -56,7 +56,7 @@ class LogData:
 
     @property
     def title(self) -> str:
-        """What people call it, as in tables."""
+        """Name for people, as in tables."""
         return log_title(self.role, true_name(self.source))
 
     @property
@@ -149,12 +149,12 @@ class RunData:
 
     @property
     def joint(self) -> bool:
-        """Whether it can be the bistable joint."""
+        """True if it can be the bistable joint."""
         return of_joint(self.displacement, [self.voltage] * len(self.inputs), squared=self.squared)
 
     @property
     def input_word(self) -> str:
-        """What an input is called: a voltage only where it is one."""
+        """Name of an input: a voltage only where it is one."""
         return "voltage" if self.voltage == "V" else "input"
 
     @property

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
-from ...codegen.graph import trace
 from ...errors import CorruptArtifactError
 from ...fitting.posterior import first_order_curves, posterior_draws
 from ...fitting.regression import InputLaw
@@ -21,7 +20,7 @@ from ..base import FreeRun, checked
 from ..model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table, Unit
 from ..tube_scales import TubePart
 from .coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
-from .dynamics import free_rates
+from .elements import accelerations, acting_forces
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
 from .problem import JointProblem, steps_per_sample
@@ -217,23 +216,37 @@ class RbfModel:
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path, hidden states from an observer that follows the path."""
-        p = self.parameters
         s = self.parameters.scales
         x = (q - s.middle) / s.half
-        speed = qdot / s.half
-        coupling = Coupling(x, np.ones(len(t)), PATH_OBSERVER_GAIN * s.frequency)
-        states, _ = self._run(self.theta, t, v, coupling, (float(x[0]), float(speed[0])))
-        c = p.coefficients(self.theta)
+        states, u = self._followed(t, v, x, np.ones(len(t)), float(qdot[0]) / s.half)
+        states[:, :2] = np.column_stack([x, qdot / s.half])
+        return s.half * accelerations(self.parameters.coefficients(self.theta), states, u)
+
+    def _followed(
+        self, t: FloatArray, v: FloatArray, x: FloatArray, seen: FloatArray, speed: float
+    ) -> tuple[FloatArray, FloatArray]:
+        """State (N, 2 + L + D) behind an observer that follows the path x, and inputs (N, K) at the samples."""
+        p = self.parameters
+        coupling = Coupling(x, seen, PATH_OBSERVER_GAIN * p.scales.frequency)
+        states, _ = self._run(self.theta, t, v, coupling, (float(x[0]), speed))
         steps = steps_per_sample(p, sample_interval(t), self.theta)
         u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
-        law = trace(
-            lambda x, slip, u: {"dx": free_rates(c, x, slip, u)},
-            x=2 + len(c.rates), slip=len(c.slip_force), u=len(p.signs),
-        )  # fmt: skip
-        hidden, slip = np.split(states[:, 3:], [len(c.rates)], axis=1)
-        rates = law.evaluate(x=np.column_stack([x, speed, hidden]), slip=slip, u=u[:: 2 * steps])["dx"]
-        acceleration: FloatArray = s.half * rates[:, 1]
-        return acceleration
+        return np.delete(states, 2, axis=1), u[:: 2 * steps]
+
+    def acting(self, logs: Sequence[Log]) -> dict[str, float]:
+        """RMS force [N] of each element along logs; per unit mass where `mass` is 1, and 0 of one that is absent."""
+        s = self.parameters.scales
+        parts = [
+            self._followed(
+                log.t, log.drive if self.fine_voltages else log.v, bridged((log.q - s.middle) / s.half, log.valid),
+                log.valid.astype(np.float64), float(log.qdot[0]) / s.half,
+            )
+            for log in logs
+        ]  # fmt: skip
+        states, inputs = (np.concatenate(each) for each in zip(*parts, strict=True))
+        known = np.isfinite(states).all(axis=1)
+        forces = acting_forces(self.parameters, self.theta, states[known], inputs[known])
+        return {name: self.mass * s.half * force for name, force in forces.items()}
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
