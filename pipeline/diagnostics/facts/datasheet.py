@@ -174,16 +174,16 @@ class Datasheet:
         return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
 
     def elements(self, data: RunData) -> list[dict[str, Any]]:
-        """Forces of the elements of the judged model along the training logs, 0 of one that is absent; its own first.
+        """Forces of the elements of the judged model along the training logs, the largest first; 0 of one that is absent.
 
         The share is that of the restoring force. Empty for a model whose elements are not known.
         """
         forces: Mapping[str, float] = data.descriptions.get(self.headline, {}).get("elements", {})
-        whole = next(iter(forces.values()), 0.0)
+        whole = forces.get("restoring force")
         unit = data.curve_units["F"]
         return [
             {"name": name, "force_rms": force, "unit": unit, "share": force / whole if whole else None}
-            for name, force in forces.items()
+            for name, force in sorted(forces.items(), key=lambda item: -item[1])
         ]
 
     def to_json(self, data: RunData) -> dict[str, Any]:
