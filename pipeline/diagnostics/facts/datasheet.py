@@ -174,7 +174,7 @@ class Datasheet:
         return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
 
     def elements(self, data: RunData) -> list[dict[str, Any]]:
-        """Forces of the elements of the judged model along the training logs, the largest first; 0 of one that is absent.
+        """Forces of the elements of the judged model along the training logs, the largest first; 0 of what is absent.
 
         The share is that of the restoring force. Empty for a model whose elements are not known.
         """
