@@ -4,7 +4,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 
@@ -19,18 +19,21 @@ STEP_HOLD = 0.12  # s, shortest hold of a random step: the converter settles, th
 MULTISINE_LINES = 8
 REST, PULSE, PAUSE = 1.0, 1.0, 1.0  # s: before the first burst; of alternating pulses
 
-# Excitations: how often each kind of burst is drawn, in the order pulse, both sides on, chirp, steps, multisine.
-SHARES: dict[str, tuple[float, float, float, float, float]] = {
-    "pulses": (1.0, 0.0, 0.0, 0.0, 0.0),
-    "chirps": (0.4, 0.0, 0.6, 0.0, 0.0),
-    "both": (0.6, 0.4, 0.0, 0.0, 0.0),
-    "steps": (0.2, 0.0, 0.0, 0.8, 0.0),
-    "multisine": (0.4, 0.0, 0.0, 0.0, 0.6),
-    "mixed": (0.4, 0.12, 0.18, 0.15, 0.15),
-    "training": (0.86, 0.1, 0.04, 0.0, 0.0),
-    "validation": (0.72, 0.16, 0.12, 0.0, 0.0),
+BurstKind = Literal["pulse", "both", "chirp", "steps", "multisine"]
+BURSTS: tuple[BurstKind, ...] = get_args(BurstKind)
+"""Kinds of bursts: one side on, both sides on, and three that swing between the sides."""
+SHARES: dict[str, dict[BurstKind, float]] = {
+    "pulses": {"pulse": 1.0},
+    "chirps": {"pulse": 0.5, "chirp": 0.5},
+    "both": {"pulse": 0.5, "both": 0.5},
+    "steps": {"pulse": 0.5, "steps": 0.5},
+    "multisine": {"pulse": 0.5, "multisine": 0.5},
+    "mixed": dict.fromkeys(BURSTS, 1.0 / len(BURSTS)),
+    "training": {"pulse": 0.86, "both": 0.1, "chirp": 0.04},
+    "validation": {"pulse": 0.72, "both": 0.16, "chirp": 0.12},
 }
-"""The last two are those of three prototypes' logs, as are the shares below: 6 logs of 20 to 27 bursts."""
+"""How often each kind of burst is drawn in an excitation. The last two are those of three prototypes' logs, as are the
+shares below: 6 logs of 20 to 27 bursts."""
 
 EXCITATIONS = (*SHARES, "alternating")
 """Excitations of a log; "alternating" is `switching_pulses`."""
@@ -103,7 +106,7 @@ def alternating_pulses(*, duration: float = 37.5, rest: float = REST, voltage: f
     return [Burst("pulse", float(start), PULSE, *sides[i % 2], none, none) for i, start in enumerate(starts)]
 
 
-def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5) -> list[Burst]:
+def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5, top: float = MAX_VOLTAGE) -> list[Burst]:
     """Full pulses, left and right in turn, of random lengths: the paper's experiment (figures 11 and 15).
 
     Pulses and pauses last 1 to 2 s, in which the joint nearly comes to rest.
@@ -112,31 +115,45 @@ def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5) -> lis
     start = REST
     while start < duration - 0.5:
         length, pause = rng.uniform(1.0, 2.0, 2)
-        sides = (MAX_VOLTAGE, 0.0) if len(bursts) % 2 == 0 else (0.0, MAX_VOLTAGE)
+        sides = (top, 0.0) if len(bursts) % 2 == 0 else (0.0, top)
         bursts.append(Burst("pulse", start, float(length), *sides, np.empty(0), np.empty(0)))
         start += float(length + pause)
     return bursts
 
 
-def random_excitation(rng: np.random.Generator, *, duration: float = 37.5, excitation: str = "training") -> list[Burst]:
-    """Draw an experiment: a rest, then bursts and pauses until `duration` [s].
+def random_excitation(
+    rng: np.random.Generator, *, duration: float = 37.5, excitation: str = "training", top: float = MAX_VOLTAGE
+) -> list[Burst]:
+    """Draw an experiment up to `top` [V]: a rest, then bursts and pauses until `duration` [s].
 
     The first burst is a full pulse on the left, which sends a joint resting on the left over to the right. Later
     pulses mostly change sides, so that the joint is sent from well to well; about half of them use the full
     voltage, the others stay between a half and the full one, where switching is no longer certain.
+
+    Parameters
+    ----------
+    rng : np.random.Generator
+        Draws the bursts.
+    duration : float
+        Length [s].
+    excitation : str
+        A name in `EXCITATIONS`.
+    top : float
+        Largest voltage [V].
     """
     if excitation == "alternating":
-        return switching_pulses(rng, duration=duration)
+        return switching_pulses(rng, duration=duration, top=top)
     none = np.empty(0)
-    bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), MAX_VOLTAGE, 0.0, none, none)]
+    bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), top, 0.0, none, none)]
+    shares = SHARES[excitation]
     start = REST + bursts[0].duration + float(rng.uniform(0.05, 0.6))
     side = 1
     while start < duration - 0.2:
-        kind = int(rng.choice(5, p=SHARES[excitation]))
-        burst = draw_burst(rng, kind, start, side, MAX_VOLTAGE, SHORT_PULSES)
+        kind = BURSTS[int(rng.choice(len(BURSTS), p=[shares.get(name, 0.0) for name in BURSTS]))]
+        burst = draw_burst(rng, kind, start, side, top, SHORT_PULSES)
         bursts.append(burst)
         start += burst.duration + draw_pause(rng, SHORT_PAUSES)
-        side = 1 - side if kind == 0 and rng.random() < 0.8 else side
+        side = 1 - side if kind == "pulse" and rng.random() < 0.8 else side
     return bursts
 
 
@@ -145,21 +162,39 @@ def draw_pause(rng: np.random.Generator, short: float = 0.4) -> float:
     return float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[short, 1.0 - short]))
 
 
-def draw_burst(rng: np.random.Generator, kind: int, start: float, side: int, top: float, short: float = 0.35) -> Burst:
-    """One burst of the kind numbered as in `SHARES`, up to `top` [V]; `side` 0 is left; so many pulses are `short`."""
+def draw_burst(
+    rng: np.random.Generator, kind: BurstKind, start: float, side: int, top: float, short: float = 0.35
+) -> Burst:
+    """One burst.
+
+    Parameters
+    ----------
+    rng : Generator
+        Draws it.
+    kind : BurstKind
+        What it is.
+    start : float
+        When it begins [s].
+    side : int
+        Of a pulse: 0 is left.
+    top : float
+        Largest voltage [V].
+    short : float
+        Share of the pulses in which the joint does not come to rest.
+    """
     none = np.empty(0)
     amplitude = top if rng.random() < 0.55 else float(rng.uniform(0.5, 1.0)) * top
-    if kind == 0:
+    if kind == "pulse":
         length = float(rng.uniform(0.1, 0.6) if rng.random() < short else rng.uniform(1.0, 2.4))
         left, right = (amplitude, 0.0) if side == 0 else (0.0, amplitude)
         return Burst("pulse", start, length, left, right, none, none)
-    if kind == 1:
+    if kind == "both":
         left, right = rng.uniform(0.5, 0.95, 2) * top
         return Burst("pulse", start, float(rng.uniform(0.8, 2.2)), float(left), float(right), none, none)
-    if kind == 2:
+    if kind == "chirp":
         band = np.array([rng.uniform(0.5, 2.0), rng.uniform(4.0, 10.0)])
         return Burst("chirp", start, float(rng.uniform(1.0, 2.4)), amplitude, amplitude, band, none)
-    if kind == 3:
+    if kind == "steps":
         levels = rng.uniform(-1.0, 1.0, int(rng.integers(6, 16)))
         length = STEP_HOLD * levels.size * float(rng.uniform(1.0, 4.0))
         return Burst("steps", start, length, top, top, none, levels)

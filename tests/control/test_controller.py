@@ -17,7 +17,6 @@ from scipy.signal import lfilter
 
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, estimate, move, observe
 from pipeline.control.design import Settings, acting_lags, condensed_joint_law, design
-from pipeline.control.design_tables import COMMON
 from pipeline.control.estimator import ESTIMATED, MEMORY, STATUS
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
 from pipeline.control.linear import wells_and_saddle
@@ -51,7 +50,6 @@ def test_voltages_lie_within_the_limits_whatever_the_inputs(told: list[tuple[flo
         for _ in range(times):
             v = running.step(q, target)
             assert np.all((v >= 0.0) & (v <= law.number("highest")))
-            assert v @ v <= 2.0 * COMMON[1] * law.number("highest") ** 2 * (1.0 + 1e-12)
             assert np.all(np.isfinite(running.state))
 
 

@@ -64,7 +64,7 @@ class CurveEquilibrium:
 
     @property
     def stable(self) -> bool:
-        """True where the device stays."""
+        """Whether the device stays there."""
         return self.stiffness > 0.0
 
 
@@ -205,11 +205,13 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
     Parameters
     ----------
     curves : Curves
-        F and g_k.
+        Curves of a model.
     k : int
-        Number of the electrode, from 0.
-    start, saddle : float
-        Places [m or rad].
+        Number of the input, from zero.
+    start : float
+        Rest position [m or rad].
+    saddle : float
+        Unstable equilibrium [m or rad].
     """
     low = min(start, saddle)
     high = max(start, saddle)

@@ -28,9 +28,9 @@ def acting_forces(p: ParameterLayout, theta: FloatArray, states: FloatArray, inp
         What acts there.
     """
     c = p.coefficients(theta)
-    whole = accelerations(c, states, inputs)
+    whole = _accelerations(c, states, inputs)
     return {
-        name: 0.0 if without is None else rms(whole - accelerations(without, states, inputs))
+        name: 0.0 if without is None else rms(whole - _accelerations(without, states, inputs))
         for name, without in _left_out(p, c).items()
     }
 
@@ -60,7 +60,7 @@ def _without_curves(c: Coefficients, *rows: int | slice) -> Coefficients:
     return c._replace(curves=curves)
 
 
-def accelerations(c: Coefficients, states: FloatArray, inputs: FloatArray) -> FloatArray:
+def _accelerations(c: Coefficients, states: FloatArray, inputs: FloatArray) -> FloatArray:
     """ṗ [1/s²] at the states, shape (N,)."""
     elements = 2 + len(c.rates)
     law = trace(
