@@ -168,6 +168,19 @@ class Datasheet:
         """The assessment of the data and on the model: the worst grade of the checks of each."""
         return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
 
+    def elements(self, data: RunData) -> list[dict[str, Any]]:
+        """Forces of the elements of the judged model along the training logs, the largest first; 0 of what is absent.
+
+        The share is that of the restoring force. Empty for a model whose elements are not known.
+        """
+        forces: Mapping[str, float] = data.descriptions.get(self.main_model, {}).get("elements", {})
+        whole = forces.get("restoring force")
+        unit = data.device.curve_units["F"]
+        return [
+            {"name": name, "force_rms": force, "unit": unit, "share": force / whole if whole else None}
+            for name, force in sorted(forces.items(), key=lambda item: -item[1])
+        ]
+
     def to_json(self, data: RunData) -> dict[str, Any]:
         """The document that is written as ``datasheet.json``; SI units, null where unknown."""
         return {
@@ -178,6 +191,7 @@ class Datasheet:
             "choice": None if data.choice is None else dict(data.choice),
             "level_of_intervals": COVERAGE,
             "facts": [asdict(fact) for fact in self.facts],
+            "elements": self.elements(data),
             "verdict": {**self.grades, "checks": [asdict(check) for check in self.checks]},
             "instruments": [dict(row) for row in data.instruments],
             "scores": [dict(score) for score in data.scores],

@@ -67,7 +67,7 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     columns[:2] = trend.T
 
     def rest(logs: FloatArray) -> FloatArray:
-        """What decay and frequency [1/s], as logarithms, leave unexplained, over the size of the oscillation."""
+        """Part that decay and frequency [1/s], as logarithms, leave unexplained, over the size of the oscillation."""
         decay, angular = np.exp(np.clip(logs, -FARTHEST, FARTHEST))
         swing = np.exp(complex(-decay, angular) * time)
         columns[2], columns[3] = swing.real, swing.imag
