@@ -67,7 +67,7 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     Raises
     ------
     InputError
-        The joint is not bistable, or the voltage limit is no voltage of the trained range.
+        The joint is not bistable, or the voltage limit is no voltage of the trained range, or moves nothing.
 
     Notes
     -----

@@ -7,6 +7,7 @@ largest speeds from which full braking still stops at a target, by simulation of
 import numpy as np
 from scipy.linalg import expm, solve_discrete_are
 
+from ..errors import InputError
 from ..generated.condensed_joint import STATES
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled
@@ -149,7 +150,10 @@ def regulator(
     weight[:CORRECTED] = 1.0 / reach**2
     control_weight = 1.0 / (float(np.mean(per_square)) * highest**2) ** 2
     drive = step[:-1, -1:]
-    cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
+    try:
+        cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
+    except np.linalg.LinAlgError:
+        raise InputError(f"a largest voltage of {highest:g} V does not move the joint; allow a larger one") from None
     gain: FloatArray = np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0]
     return gain
 

@@ -540,5 +540,7 @@ def test_what_cannot_be_designed_is_told() -> None:
     plant = plant_of(model())
     with pytest.raises(InputError, match="trained range"):
         design(plant, Settings(4000.0))
+    with pytest.raises(InputError, match="does not move the joint"):
+        design(plant, Settings(1e-3))
     with pytest.raises(InputError, match="not two wells"):
         design(plant_of(model(**{"log E": 6.0})), Settings(3000.0))
