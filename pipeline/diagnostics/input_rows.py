@@ -5,7 +5,7 @@ import numpy as np
 from ..device.parameters import NOMINAL
 from ..numerics.arrays import FloatArray
 from ..scoring.wells import Wells
-from ..signals.noise import high_difference_level, is_idle, noise_level
+from ..signals.noise import is_idle, noise_level
 from ..signals.signal_quality import takes_both_signs, usual_span
 from ..units.quantity import quantity, significant
 from . import limits
@@ -40,7 +40,7 @@ def _unseen_push_row(fact: LogFacts, i: int) -> CheckRow:
     name = fact.signals.name
     what = f"push of v{i + 1}"
     v = fact.signals.v[:, i]
-    if np.ptp(v) > 0.0 and is_idle(float(np.ptp(v)), noise_level(v)):
+    if np.ptp(v) > 0.0 and is_idle(v):
         advice = f"where no training log drives v{i + 1}, leave it out of [channels]: nothing is known of its gain"
         return CheckRow(name, what, "nothing but noise", "", "note", None, advice)
     advice = "name the channel that drives the device, or leave it out for a device with one input"
@@ -64,7 +64,7 @@ def _push_row(fact: LogFacts, i: int, push: Push, declared: Declared) -> CheckRo
 def _noise_row(fact: LogFacts, i: int, declared: Declared) -> CheckRow:
     """Noise of an input that is measured; a command has none, and an amplifier need not follow it."""
     v = fact.signals.v[:, i]
-    noise = min(noise_level(v), high_difference_level(v))
+    noise = noise_level(v)
     if noise <= np.finfo(np.float32).eps * fact.peaks[i]:
         return CheckRow(
             fact.signals.name,

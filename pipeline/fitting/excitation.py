@@ -14,7 +14,7 @@ from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..scoring.wells import NoWells, Wells, find_wells, snaps
 from ..settings.models import CENTRES, SMOOTHING
-from ..signals.noise import is_idle, noise_level
+from ..signals.noise import is_idle
 from ..signals.quality_gates import Finding
 from ..units.quantity import quantity
 from .coverage import ACTING, Coverage, coverage
@@ -271,11 +271,11 @@ def excitation_findings(
     Cost: one pass of the regressor, O(N M²).
     """
     valid = (segment >= 0) & np.isfinite(q)
-    if not valid.any() or _idle(q[valid]):
+    if not valid.any() or is_idle(q[valid]):
         advice = "drive the device through its whole stroke"
         return [Finding("idle", "the displacement shows nothing but noise: no excitation", advice)]
     acting = input_signal(v, inputs)
-    undriven = [k for k in range(v.shape[1]) if _idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
+    undriven = [k for k in range(v.shape[1]) if is_idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
     findings = [
         Finding(
             "undriven",
@@ -320,10 +320,6 @@ def _of_places(
             Finding("one-well", text, "add pulses that snap the joint to the other side (`debist rig excite`)")
         )
     return findings
-
-
-def _idle(samples: FloatArray) -> bool:
-    return is_idle(float(np.ptp(samples)), noise_level(samples))
 
 
 def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:

@@ -8,8 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from ..scoring.tubes import TubeScale, tube_scale
-from ..signals.inputs import MOST_SAMPLES
-from ..signals.log import Log, operating_range, within
+from ..signals.log import MOST_SAMPLES, Log, operating_range, within
 from .base import DrawnModel
 from .model_file import FilePart, Unit
 

@@ -22,8 +22,7 @@ from ..diagnostics.facts.phase_plane import (
 from ..diagnostics.facts.run_data import Columns, RunData, Study
 from ..numerics.arrays import BoolArray, FloatArray
 from ..numerics.metrics import NORMAL_95
-from ..signals.inputs import peaks
-from ..signals.log import voltages
+from ..signals.log import peaks, voltages
 from ..units.quantity import power, quantity
 from .datasheet_rows import NOT_USED
 from .figure import Band, Cells, Figure, Line, Panel, Points

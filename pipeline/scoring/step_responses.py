@@ -8,7 +8,7 @@ import numpy as np
 
 from ..numerics.arrays import FloatArray, IntArray, samples_of
 from ..numerics.metrics import settling_index
-from ..signals.inputs import peaks
+from ..signals.log import peaks
 from .intervals import Interval, median_interval
 from .wells import LONGEST_WINDOW, Wells
 

@@ -7,8 +7,7 @@ import numpy as np
 
 from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, samples_of
 from ..numerics.metrics import signal_range
-from ..signals.inputs import peaks
-from ..signals.log import Log
+from ..signals.log import Log, peaks
 from .intervals import decorrelation_lag
 
 RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input

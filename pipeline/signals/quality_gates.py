@@ -12,7 +12,7 @@ import numpy as np
 
 from ..numerics.arrays import FloatArray
 from .missing import Missing
-from .signal_quality import SignalQuality, examine_signal
+from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
 from .spectrum import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
 from .timebase import TimeQuality
 
@@ -183,10 +183,8 @@ def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -
     ]
 
 
-# Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides; and those of
-# another device: a cart goes metres, a motor turns many times.
 _PLAUSIBLE_SPANS = {"m": (1e-5, 0.5), "rad": (1e-3, 20.0), "V": (0.5, 5e4)}
-_OTHER_SPANS = {"m": (1e-6, 10.0), "rad": (1e-4, 1e5), "V": (1e-3, 1e6)}
+"""Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides."""
 
 
 def scale_suspicion(span: float, symbol: str, *, joint: bool = True) -> float | None:
@@ -199,7 +197,7 @@ def scale_suspicion(span: float, symbol: str, *, joint: bool = True) -> float | 
     symbol : str
         SI unit of the values.
     joint : bool
-        Whether the device is one.
+        Whether the device is one: of another, any span is plausible.
 
     Returns
     -------
@@ -208,21 +206,18 @@ def scale_suspicion(span: float, symbol: str, *, joint: bool = True) -> float | 
         plausible, zero, or the unit is not one with known spans.
     """
     low, high = plausible_span(symbol, joint=joint) or (0.0, np.inf)
-    if not np.isfinite(span) or span <= 0.0 or low <= span <= high:
+    if not 0.0 < span < np.inf or low <= span <= high:
         return None
-    factor = 1000.0 if span > high else 0.001
-    while not low <= span / factor <= high and 1e-9 < factor < 1e9:
-        factor *= 1000.0 if span > high else 0.001
+    prefix = 1000.0 if span > high else 1.0 / 1000.0
+    factor = prefix
+    while max(low * factor / span, span / (high * factor)) > 1.0 and max(factor, 1.0 / factor) < 1e9:
+        factor *= prefix
     return factor
 
 
 def plausible_span(symbol: str, *, joint: bool = True) -> tuple[float, float] | None:
-    """Least and largest span [SI] of a signal of this unit that a joint, or another device, shows; None for others."""
-    return (_PLAUSIBLE_SPANS if joint else _OTHER_SPANS).get(symbol)
-
-
-_ABOUT_ZERO = 0.02
-"""Share of the largest magnitude of an input below which a level is a rest about zero."""
+    """Least and largest span [SI] of a signal of this unit that a joint shows; None for others."""
+    return _PLAUSIBLE_SPANS.get(symbol) if joint else None
 
 
 def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
@@ -237,7 +232,7 @@ def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) ->
     remarks = []
     for low, high in quality.rails:
         level = 0.5 * (low + high)
-        if abs(level) <= _ABOUT_ZERO * max(abs(quality.smallest), abs(quality.largest)):
+        if abs(level) <= BOTH_SIGNS * max(abs(quality.smallest), abs(quality.largest)):
             continue
         there = (samples >= low) & (samples <= high)
         first = time[np.argmax(there)]

@@ -47,7 +47,6 @@ SHAPE_REWEIGHTED = 2.0
 _SAME_SCALE = 0.05
 _ROUNDS = 25
 _LONGEST_SECANT = 4.0
-_BACK = 0.5
 _SEARCH_TOLERANCE = 1e-6
 _SEARCH_TOLERANCE_REWEIGHTED = 1e-3
 _NOTHING = 0.5
@@ -150,7 +149,7 @@ def _stretch(log_scale: float, change: float, before: tuple[float, float] | None
     if before is None or abs(change) >= abs(before[1]):
         return 1.0
     if change * before[1] < 0.0:
-        return _BACK
+        return 0.5
     return min(_LONGEST_SECANT, (log_scale - before[0]) / (before[1] - change))
 
 

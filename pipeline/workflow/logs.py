@@ -10,8 +10,7 @@ from ..models.kind import KnownCurves, Training
 from ..numerics.arrays import FloatArray, sample_interval
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
-from ..signals.inputs import UNKNOWN
-from ..signals.log import EDGE, Log, log_of, voltages
+from ..signals.log import EDGE, UNKNOWN, Log, log_of, voltages
 from ..store import layout
 from ..store.run_folder import RunFolder
 from ..store.tables import Table

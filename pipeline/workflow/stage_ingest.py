@@ -16,7 +16,7 @@ from ..numerics.arrays import FloatArray
 from ..settings.logs import Role
 from ..settings.prototype import Ingest, LogGate, Prototype
 from ..signals.corrections import Corrections
-from ..signals.inputs import LONGEST_BRIDGE, UNKNOWN
+from ..signals.log import LONGEST_BRIDGE, UNKNOWN
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
 from ..system.names import log_title, true_name
@@ -26,12 +26,12 @@ from .engine import Task
 from .si_log import SiLog, part_of_log, read_si
 
 if TYPE_CHECKING:
+    from ..signals.outliers import Trusted
     from ..signals.quality_gates import Finding
     from ..signals.signal_quality import SignalQuality
     from ..signals.stretches import TimeRows
     from ..signals.timebase import TimeQuality
     from ..signals.uniform_record import Resampling, Survey, UniformRecord
-    from ..signals.untrusted import Trusted
 
 ALGORITHM = "20"
 
@@ -163,8 +163,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
 def _without_spikes(signals: SiLog, settings: Ingest) -> SiLog:
     """The log with its inputs' single-sample spikes bridged, and noted."""
     from ..rig_logs.remarks import counted, stamped
+    from ..signals.outliers import without_spikes
     from ..signals.timebase import nominal_step
-    from ..signals.untrusted import without_spikes
 
     texts = list[str]()
     inputs = []
@@ -178,8 +178,8 @@ def _without_spikes(signals: SiLog, settings: Ingest) -> SiLog:
 
 def _trusted(signals: SiLog, prototype: Prototype, raw_step: float) -> "Trusted":
     """The displacement without what is masked by the settings."""
+    from ..signals.outliers import trusted
     from ..signals.signal_quality import examine_signal
-    from ..signals.untrusted import trusted
 
     masked = {name: getattr(prototype.ingest, name) == "mask" for name in ("rails", "lost", "spikes")}
     inert = device(prototype).displacement.symbol != "V"
@@ -315,7 +315,7 @@ def _with_cuts(
 def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
     from ..rig_logs.remarks import counted
-    from ..signals.dropouts import dropout_remarks
+    from ..signals.outliers import dropout_remarks
 
     rails, lost, spikes = trusted.left_out
     unit = prototype.channels.q.unit

@@ -7,8 +7,7 @@ import numpy as np
 
 from ...models.base import DynamicModel, SimulatesMany
 from ...numerics.arrays import FloatArray, runs_of
-from ...signals.inputs import peaks
-from ...signals.log import voltages
+from ...signals.log import peaks, voltages
 from .run_data import LogData, RunData
 
 BASIN_COLUMNS = 81
