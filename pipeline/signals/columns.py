@@ -11,6 +11,8 @@ from ..numerics.arrays import BoolArray, FloatArray
 
 CHUNK = 1 << 17
 """Rows at a time."""
+ROUNDING = 1e-6
+"""Share that is left to rounding: of a number of 32 bits, of a place on a grid or a lattice, of a first moment."""
 BLOCKS = 64
 BLOCK = 2 * CHUNK // BLOCKS
 """Blocks spread over a long column, and rows of each, from which a median is taken."""

@@ -28,13 +28,12 @@ from .timebase import GAP_FLOOR, GAP_STEPS, ONE_LOST
 _ANSWER = 0.03
 """Time [s] that a device which jumps takes to answer."""
 _LEAST = 0.01
-_LOST = 0.03
-"""Share of the usual range that a jump exceeds, and where rows are missing: encoders and potentiometers slip by 2 %."""
+_MUCH = 0.03
+"""Shares of the usual range: a jump exceeds the first, and the second where rows are missing, as encoders and
+potentiometers slip by 2 %. Between them lies the width of the level of a lost target: what is wider moves.
+"""
 _LONGEST = 0.25
 """Duration [s] of the longest burst; what is longer and far outside is a lost target, what is not may be a place."""
-_THINNEST = 1e-3
-_WIDEST = 0.03
-"""Least and largest width of that level, as a share of the usual range: what is wider moves, and is measured."""
 
 
 def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArray, step: float) -> bool:
@@ -139,7 +138,7 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
     left = jumps[~np.isin(jumps, bursts.ravel() - 1)]
     held = _held(samples, left, longest)
     left = left[~np.isin(left, held[:, 1] - 1)]
-    left = left[np.abs(samples[left + 1] - samples[left]) > _LOST * usual]
+    left = left[np.abs(samples[left + 1] - samples[left]) > _MUCH * usual]
     ends = np.stack((stamps[left], stamps[left + 1]), axis=1)
     levels, counts = np.unique([np.median(samples[first:end]) for first, end in bursts], return_counts=True)
     return Dropouts(
@@ -263,7 +262,7 @@ def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, ste
     """
     smallest, largest = quality.usual
     span = largest - smallest
-    width = min(max(2.0 * REACH * quality.noise, _THINNEST * span), _WIDEST * span)
+    width = min(max(2.0 * REACH * quality.noise, _LEAST * span), _MUCH * span)
     ends = []
     for sign, bottom, other in ((-1.0, -smallest - width, -largest), (1.0, largest - width, smallest)):
         bound = _gap(q[1], (bottom, bottom + 2.0 * width), other, sign)
