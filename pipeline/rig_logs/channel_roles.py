@@ -22,9 +22,7 @@ _PINT_NAMES = {
 _SIGNAL = r"(^|[./]){}(_?(dat|data|id|ident|train|meas|val|valid|test)|(?-i:[A-Z])\w*|\d*)([(\[]:,\d+[)\]])?$"
 """The output y and the input u of identification, such as ``data.ydat(:,1)``, ``yEst``, ``run/u``."""
 _WORDS: dict[str, re.Pattern[str]] = {
-    "time": re.compile(
-        r"^(t|time|zeit|tempo|temps|timestamp|x[ _]value|время|时间|時間|시간)\d?([ _.\[(/].*)?$", re.IGNORECASE
-    ),
+    "time": re.compile(r"^(t|time|zeit|tempo|temps|timestamp|clock|uhr|x[ _]value)\d?([ _.\[(/].*)?$", re.IGNORECASE),
     "q": re.compile(
         r"(laser|weg|dist|displ|pos|angle|angul|winkel|saida|ild|theta|phi|tilt|pitch|level|pegel|height|gap|stroke|"
         r"encoder|перемещ|位移|变位|変位|距离|距離|변위|거리|^[xyq]$|[ _.]q$|^q[ _./]|" + _SIGNAL.format("y") + ")",
@@ -42,7 +40,7 @@ _WANTED = re.compile(r"(ref|soll|set.?point|target|desired)", re.IGNORECASE)
 _LEFT = re.compile(r"(left|links|лев|左|왼쪽|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
 _RIGHT = re.compile(r"(right|rechts|прав|右|오른쪽|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
 _MOST_INPUTS = 2
-_CLOCK = re.compile(r"t|time|zeit|timestamp|xvalue", re.IGNORECASE)
+_CLOCK = re.compile(r"t|time|zeit|timestamp|clock|xvalue", re.IGNORECASE)
 """What is left of the name of a clock that is called after its channel …"""
 _BETWEEN_WORDS = re.compile(r"[\W_]+")
 """… without this."""
@@ -172,16 +170,18 @@ def _times(channels: Sequence[tuple[str, str]], units: Mapping[str, str], rising
 def _clocks(names: Sequence[str], times: Sequence[str], sizes: Mapping[str, int]) -> dict[str, str]:
     """The time column over which each channel may run, of as many samples.
 
-    It is the one that is called after the channel (``t_q``, ``q_time``), else that of its group, else the last before.
+    It is the one that is called after the channel (``t_q``, ``q_time``), else that of its group, else the last before,
+    or where the columns end with a time and do not begin with one, the first behind.
     """
     clocks: dict[str, str] = {}
+    behind = len(times) > 1 and names[0] not in times and names[-1] in times
     for i, name in enumerate(names):
         alike = [time for time in times if sizes[time] == sizes[name]]
         grouped = [time for time in alike if _GROUP.sub("", name) and _GROUP.sub("", time) == _GROUP.sub("", name)]
-        before = [time for time in alike if time in names[:i]]
+        near = [time for time in alike if time in names[i:]][:1] if behind else [t for t in alike if t in names[:i]]
         called = [time for time in alike if _after(time, name)]
         if name not in times and (alike or not times):
-            clocks[name] = (called[-1:] or grouped[-1:] or before[-1:] or alike[:1] or [""])[0]
+            clocks[name] = (called[-1:] or grouped[-1:] or near[-1:] or alike[:1] or [""])[0]
     return clocks
 
 

@@ -111,6 +111,7 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
     return {
         "format": source.format,
         "notes": [*source.notes, *left_out({name: f"{error}" for name, error in failed.items()})],
+        "warnings": source.warnings,
         **_stated(source),
         "listed": [entry.name for entry in entries if entry.name not in failed],
         "channels": [

@@ -187,10 +187,11 @@ class CsvSource(Source):
     def _note_what_is_left_out(self) -> None:
         """Note words in place of numbers, and lines that are no rows of numbers."""
         words = [f"{what} ({number} times, the first in line {at})" for what, (number, at) in self._words.items()]
-        for places, what in ((words, "words in place of numbers, missing values"), (self._remarks, "lines left out")):
+        lines = f"{len(self._remarks)} line{'s' * (len(self._remarks) > 1)} left out"
+        for places, what in ((words, "words in place of numbers, missing values"), (self._remarks, lines)):
             more = f" and {len(places) - _MOST_NAMED} more" if len(places) > _MOST_NAMED else ""
             if places:
-                self._note(f"{what}: {', '.join(places[:_MOST_NAMED])}{more}")
+                self.warnings.append(f"{what}: {', '.join(places[:_MOST_NAMED])}{more}")
 
     def _plain_rows(self, names: Sequence[str]) -> Iterator[str]:
         """The rows of data as Arrow reads them: cells between tabs, numbers with a decimal point, nothing for words.
@@ -369,8 +370,7 @@ class CsvSource(Source):
     def _complete_rows(self) -> int:
         """Bytes of the file that are whole rows."""
         length, notes = whole_rows(self._path, self._dialect)
-        for note in notes:
-            self._note(note)
+        self.warnings += [note for note in notes if note not in self.warnings]
         return length
 
     def _note(self, note: str) -> None:

@@ -21,6 +21,10 @@ _MOST_LINES = 20
 """Lines among which a heading stands, and over how many it may be written."""
 _ROW_KEY = re.compile(r"(?i)(units?|names?|channels?|labels?|einheit(en)?)\s*[:=]\s*(?=\S)")
 """Before a row of units or names, as in ``#UNITS:s,V,V`` of Hantek."""
+_RATE_IN_WORDS = re.compile(
+    r"(?i)(sampl|scan|\brate|abtast)[^\d]*(?P<number>\d+([.,]\d+)?) ?(?P<unit>k?Hz|(s|sa|samples)/s(ec)?)\b"
+)
+"""A sample rate as in ``sampled at 500 Hz``."""
 _KEY_END = re.compile(r"[:=;,\t]")
 _APART = re.compile(r"\s{2,}|\t")
 """Between names of several words above columns between blanks."""
@@ -156,6 +160,9 @@ def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float
             stated = dict.fromkeys((number, rate) for number in numbers if (rate := stated_rate(name, number)))
             for own_name, each in zip(unique_names([name] * len(stated)), stated, strict=True):
                 rates[own_name] = (own_name, *each)
+    for match in () if rates else filter(None, map(_RATE_IN_WORDS.search, lines)):
+        rate = number_with_unit(f"{match['number']} {match['unit']}", "")
+        rates[match[0]] = (match[0], rate, rate)
     return tuple(rates.values())
 
 

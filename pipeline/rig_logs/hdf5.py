@@ -190,7 +190,7 @@ class Hdf5Source(Source):
             axis = int(np.argmax(dataset.shape))
             written = written_chunks(dataset, axis)
             if written is not None:
-                self.notes.append(
+                self.warnings.append(
                     f"{name!r}: {np.sum(~written)} of {written.size} chunks were never written, no values"
                 )
             for first, last in ranges(dataset.shape[axis], rows_at_a_time(dataset, axis)):

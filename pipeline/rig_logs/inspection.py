@@ -130,7 +130,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         raise InputError(f"{path}: is a settings file; {check} looks at the logs that it names")
     recording, codes = _without_codes(read_recording(path, csv=csv))
     own_time = any(channel.time is not None for channel in recording.channels)
-    notes = list(recording.notes)
+    notes = [*recording.notes, *recording.warnings]
     rates = {} if own_time else dict(recording.rates) | _constant_rates(recording.channels, notes)
     roles, apart = _roles(recording, rates, notes, own_time=own_time)
     column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)

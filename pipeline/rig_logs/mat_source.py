@@ -149,7 +149,9 @@ class MatSource(Source):
         if number is None:
             return
         if (rate := stated_rate(name, number)) is not None:
-            self.rates[name] = rate = rate if stated_rate(name, 2.0) == 2.0 else rate / second
+            self.rates[name] = rate = (
+                rate if (stated_rate(name, 2.0) or 0.0) > (stated_rate(name, 1.0) or 0.0) else rate / second
+            )
             self.notes.append(note_on_rate(name, number, rate))
         self.stated_starts |= starts_among({name: number}, "")
         self.notes += scales_among({name: number})

@@ -105,6 +105,8 @@ class Source(ABC):
         Whether all channels are read in one pass, so that one of them cannot fail alone.
     notes : list of str
         What its reader found out or had to assume.
+    warnings : list of str
+        What of the samples it left out or changed, of which every use of them speaks.
     texts : dict of str to str
         Names of columns that are no numbers, with a cell that shows it and what to do.
     rates : dict of str to float
@@ -126,6 +128,7 @@ class Source(ABC):
 
     def __init__(self) -> None:
         self.notes: list[str] = []
+        self.warnings: list[str] = []
         self.texts: dict[str, str] = {}
         self.rates: dict[str, float] = {}
         self.starts: dict[str, tuple[float, float]] = {}
@@ -232,18 +235,26 @@ def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
 
 
 _SAMPLING = "(sampl(e|ing)|scan|acquisition|abtast|measuring)[_ ]?"
-_RATE = re.compile(rf"(?i)(.*[./])?(f_?s|{_SAMPLING}(rate|freq(uency)?|frequenz))")
+_RATE = re.compile(
+    rf"(?i)(.*[./])?(f_?s|s?rate|samples?[_ ]?per[_ ]?sec(ond)?|{_SAMPLING}(rate|freq(uency)?|frequenz))"
+)
 _STEP = re.compile(
     rf"(?i)(.*[./])?(t_?s|dt|delta[_ ][xt]|((x|wf)[_ ]?)?increment|[tx]_?inc|t(ime)?[_ ]?(step|interval)|"
     rf"{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit))"
 )
-"""Names of single numbers that say how often a log was sampled."""
+"""Names of single numbers that say how often a log was sampled …"""
+_WITH_UNIT = re.compile(r"(?i)(?P<name>.*?)[_ ]+[\[(]?(?P<unit>k?hz|[mu]?s)[\])]?")
+"""… and a unit behind such a name."""
+_UNITS = {"hz": 1.0, "khz": 1e3, "s": 1.0, "ms": 1e-3, "us": 1e-6}
 
 
 def stated_rate(name: str, number: float) -> float | None:
-    """Sample rate [Hz] that a single number of this name states, as `fs` [Hz] or `Ts` [s]; None for other names."""
+    """Sample rate [Hz] that a single number of this name states, as `fs` [Hz], `Ts` [s] or `dt_ms`; None for others."""
     if not 0.0 < number < math.inf:
         return None
+    unit = _WITH_UNIT.fullmatch(name)
+    if unit and not (_RATE.fullmatch(name) or _STEP.fullmatch(name)):
+        name, number = unit["name"], number * _UNITS[unit["unit"].lower()]
     rate = number if _RATE.fullmatch(name) else 1.0 / number if _STEP.fullmatch(name) else math.inf
     return rate if rate < math.inf else None
 

@@ -76,12 +76,12 @@ class WorkbookSource(View):
         """Note which sheets are read, and what their cells do not hold."""
         named = ", ".join(map(repr, of_table))
         if len(of_table) > 1:
-            self.notes.insert(0, f"the table goes on from sheet to sheet: {named}")
+            self.warnings.append(f"the table goes on from sheet to sheet: {named}")
         if len(sheets) > len(of_table):
             others = ", ".join(repr(name) for name in sheets if name not in of_table)
-            self.notes.insert(0, f"{len(sheets)} sheets: {named} is read, {others} not")
+            self.warnings.append(f"{len(sheets)} sheets: {named} is read, {others} not")
         if rounded:
-            self.notes.append("times of such a workbook are rounded to 1 ms; XLSX holds more digits")
+            self.warnings.append("times of such a workbook are rounded to 1 ms; XLSX holds more digits")
 
 
 def _without_styles(content: bytes) -> bytes:
