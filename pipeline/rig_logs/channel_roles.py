@@ -17,7 +17,6 @@ _INPUT_UNITS = ("V", "kV", "mV", "A", "mA", "%", "pct", "N")
 _PINT_NAMES = {
     "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um",
     "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
-    "мкм": "um", "мм": "mm", "см": "cm", "м": "m", "мв": "mV", "кв": "kV", "в": "V",
 }  # fmt: skip
 _SIGNAL = r"(^|[./]){}(_?(dat|data|id|ident|train|meas|val|valid|test)|(?-i:[A-Z])\w*|\d*)([(\[]:,\d+[)\]])?$"
 """The output y and the input u of identification, such as ``data.ydat(:,1)``, ``yEst``, ``run/u``."""
@@ -25,20 +24,20 @@ _WORDS: dict[str, re.Pattern[str]] = {
     "time": re.compile(r"^(t|time|zeit|tempo|temps|timestamp|clock|uhr|x[ _]value)\d?([ _.\[(/].*)?$", re.IGNORECASE),
     "q": re.compile(
         r"(laser|weg|dist|displ|pos|angle|angul|winkel|saida|ild|theta|phi|tilt|pitch|level|pegel|height|gap|stroke|"
-        r"encoder|перемещ|位移|变位|変位|距离|距離|변위|거리|^[xyq]$|[ _.]q$|^q[ _./]|" + _SIGNAL.format("y") + ")",
+        r"encoder|^[xyq]$|[ _.]q$|^q[ _./]|" + _SIGNAL.format("y") + ")",
         re.IGNORECASE,
     ),
     "v": re.compile(
         r"(^hv|volt|spannung|tens|^u[ _/\d]|control|[ _.]u$|umeas|^v\d|^[uvi]( \(\d+\))?$|pwm|duty|"
         r"cmd|command|current|strom|"
-        r"torque|throttle|motor|pump|valve|ventil|heater|напряж|电压|電圧|電壓|전압|" + _SIGNAL.format("u") + ")",
+        r"torque|throttle|motor|pump|valve|ventil|heater|" + _SIGNAL.format("u") + ")",
         re.IGNORECASE,
     ),
 }
 _WANTED = re.compile(r"(ref|soll|set.?point|target|desired)", re.IGNORECASE)
 """Names of what a controller wants: neither a displacement nor an input."""
-_LEFT = re.compile(r"(left|links|лев|左|왼쪽|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
-_RIGHT = re.compile(r"(right|rechts|прав|右|오른쪽|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
+_LEFT = re.compile(r"(left|links|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
+_RIGHT = re.compile(r"(right|rechts|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
 _MOST_INPUTS = 2
 _CLOCK = re.compile(r"t|time|zeit|timestamp|clock|xvalue", re.IGNORECASE)
 """What is left of the name of a clock that is called after its channel …"""
@@ -225,8 +224,3 @@ def _best(
 def is_called(word: str, name: str) -> bool:
     """Whether a channel, or the last part of its path, is called as "time", "q" or "v" mostly are."""
     return any(map(_WORDS[word].search, (name, re.split(r"[./]", name)[-1])))
-
-
-def is_record(names: Sequence[str]) -> bool:
-    """Whether an output and an input are among channels of these names."""
-    return all(any(map(_WORDS[word].search, names)) for word in ("q", "v"))

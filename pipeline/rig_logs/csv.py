@@ -47,8 +47,6 @@ _COUNT = re.compile(r"[+-]?\d{16,19}")
 """Whole numbers beyond what float64 holds exactly, such as nanoseconds since 1970."""
 _WHOLE = re.compile(r"[+-]?\d{1,18}|[+-]?[1-8]\d{18}")
 """A whole number that a count of 64 bits holds."""
-_WHOLE_SECONDS = re.compile(r":\d\d:\d\d\b(?![.,:]\d| \d{3}\b)")
-"""In a time of day without parts of a second."""
 _FIRST_YEAR = "1678"
 _LAST_YEAR = "2261"
 """Whose times a count of nanoseconds since 1970 holds."""
@@ -82,7 +80,6 @@ class CsvSource(Source):
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
         local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
         self._clocks = {name: Clock(self._firsts[name]) for name in local}
-        self.whole_seconds = {name for name in self._stamped if _WHOLE_SECONDS.search(self._firsts[name])}
         self._open = {name for name, is_open in zip(self._columns, self._dialect.open_marks, strict=True) if is_open}
         texts = self._left_out()
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}

@@ -17,21 +17,19 @@ from .csv_cells import (
     split_row,
 )
 from .csv_clock import labview_starts
-from .csv_encoding import text_encoding
 from .csv_heading import (
     bare_line,
     cells_above,
     check_long_table,
     heading_rows,
     is_comment,
-    is_counted,
     names_and_units,
-    names_beside,
     rows_by_key,
     stated_rates,
     stated_scales,
 )
 from .csv_table import SampleTable, find_table, sample_lines
+from .csv_text import text_encoding
 from .source import CsvOptions, UnreadableLogError
 
 SAMPLE_BYTES = 1 << 16
@@ -134,9 +132,8 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     encoding = options.encoding or text_encoding(start)
     lines = sample_lines(start, encoding, whole=whole)
     options = _as_labview(lines, options)
-    options, table = _with_counted_names(options, find_table(lines, options))
+    table = find_table(lines, options)
     width = len(table.numeric)
-    _check_decimal_commas(table)
     open_marks = (False,) * width if options.decimal is not None else _open_marks(table)
     above, comments = _above(table, lines)
     header_row, units_row = _header_rows(table, above, comments, options.header_row)
@@ -191,13 +188,6 @@ def _header_rows(
     return row, units if below is None else below
 
 
-def _with_counted_names(options: CsvOptions, table: SampleTable) -> tuple[CsvOptions, SampleTable]:
-    """The numbers of the columns that pandas writes in place of names are no row of data."""
-    if options.header_row is not None or not is_counted(table.rows[table.first]):
-        return options, table
-    return replace(options, header_row=table.first), replace(table, first=table.first + 1)
-
-
 _LABVIEW = "LabVIEW Measurement"
 _END_OF_HEADER = "***End_of_Header***"
 
@@ -216,9 +206,7 @@ def _headings(
     """Names and units of the columns, and the cells above them as they are written."""
     width = len(table.numeric)
     if header_row is None:
-        names, units = names_and_units((), (), width)
-        beside = names_beside(table.rows, table.numeric)
-        return (*beside, names) if beside else (names, units, ("",) * width)
+        return (*names_and_units((), (), width), ("",) * width)
     padded = [*above[header_row], *[""] * width][:width]
     names, units = names_and_units(padded, () if units_row is None else above[units_row], width)
     as_written = table.rows[header_row][:width]
@@ -254,20 +242,6 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
         wider = table.delimiter == " " or is_comment(line)
         rows.append(cells_above(line, cells, width) if wider else cells)
     return rows, [is_comment(line) for line in lines]
-
-
-def _check_decimal_commas(table: SampleTable) -> None:
-    """Commas that separate and are decimal marks too: more cells than names, at most twice as many."""
-    width = len(table.numeric)
-    above = table.rows[table.first - 1] if table.first else []
-    names = len(above)
-    cells = width - [*map(bool, _firsts(table))][::-1].index(True)
-    marked = table.has_marks or table.delimiter != ","
-    if not marked and 2 <= names < cells <= 2 * names and not any(map(NUMBER.match, above)):
-        raise UnreadableLogError(
-            f"{names} names stand above rows of {cells} cells; is the comma separator and decimal mark at "
-            "once? Export it with another separator, such as the semicolon"
-        )
 
 
 def _open_marks(table: SampleTable) -> tuple[bool, ...]:

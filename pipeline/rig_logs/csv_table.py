@@ -17,7 +17,6 @@ from .csv_cells import (
     rows_of,
     split_row,
 )
-from .csv_heading import with_whole_cells
 from .source import CsvOptions, UnreadableLogError
 
 _MOST_ROWS = 400
@@ -51,7 +50,7 @@ class SampleTable:
 
 
 def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
-    """The lines of a file's first bytes, a heading of several lines in one; the last only if that is the `whole` file.
+    """The lines of a file's first bytes; the last only if that is the `whole` file.
 
     Raises
     ------
@@ -65,7 +64,7 @@ def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
     except UnicodeDecodeError as error:
         raise UnreadableLogError(f"not encoded as {encoding}: {error.reason} at byte {error.start}") from None
     lines = rows_of(text.strip("\0\ufeff"))
-    return with_whole_cells(lines if whole else lines[:-1])
+    return lines if whole else lines[:-1]
 
 
 def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) -> SampleTable:

@@ -119,8 +119,6 @@ class Source(ABC):
         What the log writes beside a channel, by its name.
     heading : str
         What it writes above or beside all of them.
-    whole_seconds : set of str
-        Columns of times of day without parts of a second.
     """
 
     format = ""
@@ -135,7 +133,6 @@ class Source(ABC):
         self.stated_starts: dict[str, float] = {}
         self.descriptions: dict[str, str] = {}
         self.heading = ""
-        self.whole_seconds: set[str] = set()
 
     def note_rates(self, stated: Mapping[str, tuple[float, float]]) -> None:
         """Keep numbers that state a sample rate, and that [Hz], by their names; each is noted once."""
