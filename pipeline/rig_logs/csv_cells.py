@@ -10,7 +10,6 @@ _GROUPED = re.compile(
 )
 _BEGINS_AS_NUMBER = re.compile(r"[-+(]?\s*(?!1[.]#)[.,]?\d")
 COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
-_PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _ROW_END = re.compile(r"\r\n|\r|\n")
 _DIGITS = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 NUMBER = re.compile(rf"[+-]?{_DIGITS}$")
@@ -115,10 +114,12 @@ def is_before_decimals(cell: str, decimal: str) -> bool:
     return decimal in cell and is_value(cell, decimal) and not is_stamp(cell) and not _THOUSANDS.fullmatch(cell)
 
 
-def leaves_mark_open(cell: str, decimal: str) -> bool:
-    """Whether a cell leaves open if the mark stands before decimals or between thousands, as 1,250 and 12 do."""
-    whole = _PLAIN_WHOLE.fullmatch(cell) or cell.lower() in MISSING
-    return bool(whole or (decimal in cell and _THOUSANDS.fullmatch(cell)))
+def unclear_mark(cell: str, line: int, column: str, mark: str) -> str:
+    """What to say of a mark of which nothing shows whether it stands before decimals."""
+    return (
+        f"{cell!r} in line {line}, column {column!r}: does {mark!r} separate thousands? Nothing in the first rows shows "
+        f"it. Export the log without such separators; if it is the decimal mark, set [ingest.csv] decimal = {mark!r}"
+    )
 
 
 def marks_between_thousands(cell: str) -> str:

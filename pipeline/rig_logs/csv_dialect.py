@@ -12,9 +12,9 @@ from .csv_cells import (
     is_stamp,
     is_value,
     is_word,
-    leaves_mark_open,
     marks_between_thousands,
     split_row,
+    unclear_mark,
 )
 from .csv_clock import labview_starts
 from .csv_heading import (
@@ -56,13 +56,11 @@ class Dialect:
     firsts: tuple[str, ...]
     """The first cell of each column that is not empty; "" where all in the sample are: what it holds is open."""
     has_marks: bool
-    """Whether a decimal mark was seen at all."""
+    """Whether the decimal mark is known: seen, set, or the point beside commas that separate."""
     rates: tuple[tuple[str, float, float], ...]
     """Names and numbers in the preamble that state a sample rate, and it [Hz]."""
     scales: tuple[str, ...]
     """Notes on numbers in the preamble that look like a calibration."""
-    open_marks: tuple[bool, ...]
-    """Of which columns it is open yet whether `decimal` stands before decimals or between thousands."""
     texts: tuple[str, ...]
     """What stands in the columns that are no numbers; "" for the others."""
     rewritten: bool
@@ -134,11 +132,12 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     options = _as_labview(lines, options)
     table = find_table(lines, options)
     width = len(table.numeric)
-    open_marks = (False,) * width if options.decimal is not None else _open_marks(table)
     above, comments = _above(table, lines)
     header_row, units_row = _header_rows(table, above, comments, options.header_row)
     _check_rows_below_header(table, above, header_row)
     header, units, headings = _headings(table, above, header_row, units_row)
+    if options.decimal is None and not table.shows_mark:
+        _check_marks(table, header)
     in_seconds = bool(SECONDS.match(lines[table.first]))
     units = ("s", *units[1:]) if in_seconds else units
     check_long_table(header, table.numeric, table.rows[table.first :])
@@ -157,10 +156,9 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         table.first,
         numeric,
         firsts,
-        options.decimal is not None or table.has_marks,
+        options.decimal is not None or table.delimiter == "," or table.has_marks,
         stated_rates(lines[: table.first], table.delimiter),
         tuple(stated_scales(lines[: table.first], table.delimiter)),
-        open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         bool(table.delimiter == " " or table.ragged or in_seconds)
         or (header_row is not None and len(above[header_row]) == width + 1),
@@ -244,14 +242,18 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
     return rows, [is_comment(line) for line in lines]
 
 
-def _open_marks(table: SampleTable) -> tuple[bool, ...]:
-    """In which columns the rows that were seen do not tell whether the mark is for decimals."""
-    body = [row for row in table.rows[table.first :] if len(row) == len(table.numeric)]
-    decided = table.shows_mark
-    return tuple(
-        numeric and not decided and all(leaves_mark_open(row[column], table.decimal) for row in body)
-        for column, numeric in enumerate(table.numeric)
-    )
+def _check_marks(table: SampleTable, header: Sequence[str]) -> None:
+    """Refuse marks of which no number shows that they stand before decimals, where they may separate thousands.
+
+    They may where other numbers of a column have none, where they are commas, and where the semicolon separates.
+    """
+    body = [(i, row) for i, row in enumerate(table.rows) if i >= table.first and len(row) == len(table.numeric)]
+    for column, numeric in enumerate(table.numeric):
+        cells = [(i, row[column]) for i, row in body if numeric]
+        line, marked = next(((i, cell) for i, cell in cells if table.decimal in cell and not is_stamp(cell)), (0, ""))
+        whole = any(NUMBER.match(cell) and table.decimal not in cell for _, cell in cells)
+        if marked and (whole or table.decimal == "," or table.delimiter == ";"):
+            raise UnreadableLogError(unclear_mark(marked, line + 1, header[column], table.decimal))
 
 
 def _check_rows_below_header(table: SampleTable, above: Sequence[Sequence[str]], header_row: int | None) -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.signals.noise import is_idle, noise_level, resolution
+from pipeline.signals.noise import is_idle, resolution
 from pipeline.signals.quality_gates import saturation, scale_suspicion
 from pipeline.signals.signal_quality import examine_signal, usual_span
 from pipeline.signals.spectrum import hum
