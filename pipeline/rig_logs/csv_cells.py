@@ -117,8 +117,9 @@ def is_before_decimals(cell: str, decimal: str) -> bool:
 def unclear_mark(cell: str, line: int, column: str, mark: str) -> str:
     """What to say of a mark of which nothing shows whether it stands before decimals."""
     return (
-        f"{cell!r} in line {line}, column {column!r}: does {mark!r} separate thousands? Nothing in the first rows shows "
-        f"it. Export the log without such separators; if it is the decimal mark, set [ingest.csv] decimal = {mark!r}"
+        f"{cell!r} in line {line}, column {column!r}: does {mark!r} separate thousands? Nothing in the first rows "
+        f"shows it. Export the log without such separators; if it is the decimal mark, set [ingest.csv] decimal = "
+        f"{mark!r}"
     )
 
 

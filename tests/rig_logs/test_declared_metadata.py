@@ -38,7 +38,7 @@ def test_packed_numbers_are_not_taken_for_the_values(tmp_path, attributes):
     with h5py.File(tmp_path / "log.h5", "w") as file:
         file["v"] = V
         file.create_dataset("q", data=RAW).attrs.update(attributes)
-    with pytest.raises(InputError, match="'q' holds no plain numbers, but packed .*save its unpacked values"):
+    with pytest.raises(InputError, match=r"holds no plain numbers, but packed .*save its unpacked values"):
         read_recording(tmp_path / "log.h5", channels=["q"])
     assert read_recording(tmp_path / "log.h5").listed == ("v",)
 
