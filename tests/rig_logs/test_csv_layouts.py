@@ -111,6 +111,8 @@ def test_a_decimal_mark_behind_whole_numbers_is_seen_or_to_be_set(tmp_path, deli
         ("Sampling frequency [kHz];2\nq,v", 2000.0),
         ("Abtastintervall: 0,5 ms\nq,v", 2000.0),
         ("# sample rate: 2 kHz\nn,q,v", 2000.0),
+        ("# sampled at 2 kHz\nq,v", 2000.0),
+        ("# Rate 2000 S/s\nq,v", 2000.0),
     ],
 )
 def test_a_rate_above_the_data_is_told(tmp_path, above, rate):
