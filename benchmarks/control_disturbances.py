@@ -28,7 +28,7 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.rig.joint import rest
 from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
-from pipeline.rig.random_joint import aged
+from pipeline.rig.random_joint import Drift, aged
 from pipeline.workflow.studies.closed_loop import VirtualJoint, designed, virtual_joint
 from pipeline.workflow.studies.controlled_run import ControlSettings, control_run
 
@@ -38,7 +38,7 @@ BUMPS = {f"{1e3 * impulse:g} mN s": impulse for impulse in (0.5e-3, -0.5e-3, 1e-
 STEPS = {f"{1e3 * force:g} mN": force for force in (5e-3, -5e-3)}
 FRICTIONS = (1.0, 0.1)
 GAINS = (0.85, 1.15)
-STIFFER = (-0.1, -0.05, 0.05)  # share of the beam's stiffness, which moves the wells
+STIFFER = (-10.0, -5.0, 5.0)  # % of the beam's stiffness, which moves the wells
 OTHERS: dict[str, dict[str, float]] = {
     "mass × 0.8": {"mass": 0.8}, "mass × 1.2": {"mass": 1.2}, "voltages × 0.85": {"gain": 0.85},
     "voltages × 1.15": {"gain": 1.15}, "converters of 2.5 kV": {"highest": 2500.0},
@@ -47,7 +47,7 @@ IMPULSES = (1e-3, -1e-3, 3e-3, -3e-3)  # N s
 
 
 Row = tuple[str, float, bool]
-"""Name, number and verdict."""
+"""Name, number and assessment."""
 
 
 @dataclass(frozen=True)
@@ -188,9 +188,9 @@ def wells(one: Tested) -> Iterator[Row]:
 def drifts(one: Tested) -> Iterator[Row]:
     """Slowest settling [s] of four snaps after the beam's stiffness has changed, which moves the wells."""
     for change in STIFFER:
-        moved, _ = aged(one.joint.parameters, one.joint.bench, 1.0, {"stiffness": change})
+        moved, _ = aged(one.joint.parameters, one.joint.bench, 1.0, Drift(stiffness_percent=change))
         slowest = max(snaps(replace(one, joint=replace(one.joint, parameters=moved), starts={}), 4, 3.0))
-        yield f"snaps, beam {100 * change:+g} % stiff, slowest settling", slowest, slowest <= DRIFTED
+        yield f"snaps, beam {change:+g} % stiff, slowest settling", slowest, slowest <= DRIFTED
 
 
 def others(one: Tested) -> Iterator[Row]:

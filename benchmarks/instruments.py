@@ -168,7 +168,7 @@ def joint(folder: Path, kind: str, seed: int, cases: Mapping[str, Case], other: 
     """A run of a joint with all cases, and the log of another joint; it is kept."""
     home = folder / f"{kind}-{seed}"
     if not (home / "run" / "instruments.parquet").exists():
-        settings = simulate_prototype(home, home.name, Experiment(kind, "parquet", 2000.0), seed=seed)
+        settings = simulate_prototype(home, home.name, Experiment(kind=kind, format="parquet", rate=2000.0), seed=seed)
         table = pq.read_table(home / "validation.parquet")
         _, q, *inputs = _channels(table)
         more = {"mirrored": {q: -table.column(q).to_numpy()}}

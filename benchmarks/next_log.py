@@ -62,7 +62,7 @@ def identified(folder: Path, arm: str, mass: float) -> float:
 
 def measure(kind: str, seed: int, candidates: int, folder: Path) -> tuple[list[float], NextLog]:
     rng = np.random.default_rng(seed)
-    joint, bench, logs = draw(Experiment(kind, "parquet", RATE, validation_logs=2), rng)
+    joint, bench, logs = draw(Experiment(kind=kind, format="parquet", rate=RATE, validation_logs=2), rng)
     for log in logs:
         measured = RawLog(log.record.t, log.record.q, log.record.v1, log.record.v2)
         FORM.save(measured, folder / f"{log.stem}.parquet")

@@ -43,7 +43,7 @@ def simulate(folder: Path, kind: str, case: str, seed: int) -> None:
     if (home / f"{home.name}.toml").exists():
         return
     with mock.patch.object(pipeline.rig.fleet, "_joint", joint):
-        experiment = Experiment(kind, "parquet", 2000.0, validation_logs=0)
+        experiment = Experiment(kind=kind, format="parquet", rate=2000.0, validation_logs=0)
         settings = simulate_prototype(home, home.name, experiment, seed=seed)
     log = pq.read_table(home / "train.parquet")
     at = log.schema.get_field_index("Laser_q")

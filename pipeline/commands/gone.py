@@ -5,7 +5,7 @@ from typing import Any
 
 COMMANDS = {
     "repair": "`debist run PROTOTYPE.toml -o RUN` sets aside what is damaged and makes it anew",
-    "study settings": "`debist batch PROTOTYPE.toml --set KEY=V,V -o DIR` runs every combination",
+    "study settings": "`debist batch TABLE.csv -o DIR` runs a row for each combination of settings",
 }
 _EXPERIMENT = "{} in the TOML file of --experiment"
 _SCENARIO = "{} in the TOML file of --scenario"
@@ -24,13 +24,19 @@ OPTIONS = {
     "--report": "leave it out: the report is made unless --no-report is given",
     "--keep-going": "leave it out: the others go on unless --fail-fast is given",
     "--capabilities": "`debist --help`, and the README",
+    "batch --set": "a table with a row for each combination of settings, and `debist diff` for its runs",
+    "diff --format": "--json",
+    "series --format": "--json",
     "series -o": "--page",
+    "status --watch": "`watch debist status DIR`",
+    "verify --all": "a loop of the shell over the runs",
     "verify --subset": "leave it out: all files are checked",
     "physics calibrate --set": 'a TOML file for --parameters: base = "nominal", then the values',
     "physics calibrate --starts": _SEARCH.format("starts"),
     "physics calibrate --seed": _SEARCH.format("seed"),
     "physics calibrate --jobs": _SEARCH.format("threads"),
     "physics calibrate --force": _NO_FORCE,
+    "physics calibrate --figure": "the table, or the correlations of --json",
     "rig --faults": _EXPERIMENT.format('faults = ["gaps"]'),
     "rig --charging-time": _EXPERIMENT.format("charging_time_s"),
     "rig --size": _EXPERIMENT.format("size"),

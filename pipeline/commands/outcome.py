@@ -1,4 +1,4 @@
-"""Results of a run or a batch: the headline table, the verdict, the state of tasks, and the progress of a batch."""
+"""Results of a run or a batch: scores, assessment, instruments, states of tasks, and the progress of a batch."""
 
 import sys
 import time
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..reporting.tables import Format
     from ..workflow.engine import TaskStatus
     from ..workflow.members import Member
-    from ..workflow.progress import FleetProgress
+    from ..workflow.progress import MemberState
     from ..workflow.worker import Outcome
 
 
@@ -32,9 +32,9 @@ def emit_scores(
     details: bool = False,
     with_report: bool = False,
 ) -> None:
-    """Print the scores: the headline table, or with details both score tables; as records for JSON.
+    """Print the scores: the short table of the scores, or with details both score tables; as records for JSON.
 
-    With a report, the JSON document holds its verdict and its path too.
+    With a report, the JSON document holds its assessment and its path too.
     """
     from ..workflow.report_data import load_datasheet, load_scores
     from ..workflow.stage_scores import score_text, shown_scores
@@ -49,9 +49,9 @@ def emit_scores(
     if details:
         _emit_details(run)
         return
-    from ..reporting.short_tables import headline_table
+    from ..reporting.short_tables import main_table
 
-    table = headline_table(shown_scores(run))
+    table = main_table(shown_scores(run))
     emit_table(table.where, table.heading, table.rows)
     emit_text(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
 
@@ -83,13 +83,13 @@ def emit_instruments(run: Path) -> None:
     emit_text(table.explanation)
 
 
-def emit_verdict(run: Path) -> None:
-    """Print the verdict of the report and where the report lies."""
+def emit_assessment(run: Path) -> None:
+    """Print the assessment of the report and where the report lies."""
     from ..workflow.report_data import load_datasheet
 
-    verdict = load_datasheet(run)["verdict"]
-    emit_text(f"verdict: data {verdict['data']}, model {verdict['model']}")
-    for check in verdict["checks"]:
+    assessment = load_datasheet(run)["verdict"]
+    emit_text(f"assessment: data {assessment['data']}, model {assessment['model']}")
+    for check in assessment["checks"]:
         if check["grade"] != "good":
             emit_text(f"  {check['about']}, {check['grade']}: {check['statement']}", indent="    ")
     emit_text(f"report: {run / 'report.html'}")
@@ -141,19 +141,22 @@ def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *,
     emit_table("runs", ("run", "state", "why"), rows, numeric_from=3)
 
 
-def emit_fleet_progress(folder: Path, progress: "FleetProgress", *, as_json: bool) -> None:
+def emit_fleet_progress(folder: Path, members: "Sequence[MemberState]", *, as_json: bool) -> None:
     """Print for each prototype of a batch whether it is done, running, stopped or failed."""
+    from ..workflow.progress import STATES
+
+    counts = {state: sum(member.state == state for member in members) for state in STATES}
     if as_json:
-        members = [vars(member) | {"since": member.since and member.since.isoformat()} for member in progress.members]
-        emit_json({"folder": folder, "counts": progress.counts, "prototypes": members})
+        prototypes = [vars(member) | {"since": member.since and member.since.isoformat()} for member in members]
+        emit_json({"folder": folder, "counts": counts, "prototypes": prototypes})
         return
     rows = [
         (member.name, member.state, member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "", member.reason)
-        for member in progress.members
+        for member in members
     ]
     emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=4)
-    counted = ", ".join(f"{count} {state}" for state, count in progress.counts.items() if count)
-    emit_text(f"{len(progress.members)} prototypes: {counted}")
+    counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)
+    emit_text(f"{len(members)} prototypes: {counted}")
 
 
 def emit_members(members: "Sequence[Member]", *, as_json: bool) -> None:
@@ -190,7 +193,7 @@ def emit_tasks(
 
 
 def result_line(result: Mapping[str, Any]) -> str:
-    """What a stage came to for one log or model (`pipeline.workflow.stage_results`), as a line."""
+    """What a stage came to for one log or model (`pipeline.workflow.report_data`), as a line."""
     from ..units.quantity import quantity
 
     if "rows" in result:
@@ -203,7 +206,7 @@ def result_line(result: Mapping[str, Any]) -> str:
         return f"{result['log']}: {result['method']}{shown}; noise of {result['of']} {noise} {result['noise_unit']}"
     seconds = "" if result["fit_s"] is None else f" in {result['fit_s']:.1f} s"
     chosen = f"; chosen: {result['reason']}" if result["reason"] else ""
-    return f"{result['model']}: identified{seconds}{', the headline' if result['headline'] else ''}{chosen}"
+    return f"{result['model']}: identified{seconds}{', the main model' if result['headline'] else ''}{chosen}"
 
 
 def _ends(values: Sequence[float]) -> list[float]:

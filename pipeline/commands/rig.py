@@ -10,10 +10,10 @@ import typer
 from ..system.names import shell_word
 from ..units.units import parse_quantity
 from .boundary import group, with_options
-from .console import Json, Parameters, Quiet, emit_json, emit_text, progress_report, working
+from .console import Json, Parameters, Quiet, emit_json, emit_text, progress_report
 
 if TYPE_CHECKING:
-    from ..rig.fleet import Experiment, ExperimentFile
+    from ..rig.fleet import Experiment
 
 app = group("The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.")
 
@@ -39,14 +39,15 @@ class SimulatedLogs:
         typer.Option("--experiment", metavar="FILE", help="TOML file with faults, number of logs, excitation, age."),
     ] = None
 
-    def experiment(self) -> "tuple[Experiment, ExperimentFile]":
-        """The experiment on the virtual rig, and what its file says."""
+    def experiment(self) -> "Experiment":
+        """The experiment on the virtual rig."""
         from ..rig.fleet import Experiment, ExperimentFile
         from ..settings.file import read_options
 
-        rare = read_options(self.file, ExperimentFile)
-        fields = rare.fields(self.file.parent if self.file else Path())
-        return Experiment(self.kind, self.form, self.rate, self.duration, **fields), rare
+        rare = dict(read_options(self.file, ExperimentFile))
+        if self.file is not None and rare["play"] is not None:
+            rare["play"] = str(self.file.parent / rare["play"])
+        return Experiment(kind=self.kind, format=self.form, rate=self.rate, duration=self.duration, **rare)
 
 
 @dataclass(frozen=True)
@@ -73,10 +74,11 @@ def simulate(
     """
     from ..rig.fleet import simulate_prototype
 
-    experiment, rare = logs.experiment()
-    name = f"{logs.kind}-{seed}" if rare.age_days is None else f"{logs.kind}-{seed}-day{rare.age_days:g}"
-    count = rare.training_logs + rare.validation_logs
-    with working(f"simulating {count} logs of {logs.duration:g} s at {logs.rate:g} Hz", quiet=quiet):
+    experiment = logs.experiment()
+    day = "" if experiment.age_days is None else f"-day{experiment.age_days:g}"
+    name = f"{logs.kind}-{seed}{day}"
+    count = experiment.training_logs + experiment.validation_logs
+    with progress_report(f"simulating {count} logs of {logs.duration:g} s at {logs.rate:g} Hz", quiet=quiet):
         prototype = simulate_prototype(output, name, experiment, seed=seed)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
@@ -101,7 +103,7 @@ def fleet(
     from ..rig.fleet import simulate_fleet
 
     prototypes = []
-    for prototype in simulate_fleet(output, count, logs.experiment()[0], seed=seed):
+    for prototype in simulate_fleet(output, count, logs.experiment(), seed=seed):
         prototypes.append(prototype)
         if not quiet:
             typer.echo(f"{prototype}", err=True)
@@ -208,7 +210,7 @@ def closed_loop(
 
     seconds = parse_quantity(duration, ("s",), "--duration")
     rare = read_options(scenario, ScenarioFile)
-    with working(f"simulating {duration} at 1 kHz", quiet=quiet):
+    with progress_report(f"simulating {duration} at 1 kHz", quiet=quiet):
         files, summary = closed_loop_log(joint, controller, play, output, target=target, duration=seconds, options=rare)
     if as_json:
         emit_json({"files": files, **summary})

@@ -52,7 +52,7 @@ def step_metrics(t: FloatArray, q: FloatArray, target: FloatArray, distance: flo
 
 
 def one_step(t: FloatArray, q: FloatArray, target: float, distance: float) -> Step:
-    """Metrics of a stretch with one target, from its first row on."""
+    """Metrics of a segment with one target, from its first row on."""
     error = q - target
     settled = int(settling_index(error, BAND * distance))
     direction = -np.sign(error[0]) if abs(error[0]) > BAND * distance else 1.0

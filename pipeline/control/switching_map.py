@@ -65,7 +65,7 @@ def switching_map(
     to : {"left", "right"}
         Where the pulse is to bring it.
     on_progress : callable
-        Told the share that is done.
+        Receives the share that is done.
 
     Notes
     -----

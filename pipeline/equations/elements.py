@@ -82,6 +82,21 @@ def length(
     c = b − a0. The signs of x_i, y_i and a0 cos φ as printed in eq. 5 are no rigid frame with eq. 4. With the signs
     used here λ = 1.43 at b = 23 mm (the text: strains below 50 %) and the pre-strain grows as b shrinks (§3.3.3);
     as printed λ = 2.09 and it shrinks.
+
+    Parameters
+    ----------
+    sign : float
+        −1 for the left membrane, +1 for the right one.
+    a, c, e_z, e_x : expression
+        Places of its mounts [m]; c = b − a0.
+    l : expression
+        Length of the beam [m].
+    q : expression
+        Displacement of the tip [m].
+    sin, cos : expression
+        Sine and cosine of the tip rotation φ.
+    u_y : expression
+        Displacement of the tip along the beam [m].
     """
     x = -sign * (a * cos - e_z) + c * sin - q
     y = e_x - l - u_y + c * cos + sign * a * sin

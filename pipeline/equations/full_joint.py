@@ -327,7 +327,6 @@ def reduced_kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expres
     others = {k: v for k, v in vars(s).items() if k not in ("curves", "slopes")}
     moved = rates(replace(s, curves=curves, slopes=slopes))
     return {
-        "REDUCED_RATES": (dict(vars(s)), {"rates": rates(s)}),
         "CUBICS": ({"pieces": pieces, "s": past}, {"curves": curves, "slopes": slopes}),
         "REDUCED_MOTION": ({"pieces": pieces, "s": past} | others, {"rates": moved}),
     }

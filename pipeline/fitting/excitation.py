@@ -14,9 +14,8 @@ from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..scoring.wells import NoWells, Wells, find_wells, snaps
 from ..settings.models import CENTRES, SMOOTHING
+from ..signals.findings import Finding, Number, refusal
 from ..signals.noise import is_idle
-from ..signals.quality_gates import Finding
-from ..units.quantity import quantity
 from .coverage import ACTING, Coverage, coverage
 from .information import Conditioning, ScaledRegressor, conditioning
 from .regression import InputLaw, input_signal
@@ -26,7 +25,7 @@ _INTERMEDIATE = (0.15, 0.85)
 _POWER_SHARE = 0.95
 _SHORTEST = 64
 _WINDOW = 8.0
-"""Samples of a stretch that is worth a spectrum, and length [s] of its windows."""
+"""Samples of a segment that is worth a spectrum, and length [s] of its windows."""
 _RINGING_ABOVE = 4
 _RINGING_BELOW = 0.8
 """Line of the spectrum and share of the Nyquist frequency between which a peak is the device's: below it is the
@@ -66,7 +65,7 @@ class Excitation:
     signals : FloatArray, shape (N, K)
         The inputs as they act.
     displacement : FloatArray, shape (n,)
-        Of the longest stretch.
+        Of the longest segment.
     """
 
     centres: FloatArray
@@ -113,7 +112,7 @@ def examine_excitation(
     v : FloatArray, shape (N, K)
         Inputs, finite.
     segment : IntArray, shape (N,)
-        Number of the gap-free stretch; negative where masked.
+        Number of the gap-free segment; negative where masked.
     interval : float
         Sample interval [s].
     inputs : {"squared", "linear"}
@@ -126,14 +125,14 @@ def examine_excitation(
     Raises
     ------
     InputError
-        No valid stretch, or a displacement that never changes.
+        No valid segment, or a displacement that never changes.
     """
     valid = (segment >= 0) & np.isfinite(q)
     stretches = [segment == number for number in np.unique(segment[valid])]
     stretches = [rows for rows in stretches if np.count_nonzero(rows) >= _SHORTEST]
     if not stretches:
         raise InputError(
-            f"no gap-free stretch of a training log has {_SHORTEST} samples of {interval:g} s; there is nothing to "
+            f"no gap-free segment of a training log has {_SHORTEST} samples of {interval:g} s; there is nothing to "
             "identify: shorten [ingest] sample_interval, or record longer"
         )
     motions = [(q[rows], np.gradient(q[rows], interval), v[rows]) for rows in stretches]
@@ -249,7 +248,7 @@ def excitation_findings(
     v : FloatArray, shape (N, K)
         Inputs.
     segment : IntArray, shape (N,)
-        Number of the gap-free stretch, different for each log; negative where masked.
+        Number of the gap-free segment, different for each log; negative where masked.
     interval : float
         Sample interval [s].
     inputs : {"squared", "linear"}
@@ -264,7 +263,7 @@ def excitation_findings(
     Raises
     ------
     DataRefusedError
-        No stretch is long enough to identify anything.
+        No segment is long enough to identify anything.
 
     Notes
     -----
@@ -272,18 +271,10 @@ def excitation_findings(
     """
     valid = (segment >= 0) & np.isfinite(q)
     if not valid.any() or is_idle(q[valid]):
-        advice = "drive the device through its whole stroke"
-        return [Finding("idle", "the displacement shows nothing but noise: no excitation", advice)]
+        return [refusal("idle", "idle")]
     acting = input_signal(v, inputs)
     undriven = [k for k in range(v.shape[1]) if is_idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
-    findings = [
-        Finding(
-            "undriven",
-            f"input v{k + 1} never changes by more than its noise: nothing is known of its gain",
-            f"drive it, or leave it out of [channels] (v{k + 1})",
-        )
-        for k in undriven
-    ]
+    findings = [refusal("undriven", "undriven", subject=f"v{k + 1}") for k in undriven]
     try:
         excitation = examine_excitation(
             q, v, segment, interval,
@@ -301,24 +292,23 @@ def _of_places(
     fewest = int(excitation.visits.visits.min())
     condition = excitation.conditioning
     if fewest < LEAST_VISITS:
-        place = quantity(float(excitation.centres[int(np.argmin(excitation.visits.visits))]), displacement)
-        findings.append(
-            Finding(
-                "visits",
-                f"the basis centre at q = {place} has {fewest} of at least {LEAST_VISITS} training samples",
-                f"excite that place, or set fewer than {centres} [identify] basis_functions",
-            )
-        )
+        place = float(excitation.centres[int(np.argmin(excitation.visits.visits))])
+        numbers = {
+            "place": Number(place, displacement),
+            "visits": Number(fewest),
+            "least": Number(LEAST_VISITS),
+            "centres": Number(centres),
+        }
+        findings.append(refusal("visits", "visits", numbers))
     if conditioned and (condition.silent or condition.condition > LARGEST_CONDITION):
-        text = f"condition number {condition.condition:.3g} (at most {LARGEST_CONDITION:g}), {condition.silent} zero"
-        findings.append(
-            Finding("rank", f"the regressor's columns cannot be told apart: {text}", "vary the inputs independently")
-        )
+        numbers = {
+            "condition": Number(condition.condition),
+            "most": Number(LARGEST_CONDITION),
+            "silent": Number(condition.silent),
+        }
+        findings.append(refusal("rank", "rank", numbers))
     if bistable and isinstance(excitation.wells, NoWells) and excitation.wells.one_cluster:
-        text = "only one well is visited: of the other half of every curve the data say nothing"
-        findings.append(
-            Finding("one-well", text, "add pulses that snap the joint to the other side (`debist rig excite`)")
-        )
+        findings.append(refusal("one-well", "one_well"))
     return findings
 
 

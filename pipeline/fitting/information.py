@@ -66,6 +66,21 @@ class ScaledRegressor:
     ) -> "ScaledRegressor":
         """The regressor over the range of a motion q, q̇, shape (N,), with the `largest` input on each side, shape (K,).
 
+        Parameters
+        ----------
+        q : FloatArray, shape (N,)
+            Displacement [m].
+        qdot : FloatArray, shape (N,)
+            Velocity [m/s].
+        largest : FloatArray, shape (K,)
+            Largest input on each side [V].
+        basis_functions : int
+            Gaussians of each curve.
+        smoothing : float
+            σₙ.
+        inputs : {"squared", "linear"}
+            How the inputs act.
+
         Raises
         ------
         InputError
@@ -121,7 +136,7 @@ class Conditioning:
     condition : float
         Ratio of the largest to the smallest singular value of X on unit-norm columns.
     silent : int
-        Columns that are zero: weights on which the motion says nothing.
+        Columns that are zero: weights that the motion does not show.
     """
 
     log_det: float

@@ -151,7 +151,19 @@ def _variance_within(cut: float) -> float:
 def without_each(
     members: Sequence[Information], prior: NormalPopulation, whole: NormalPopulation, shrinkage: Shrinkage | None = None
 ) -> Iterator[NormalPopulation]:
-    """For each member the population of all the others; `whole` is that of all. Cost: `MORE_ROUNDS` steps for each."""
+    """For each member the population of all the others; `whole` is that of all. Cost: `MORE_ROUNDS` steps for each.
+
+    Parameters
+    ----------
+    members : sequence of Information
+        What the logs of each member show of θ.
+    prior : NormalPopulation
+        Prior without a population.
+    whole : NormalPopulation
+        Population of all members.
+    shrinkage : Shrinkage, optional
+        Prior of the population itself.
+    """
     for i in range(len(members)):
         others = [*members[:i], *members[i + 1 :]]
         yield estimate_population(others, prior, shrinkage, start=whole, rounds=MORE_ROUNDS)
@@ -172,6 +184,17 @@ def oddity(member: Information, others: NormalPopulation, count: int, entries: S
     The score of one entry of θ, moved alone, over its standard deviation, which Student's t with count − 1 degrees of
     freedom bounds for all these entries together (Bonferroni). With Λ and h of the member and the population
     N(μ, P⁻¹) the score is u = P (Λ + P)⁻¹ (h − Λ μ), and its covariance is G = P − P (Λ + P)⁻¹ P.
+
+    Parameters
+    ----------
+    member : Information
+        What its logs show of θ.
+    others : NormalPopulation
+        Population of the others.
+    count : int
+        Number of the others.
+    entries : sequence of int
+        Entries of θ that are tested.
     """
     inverse = np.linalg.inv(others.covariance)
     turned = np.linalg.solve(member.precision + inverse, inverse).T  # P (Λ + P)⁻¹

@@ -157,6 +157,21 @@ def first_order_curves(
     as wide, and those of data-driven joints of their own class up to twenty times, about a middle that was off the
     truth. Curves whose names are `nonnegative` are cut at zero. Cost: the curves of as many parameter vectors as S has
     rows that are not zero, and one.
+
+    Parameters
+    ----------
+    curves : callable
+        θ, shape (P,) → curves by name, each of shape (n,).
+    mean : FloatArray, shape (P,)
+        Fitted θ.
+    spread : FloatArray, shape (P, R)
+        Factor S of the covariance.
+    count : int
+        Number of draws.
+    seed : int
+        Seed of the draws.
+    nonnegative : collection of str
+        Curves that are cut at zero.
     """
     best = curves(mean)
     moved = np.flatnonzero(np.any(spread, axis=1))

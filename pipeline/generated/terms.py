@@ -216,19 +216,6 @@ input value 0; input lagged 0; sub 0 1; input lag 0; constant 1.0; div 4 3; mul 
     """,
 )
 
-REDUCED_RATES = Graph(
-    {'q_dot': 1, 'e': 2, 'curves': 7, 'slopes': 7, 'v_squared': 2, 'load': 1, 'gain': 2, 'rate': 2},
-    {'rates': 3},
-    """
-input load 0; constant 0.5; input slopes 5; input v_squared 0; mul 2 3; input slopes 6; input v_squared 1; mul 5 6;
-add 4 7; mul 1 8; add 0 9; input gain 0; input slopes 3; mul 11 12; input e 0; mul 13 14; input gain 1; input slopes
-4; mul 16 17; input e 1; mul 18 19; add 15 20; sub 10 21; input curves 1; input q_dot 0; mul 23 24; input curves 2;
-add 25 26; input slopes 0; mul 1 28; mul 24 24; mul 29 30; add 27 31; sub 22 32; input curves 0; constant 1.0; div
-35 34; mul 33 36; mul 12 24; input rate 0; mul 14 39; sub 38 40; mul 17 24; input rate 1; mul 19 43; sub 42 44;
-store rates 0 37; store rates 1 41; store rates 2 45
-    """,
-)
-
 CUBICS = Graph(
     {'pieces': 28, 's': 1},
     {'curves': 7, 'slopes': 7},

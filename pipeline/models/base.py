@@ -11,8 +11,8 @@ import numpy as np
 from ..errors import InputError
 from ..numerics.arrays import FloatArray, IntArray
 from ..scoring.horizons import Predict
-from ..scoring.tubes import TubeScale
 from ..signals.timebase import is_uniform
+from .tubes import TubeScale
 
 
 @dataclass(frozen=True)
@@ -75,9 +75,6 @@ class DynamicModel(Protocol):
             not uniform; see `checked`.
         """
 
-    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured trajectory, shape (N,): the one-step prediction."""
-
     def describe(self) -> dict[str, Any]:
         """Description for people: structure, hyperparameters, diagnostics, with units in the keys."""
 
@@ -130,7 +127,21 @@ class HasDraws(Protocol):
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
-        """Free runs of `count` draws, q of shape (count, N), and the draws."""
+        """Free runs of `count` draws, q of shape (count, N), and the draws.
+
+        Parameters
+        ----------
+        t : FloatArray, shape (N,)
+            Times [s].
+        v : FloatArray, shape (N, K) or (N, r, K)
+            Inputs at the samples, or at r times of each interval.
+        q0 : float
+            Displacement at the first sample [m or rad].
+        qdot0 : float
+            Velocity there.
+        count : int
+            Number of draws.
+        """
 
 
 class DrawnModel(DynamicModel, HasDraws, Protocol):
@@ -179,15 +190,14 @@ MethodT = TypeVar("MethodT", bound=Callable[..., Any])
 def checked(method: MethodT) -> MethodT:
     """Have a method of a model refuse signals that do not fit the model or each other.
 
-    Parameters are recognised by name: ``t``, ``v``, initial values ``q0``, ``qdot0``, ``starts`` of several runs, paths
-    ``q``, ``qdot``.
+    Parameters are recognised by name: ``t``, ``v``, initial values ``q0``, ``qdot0``, ``starts`` of several runs.
 
     Raises
     ------
     InputError
         A time base that is not one column of at least two finite, rising, evenly spaced samples; voltages of another
-        length or number than the time base and the model have; an initial value that is no number, or a path of
-        another length; anything that is not finite. The text names it and what was expected.
+        length or number than the time base and the model have; an initial value that is no number; anything that is
+        not finite. The text names it and what was expected.
 
     Notes
     -----
@@ -202,9 +212,9 @@ def checked(method: MethodT) -> MethodT:
         values = given.arguments
         values["t"] = time = _time(values["t"])
         values["v"] = _voltages(values["v"], model, len(time))
-        for name in ("q0", "qdot0", "q", "qdot"):
+        for name in ("q0", "qdot0"):
             if name in values:
-                values[name] = _state(values[name], name, None if name.endswith("0") else len(time))
+                values[name] = _initial(values[name], name)
         if "starts" in values:
             values["starts"] = starts = _floats(values["starts"], "starts")
             if starts.ndim != 2 or starts.shape[1] != 2:
@@ -260,13 +270,11 @@ def _voltages(v: FloatArray, model: DynamicModel, count: int) -> FloatArray:
     return voltages
 
 
-def _state(values: Any, name: str, count: int | None) -> Any:
-    """An initial value, or a path of `count` samples."""
-    state = _floats(values, name)
-    if state.shape != (() if count is None else (count,)):
-        wanted = "one number to start from" if count is None else f"a path of {count} samples"
-        raise InputError(f"{name} has the shape {state.shape}; give {wanted}")
-    return float(state) if count is None else state
+def _initial(value: Any, name: str) -> float:
+    state = _floats(value, name)
+    if state.shape != ():
+        raise InputError(f"{name} has the shape {state.shape}; give one number to start from")
+    return float(state)
 
 
 def _floats(values: Any, name: str) -> FloatArray:

@@ -57,7 +57,21 @@ def begin(system: Any, x: FloatArray, node: int) -> None:
 
 
 def rates(system: Any, x: FloatArray, node: int, dx: FloatArray, acceleration: FloatArray) -> None:
-    """Fill the rates of the state at the half step `node`, and the accelerations without an observer's pull."""
+    """Fill the rates of the state at the half step `node`, and the accelerations without an observer's pull.
+
+    Parameters
+    ----------
+    system : NamedTuple
+        The system.
+    x : FloatArray, shape (n,)
+        State.
+    node : int
+        Number of the half step.
+    dx : FloatArray, shape (n,)
+        Takes the rates.
+    acceleration : FloatArray
+        Takes the accelerations.
+    """
 
 
 def finish(system: Any, x: FloatArray) -> None:
@@ -83,7 +97,7 @@ def no_finish(system, x):
 def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., int]:
     """`integrate` for systems of a NamedTuple class, compiled with them.
 
-    `methods` says how they move; it gets their numba type, which tells a batch from one.
+    `methods` states how they move; it gets their numba type, which tells a batch from one.
     """
     _implement(kind, methods)
     own = FunctionType(integrate.__code__, integrate.__globals__, f"integrate_{kind.__name__}")
@@ -208,7 +222,25 @@ def bounded_run(
     integrate: Callable[..., int], system: NamedTuple, x: FloatArray, samples: int, steps: int, interval: float,
     bounds: tuple[float, float],
 ) -> tuple[FloatArray, int]:  # fmt: skip
-    """q, q̇, q̈ of a system from x at the samples, (N, 3), NaN from where q leaves the bounds; and valid samples."""
+    """q, q̇, q̈ of a system from x at the samples, (N, 3), NaN from where q leaves the bounds; and valid samples.
+
+    Parameters
+    ----------
+    integrate : callable
+        Integrator of the system.
+    system : NamedTuple
+        The system.
+    x : FloatArray, shape (n,)
+        State at the first sample.
+    samples : int
+        Number N of samples.
+    steps : int
+        Steps in a sample interval.
+    interval : float
+        Sample interval [s].
+    bounds : (float, float)
+        Range of q.
+    """
     out = np.full((samples, 3, 1), np.nan)
     valid = integrate(system, x, out, workspace(x), steps, interval / steps, float(bounds[0]), float(bounds[1]))
     return out[:, :, 0], valid

@@ -55,6 +55,17 @@ def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray, c
     """Solve with the factors of `factorise` for `count` right-hand sides.
 
     `right` (n · count,), row by row, becomes the solutions.
+
+    Parameters
+    ----------
+    factors : FloatArray, shape (n, n)
+        From `factorise`.
+    pivots : IntArray, shape (n,)
+        From `factorise`.
+    right : FloatArray, shape (n · count,)
+        Right-hand sides row by row; becomes the solutions.
+    count : int
+        Number of right-hand sides.
     """
     n = factors.shape[0]
     for k in range(n):

@@ -132,6 +132,23 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
 
     ``stage_of(system, i, h, work)`` fills `work.right` for the state `work.at` of stage i, and `work.push`; where mass,
     slopes or h are new it calls `factorise_stages`. It returns whether it could.
+
+    Parameters
+    ----------
+    method : Method
+        Coefficients of the stages.
+    stage_of : callable
+        Fills the right-hand side of a stage.
+    system : Any
+        What `stage_of` takes.
+    x : FloatArray, shape (STATES · P,)
+        State at the beginning.
+    h : float
+        Length of the step [s].
+    work : Work
+        Arrays of the integrator.
+    columns : int
+        Number P of columns.
     """
     shift = 1.0 / (method.gamma * h)
     for stage in range(len(method.nodes)):
@@ -176,7 +193,19 @@ def factorise_stages(shift: float, work: Work) -> bool:
 
 @compiled(inline="always")
 def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> None:
-    """Solve ``(shift·I − J) out = right``, with M⁻¹ `push` for the velocities beside, in all columns at once."""
+    """Solve ``(shift·I − J) out = right``, with M⁻¹ `push` for the velocities beside, in all columns at once.
+
+    Parameters
+    ----------
+    shift : float
+        1/(γ h) of the stage [1/s].
+    work : Work
+        Factors and right-hand sides.
+    out : FloatArray, shape (STATES · P,)
+        Takes the solutions.
+    columns : int
+        Number P of columns.
+    """
     mass = work.mass
     slopes = work.slopes
     right = work.right

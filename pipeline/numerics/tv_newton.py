@@ -85,7 +85,19 @@ def one_minus_product(p: float, g: float, cosine: float) -> float:
 
 @compiled(inline="always")
 def driving_noise(t: float, p: float, inverse_lam: float, delta: float) -> tuple[float, float]:
-    """Mean mu and variance 1/(lam C) of the change of the difference `t` in a Newton step."""
+    """Mean mu and variance 1/(lam C) of the change of the difference `t` in a Newton step.
+
+    Parameters
+    ----------
+    t : float
+        Difference of the derivative.
+    p : float
+        Dual variable of its variation, within ±1.
+    inverse_lam : float
+        1/λ of the variation's weight.
+    delta : float
+        Rounding of the corner, √ε.
+    """
     square = t * t + delta * delta
     inverse = 1.0 / math.sqrt(square)
     g = t * inverse
@@ -195,7 +207,19 @@ def _smooth(at: Iterate, step: NewtonStep, delta: float) -> tuple[float, float, 
 
 @compiled
 def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> float:
-    """Objective at ``(y, t) + share (dy, dt)`` less its value ``lam delta`` per difference for a straight line."""
+    """Objective at ``(y, t) + share (dy, dt)`` less its value ``lam delta`` per difference for a straight line.
+
+    Parameters
+    ----------
+    at : Iterate
+        The iterate.
+    step : NewtonStep
+        Newton step from it.
+    share : float
+        Share of the step that is taken.
+    delta : float
+        Rounding of the corner, √ε.
+    """
     b, y, t, _, _, lam = at
     dy, dt, _, _ = step
     variation = 0.0
@@ -214,6 +238,17 @@ def advance(at: Iterate, step: NewtonStep, primal: float, dual: float, delta: fl
     The gap, primal less dual objective, is a sum of squares.  With ``t = r sin a``, ``delta = r cos a`` and
     ``p = sin c`` each term of the variation's gap ``r − p t − delta sqrt(1 − p²)`` is ``r (1 − cos(a − c))``, which
     is half a sum of two squares.  The objective is strongly convex, so ``½‖y − y*‖² ≤ gap``.
+
+    Parameters
+    ----------
+    at : Iterate
+        The iterate, which is moved.
+    step : NewtonStep
+        Newton step from it.
+    primal, dual : float
+        Shares of the step that are taken.
+    delta : float
+        Rounding of the corner, √ε.
     """
     b, y, t, q, p, lam = at
     dy, dt, dp, _ = step
@@ -244,8 +279,18 @@ def newton_step_high_order(
     times as long as with the recursions of `newton_step` written out, with about (m+1)(m+5) multiplications and
     additions.
 
-    Parameters as of `newton_step`, with the `order` m = 1, 2, … of the penalised derivative, N ≥ m + 1,
-    ``t[:m+1] = 0``.
+    Parameters
+    ----------
+    at : Iterate
+        Where the step starts; N ≥ m + 1, ``t[:m+1] = 0``.
+    step : NewtonStep
+        The step (output).
+    delta : float
+        Rounding of the total variation [unit of the data].
+    order : int
+        Order m = 1, 2, … of the penalised derivative.
+    first_variance : float
+        0: the first sample is exact, 1: it is as noisy as the others.
     """
     start = difference_weights(order)
     room = start_covariance(start, first_variance), np.zeros((2, order + 1))

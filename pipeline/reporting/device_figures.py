@@ -33,9 +33,9 @@ from .recipe_figures import study_figure
 
 _Measured = tuple[FloatArray, FloatArray] | None
 _Wanted = tuple[str, str, tuple[float, float], Callable[[Curves], FloatArray | None], _Measured]
-WIDEST = 4.0  # times the headline's own frame, up to which it is widened for other models; or to twice the headline
+WIDEST = 4.0  # times the main model's own frame, up to which it is widened for other models; or to twice the main model
 OUTER = 0.05  # share of a curve at either end that widens no frame
-FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor
+FRAME_MARGIN = 1.5  # a curve is cut where it leaves the main model's visited part by more than this factor
 LEAST_DRAWN = 1.0  # samples, on the logarithmic axis
 CEILING = 1.5  # the energy is drawn up to this multiple of its largest value in the visited range without input
 _EQUILIBRIA = {True: "stable equilibrium", False: "unstable equilibrium"}
@@ -49,7 +49,7 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
         figures["curves"] = _curves(data, sheet)
     portrait = _phase_portrait(data, sheet)
     figures |= {"phase-portrait": portrait} if portrait is not None else {}
-    places = places_among(data.models.get(sheet.headline), data.siblings)
+    places = places_among(data.models.get(sheet.main_model), data.siblings)
     figures |= {"siblings": siblings_figure(places)} if places else {}
     instruments = instruments_figure(data.instruments)
     figures |= {"instruments": instruments} if instruments is not None else {}
@@ -97,7 +97,7 @@ def _study(data: RunData, study: Study) -> Figure:
 
 def _electrostatic(data: RunData, squared: bool) -> bool:
     """Whether an input's force is half the slope of a capacitance: that of a squared voltage on a known mass."""
-    return squared and data.voltage == "V" and data.mass_known
+    return squared and data.device.inputs[0].symbol == "V" and data.device.known_mass is not None
 
 
 def _curves(data: RunData, sheet: Datasheet) -> Figure:
@@ -105,23 +105,27 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
     outside = []
     for name, unit, visited, pick, measured in _wanted_curves(data, sheet):
         curves = _curves_of(sheet, pick)
-        frame = _frame(curves, visited, widened=not data.joint)
+        frame = _frame(curves, visited, widened=not data.device.joint)
         panels.append(_curve_panel(name, unit, curves, frame, measured))
-        gone = [] if data.joint else _outside(curves, visited, frame)
+        gone = [] if data.device.joint else _outside(curves, visited, frame)
         outside += [f"{name} of {', '.join(gone)}"] if gone else []
     band = f" Bands: central {100 * COVERAGE:.0f} % of what the training data leave open." if sheet.draws else ""
-    per_mass = "" if data.mass_known else " Per unit mass, as no mass is given."
-    cut = "where hardly any sample lies and a curve runs away" if data.joint else "where a curve leaves the frame"
+    per_mass = "" if data.device.known_mass is not None else " Per unit mass, as no mass is given."
+    cut = (
+        "where hardly any sample lies and a curve runs away" if data.device.joint else "where a curve leaves the frame"
+    )
     caption = f"Over the range of the training data; cut {cut}.{band}{per_mass}"
     caption += f" Mostly outside the frame: {'; '.join(outside)}." if outside else ""
     caption += " Circles: measured." if data.measured_curves else ""
-    return Figure("curves", "Characteristic curves", caption, "q", data.displacement, tuple(panels), columns=2)
+    return Figure(
+        "curves", "Characteristic curves", caption, "q", data.device.displacement.symbol, tuple(panels), columns=2
+    )
 
 
 def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
-    """Force, damping as far as the headline has one, and the push of each input."""
+    """Force, damping as far as the main model has one, and the push of each input."""
     first = next(iter(sheet.curves.values()))
-    units = data.curve_units
+    units = data.device.curve_units
     measured = data.measured_curves
     electrostatic = _electrostatic(data, first.squared)
     factor, symbol, push = (2.0, "∂C{}/∂q", units["dC"]) if electrostatic else (1.0, "g{}", units["g"])
@@ -173,9 +177,9 @@ def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) ->
 
 
 def _frame(curves: Sequence[_Curve], visited: tuple[float, float], *, widened: bool) -> tuple[float, float]:
-    """What of the vertical axis is drawn: the visited part of the headline's band and a margin.
+    """What of the vertical axis is drawn: the visited part of the main model's band and a margin.
 
-    It is `widened` by the central part of every other curve that is not too far away for the headline to be read.
+    It is `widened` by the central part of every other curve that is not too far away for the main model to be read.
     """
     inner = curves[0].inner(visited)
     bottom = float(curves[0].low[inner].min())
@@ -208,7 +212,7 @@ def _curve_panel(
             bands.append(Band(f"{model}, {100 * COVERAGE:.0f} % band", model, q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, q[rows], inside[rows]))
-    # The headline is drawn last, over its baselines.
+    # The main model is drawn last, over its baselines.
     return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), _circles(measured, lines, frame))
 
 
@@ -231,11 +235,11 @@ def _circles(
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
-    largest = np.max([peaks(voltages(log.kinematics), joint=data.joint) for log in data.logs], axis=0)
+    largest = np.max([peaks(voltages(log.kinematics), joint=data.device.joint) for log in data.logs], axis=0)
     roles = ("measured", "v1", "v2")
-    cases = [(f"no {data.input_word}", np.zeros(len(curves.pushes)))]
+    cases = [(f"no {data.device.input_word}", np.zeros(len(curves.pushes)))]
     cases += [
-        (f"v{k + 1} = {quantity(float(largest[k]), data.voltage)}", np.eye(len(curves.pushes))[k])
+        (f"v{k + 1} = {quantity(float(largest[k]), data.device.inputs[0].symbol)}", np.eye(len(curves.pushes))[k])
         for k in range(len(curves.pushes))
     ]
     lines = []
@@ -254,8 +258,8 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         points += _marked(rest, role, loaded.q, energy)
     source = f"{name}{NOT_USED}" if sheet.refused and name == sheet.model else name
     caption = f"Potential of {source} without input and with each input alone, counted from its lowest point."
-    panels = (Panel("energy U", data.energy_unit, tuple(lines), points=tuple(points)),)
-    return Figure("energy", "Energy landscape", caption, "q", data.displacement, panels, half=True)
+    panels = (Panel("energy U", data.device.energy_unit, tuple(lines), points=tuple(points)),)
+    return Figure("energy", "Energy landscape", caption, "q", data.device.displacement.symbol, panels, half=True)
 
 
 def _marked(places_of_rest: Sequence[CurveEquilibrium], role: str, q: FloatArray, heights: FloatArray) -> list[Points]:
@@ -278,22 +282,22 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
     )
     points: list[Points] = []
     cells = None
-    caption = f"Measured motion without {data.input_word}."
+    caption = f"Measured motion without {data.device.input_word}."
     if sheet.model is not None:
         curves = sheet.curves[sheet.model]
         points = _marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1))
-        wells = outer_wells(curves, joint=data.joint)
+        wells = outer_wells(curves, joint=data.device.joint)
         if wells is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (
-                f"Measured motion while no {data.input_word} is on, over the basins of {sheet.model} without "
-                f"{data.input_word}: from each cell the model was released and simulated for {BASIN_TIME:g} s."
+                f"Measured motion while no {data.device.input_word} is on, over the basins of {sheet.model} without "
+                f"{data.device.input_word}: from each cell the model was released and simulated for {BASIN_TIME:g} s."
             )
     if cells is None and not moves_unforced(data):
         return None
-    panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
+    panel = Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=tuple(points), cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"
-    return Figure("phase-portrait", title, caption, "q", data.displacement, (panel,), tall=1.5)
+    return Figure("phase-portrait", title, caption, "q", data.device.displacement.symbol, (panel,), tall=1.5)
 
 
 def _excitation(data: RunData) -> Figure:
@@ -305,6 +309,8 @@ def _excitation(data: RunData) -> Figure:
     bars = Band("training samples", "reference", x, np.full(x.size, LEAST_DRAWN), heights)
     panel = Panel("samples per centre", "1", (line,), (bars,), log=True)
     caption = (
-        f"Training samples nearest to each of {data.centres} basis centres; thin places are where curves are uncertain."
+        f"Training samples nearest to each of {len(places)} basis centres; where they are few, curves are uncertain."
     )
-    return Figure("excitation", "Where the device was seen", caption, "q", data.displacement, (panel,), half=True)
+    return Figure(
+        "excitation", "Where the device was seen", caption, "q", data.device.displacement.symbol, (panel,), half=True
+    )

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..diagnostics.facts.events import input_steps, voltage_switches
-from ..diagnostics.facts.residual_analysis import Residual, headline_residual
+from ..diagnostics.facts.residual_analysis import Residual, main_residual
 from ..diagnostics.facts.run_data import LogData, RunData, judged_log
 from ..numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
 from ..numerics.metrics import fit_percent, rmse
@@ -38,8 +38,8 @@ def _timeline(
     t = log.kinematics["t"]
     q = log.kinematics["q"]
     v = voltages(log.kinematics)
-    switched = {"voltage switched": voltage_switches(t, v)} if data.joint else {}
-    marks = switched or {f"{data.input_word} steps": input_steps(t, v)}
+    switched = {"voltage switched": voltage_switches(t, v)} if data.device.joint else {}
+    marks = switched or {f"{data.device.input_word} steps": input_steps(t, v)}
     marks["device snaps over"] = t[snaps(q, wells)]
     places = {name: at[~_unknown(log, at)] for name, at in marks.items()}
     return Figure(
@@ -67,9 +67,9 @@ def _hidden(data: RunData, log: LogData) -> tuple[str, ...]:
     for s in data.scores:
         if s["signal"] == "q" and s["role"] == judged:
             errors.setdefault(s["model"], []).append(np.inf if s["nrmse"] is None else float(s["nrmse"]))
-    headline, *baselines = data.model_names
+    main_model, *baselines = data.model_names
     best = sorted(baselines, key=lambda name: max(errors.get(name, [np.inf])))[:BASELINES_SHOWN]
-    shown = {m for m in (headline, *best) if m in log.outcomes and log.outcomes[m]["status"] == "ok"}
+    shown = {m for m in (main_model, *best) if m in log.outcomes and log.outcomes[m]["status"] == "ok"}
     return tuple(name for name in log.predictions if name not in shown) if shown else ()
 
 
@@ -79,7 +79,10 @@ def _masked(t: FloatArray, segment: FloatArray) -> tuple[tuple[float, float], ..
 
 def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.record["t"]
-    panels = [Panel("q", data.displacement, (Line("q measured", "measured", t, log.record["q"]),)), _inputs(data, log)]
+    panels = [
+        Panel("q", data.device.displacement.symbol, (Line("q measured", "measured", t, log.record["q"]),)),
+        _inputs(data, log),
+    ]
     notes = log.record_notes
     caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart"
     if "raw_rows" in notes:
@@ -90,17 +93,17 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 
 
 def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
-    """The inputs over time, without stretches in which they are not known."""
+    """The inputs over time, without segments in which they are not known."""
     t = log.record["t"]
-    sides = {"v1": " (left)", "v2": " (right)"} if data.joint else {}
+    sides = {"v1": " (left)", "v2": " (right)"} if data.device.joint else {}
     recorded = {name: np.where(_unknown(log, t), np.nan, log.record[name]) for name in data.inputs}
     lines = tuple(Line(name + sides.get(name, ""), name, t, values) for name, values in recorded.items())
-    return Panel(data.input_word + "s" * (len(lines) > 1), data.voltage, lines, low=low)
+    return Panel(data.device.input_word + "s" * (len(lines) > 1), data.device.inputs[0].symbol, lines, low=low)
 
 
 def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     table = log.kinematics
-    unit = signal_units(data.displacement)
+    unit = signal_units(data.device.displacement.symbol)
     t = table["t"]
     q = table["q"]
     velocity = np.gradient(q, t)
@@ -125,7 +128,7 @@ def differentiation(data: RunData, log: LogData) -> str:
     if not stretches:
         return "How it was differentiated was not recorded."
     alphas = [s["alpha"] for s in stretches if s.get("alpha") is not None]
-    unit = ALPHA_UNIT[data.displacement][0].replace("deg", "°")
+    unit = ALPHA_UNIT[data.device.displacement.symbol][0].replace("deg", "°")
     text = METHODS.get(str(notes["method"]), str(notes["method"]))
     if notes["method"] == "tvregdiff":
         text += f" of order {notes['order']}"
@@ -135,7 +138,7 @@ def differentiation(data: RunData, log: LogData) -> str:
         between = " … ".join(significant(alpha) for alpha in sorted({min(alphas), max(alphas)}))
         text += f", α = {between} {unit}"
     failed = sum(not s.get("converged", True) for s in stretches)
-    return text + (f"; {failed} of {len(stretches)} stretches did not converge." if failed else ", converged.")
+    return text + (f"; {failed} of {len(stretches)} segments did not converge." if failed else ", converged.")
 
 
 def measured_signals(log: LogData) -> dict[str, FloatArray]:
@@ -145,15 +148,15 @@ def measured_signals(log: LogData) -> dict[str, FloatArray]:
 
 def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.kinematics["t"]
-    unit = signal_units(data.displacement)
+    unit = signal_units(data.device.displacement.symbol)
     panels = []
     for name, measured in measured_signals(log).items():
         lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
-        # The headline is drawn last, over the measurement and its baselines.
+        # The main model is drawn last, over the measurement and its baselines.
         lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
         panels.append(Panel(HEADINGS[name], unit[name], tuple(lines)))
     gone = [f"{m} diverged at {moment(n['diverged_at_s'])}" for m, n in log.outcomes.items() if n["status"] != "ok"]
-    inputs = f"{data.input_word}s"
+    inputs = f"{data.device.input_word}s"
     caption = f"Free runs from the log's first sample under its measured {inputs}; nothing is fed back."
     caption += f" {'; '.join(gone)}." if gone else ""
     return _timeline(data, log, wells, "models", "Measured against models", caption, panels)
@@ -172,32 +175,32 @@ def fit_note(measured: FloatArray, free: FloatArray) -> str:
 
 def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     """Q as measured and as the models run freely, with the fit of the main one that MATLAB's ``compare`` states."""
-    headline = data.model_names[0]
+    main_model = data.model_names[0]
     t = log.kinematics["t"]
     measured = log.kinematics["q"]
-    others = tuple(Line(m, m, t, run["q"]) for m, run in log.predictions.items() if m != headline)
+    others = tuple(Line(m, m, t, run["q"]) for m, run in log.predictions.items() if m != main_model)
     lines = [Line("measured", "measured", t, measured, wide=True), *others]
     below = [_inputs(data, log, low=True)]
-    caption = f"Free run from the first sample under the measured {data.input_word}s; {FIT}."
+    caption = f"Free run from the first sample under the measured {data.device.input_word}s; {FIT}."
     bands: tuple[Band, ...] = ()
     limits = _limits([measured])
-    if headline in log.predictions:
-        predicted = log.predictions[headline]
+    if main_model in log.predictions:
+        predicted = log.predictions[main_model]
         free = predicted["q"]
-        lines.append(Line(f"{headline}: {fit_note(measured, free)}", headline, t, free))
+        lines.append(Line(f"{main_model}: {fit_note(measured, free)}", main_model, t, free))
         error = Line("model − measured", "raw", t, free - measured, parts=(free, measured))
         about: tuple[Band, ...] = ()
         limits = _limits([measured, free])
         off = _limits([free - measured])
         if "q_low" in predicted:
-            bands = tuple(_tubes(predicted, headline))
-            about = (Band(TUBE, headline, t, predicted["q_low"] - free, predicted["q_high"] - free),)
+            bands = tuple(_tubes(predicted, main_model))
+            about = (Band(TUBE, main_model, t, predicted["q_low"] - free, predicted["q_high"] - free),)
             caption += " Nine in ten samples of another log are expected inside the tube"
             limits, clipped = _with_tubes(limits, bands)
             off, _ = _with_tubes(off, about)
             caption += ", which reaches beyond the axis." if clipped else "."
-        below.insert(0, Panel("error", data.displacement, (error,), bands=about, y_limits=off, low=True))
-    panels = [Panel("q", data.displacement, tuple(lines), bands=bands, y_limits=limits), *below]
+        below.insert(0, Panel("error", data.device.displacement.symbol, (error,), bands=about, y_limits=off, low=True))
+    panels = [Panel("q", data.device.displacement.symbol, tuple(lines), bands=bands, y_limits=limits), *below]
     figure = _timeline(data, log, wells, "overlay", "Measured against the model", caption, panels)
     return replace(figure, hidden=tuple(line.label for line in others))
 
@@ -233,7 +236,7 @@ def _tubes(predicted: Mapping[str, FloatArray], model: str) -> Iterator[Band]:
 
 def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.kinematics["t"]
-    unit = signal_units(data.displacement)
+    unit = signal_units(data.device.displacement.symbol)
     panels = []
     for name, measured in measured_signals(log).items():
         lines = [
@@ -253,7 +256,7 @@ def residual_figures(data: RunData, wells: Wells | NoWells) -> dict[str, Figure]
     """Correlations and spectrum for the worst validation log (training log without any); none of a short record."""
     log = judged_log(data)
     model = data.model_names[0]
-    residual = headline_residual(data, log)
+    residual = main_residual(data, log)
     if residual is None:
         return {}
     return {
@@ -271,7 +274,9 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
 
     panels = [panel("autocorrelation", residual.correlation, residual.band)]
     for k, (values, half) in enumerate(zip(residual.with_inputs, residual.input_bands, strict=True), start=1):
-        panels.append(panel(f"correlation with v{k}{'²' if data.squared else ''}", values, float(half)))
+        panels.append(
+            panel(f"correlation with v{k}{'²' if (data.device.action == 'squared') else ''}", values, float(half))
+        )
     colour = "rings with the device" if rings else "fades as slowly as the device settles"
     caption = (
         f"{log.title.capitalize()}: {100 * residual.outside:.0f} % of the correlations with inputs lie outside their "
@@ -287,7 +292,7 @@ def _spectrum(data: RunData, log: LogData, model: str, residual: Residual) -> Fi
         Line(f"residual of {model}", model, residual.frequency, residual.density),
     )
     caption = f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing."
-    unit = f"{data.displacement}²/Hz"
+    unit = f"{data.device.displacement.symbol}²/Hz"
     panel = Panel("power spectral density", unit, lines, log=True)
     title = "Residual analysis: spectrum"
     return Figure("residual-spectrum", title, caption, "frequency", "Hz", (panel,), x_log=True, half=True)

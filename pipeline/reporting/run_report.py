@@ -8,11 +8,11 @@ from typing import Any
 from ..diagnostics.facts.datasheet import Datasheet
 from ..diagnostics.facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
 from ..diagnostics.facts.run_data import WHY, RunData, judged_log
-from ..diagnostics.rows import CheckRow, beside, remarks
+from ..diagnostics.rows import CheckRow, beside
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
 from ..units.quantity import short
-from .canvas import page_chart
+from .canvas import chart
 from .control_figures import control_figures
 from .datasheet_rows import (
     NOT_USED,
@@ -27,7 +27,7 @@ from .figure import Figure
 from .legend import event_swatches, swatches
 from .log_figures import LOG_FIGURES, log_figures, overlay
 from .page import json_for_script, render, viewer_data
-from .short_tables import headline_table
+from .short_tables import main_table
 from .tables import BEST, HEADINGS, TIED, NrmseTable, TableCell, behaviour_table, nrmse_table
 
 SECTION_TITLES = {
@@ -63,13 +63,13 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     for name, figure in figures.items():
         if name not in shown:
             kind = name.partition("-")[0]
-            charts[kind if kind in charts else ""].append(_chart(figure, models))
-    rows = sheet_rows(sheet)
+            charts[kind if kind in charts else ""].append(chart(figure, models))
+    rows = sheet_rows(sheet.facts)
     context = {
-        "name": data.name,
+        "name": data.prototype.name,
         "subtitle": _subtitle(data),
-        "headline": sheet.headline,
-        "verdict": verdict(sheet.checks),
+        "main_model": sheet.main_model,
+        "assessment": assessment(sheet.checks),
         "data_grade": sheet.grades["data"],
         "model_grade": sheet.grades["model"],
         "checks": sheet.checks,
@@ -95,8 +95,8 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     return render("report.html.j2", ("uplot.min.js", "tables.js", "series.js", "viewer.js"), context)
 
 
-def verdict(checks: Sequence[Check]) -> str:
-    """The verdict in one sentence: the worst of what is wrong, or that nothing is."""
+def assessment(checks: Sequence[Check]) -> str:
+    """The assessment in one sentence: the worst of what is wrong, or that nothing is."""
     for grade in ("poor", "fair"):
         failing = [check for check in checks if check.grade == grade]
         if failing:
@@ -120,7 +120,7 @@ def _log_checks(data: RunData) -> dict[str, Any]:
     """What the check of the logs against the settings found, side by side."""
     rows = [CheckRow(**row) for row in data.log_checks]
     header, table = beside(rows)
-    return {"header": header, "rows": table, "remarks": remarks(rows)}
+    return {"header": header, "rows": table, "remarks": [row.remark for row in rows if row.state == "note"]}
 
 
 def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
@@ -155,7 +155,7 @@ def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
             tables.append(shown)
     return {
         "score_tables": tables,
-        "worst": headline_table([row for row in scores if row["model"] in data.model_names]),
+        "worst": main_table([row for row in scores if row["model"] in data.model_names]),
     }
 
 
@@ -198,15 +198,11 @@ def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
     return {"figure": figure, "legend": swatches(figure, models), "axis": axis, "events": event_swatches(figure)}
 
 
-def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
-    return {"figure": figure, "drawings": page_chart(figure, models), "legend": swatches(figure, models, marks=True)}
-
-
 def _model(data: RunData, name: str) -> Described:
     # Deviations are the coordinates of the fit; what they mean stands among the calibrated quantities.
     hidden = {"deviations"} if data.why_chosen else {"deviations", WHY}
     facts = {key: value for key, value in data.descriptions.get(name, {}).items() if key not in hidden}
-    return described(name, facts, data.displacement, mass_known=data.mass_known)
+    return described(name, facts, data.device.displacement.symbol, mass_known=data.device.known_mass is not None)
 
 
 def _provenance(data: RunData) -> dict[str, Any]:

@@ -4,7 +4,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 
@@ -19,18 +19,21 @@ STEP_HOLD = 0.12  # s, shortest hold of a random step: the converter settles, th
 MULTISINE_LINES = 8
 REST, PULSE, PAUSE = 1.0, 1.0, 1.0  # s: before the first burst; of alternating pulses
 
-# Excitations: how often each kind of burst is drawn, in the order pulse, both sides on, chirp, steps, multisine.
-SHARES: dict[str, tuple[float, float, float, float, float]] = {
-    "pulses": (1.0, 0.0, 0.0, 0.0, 0.0),
-    "chirps": (0.4, 0.0, 0.6, 0.0, 0.0),
-    "both": (0.6, 0.4, 0.0, 0.0, 0.0),
-    "steps": (0.2, 0.0, 0.0, 0.8, 0.0),
-    "multisine": (0.4, 0.0, 0.0, 0.0, 0.6),
-    "mixed": (0.4, 0.12, 0.18, 0.15, 0.15),
-    "training": (0.86, 0.1, 0.04, 0.0, 0.0),
-    "validation": (0.72, 0.16, 0.12, 0.0, 0.0),
+BurstKind = Literal["pulse", "both", "chirp", "steps", "multisine"]
+BURSTS: tuple[BurstKind, ...] = get_args(BurstKind)
+"""Kinds of bursts: one side on, both sides on, and three that swing between the sides."""
+SHARES: dict[str, dict[BurstKind, float]] = {
+    "pulses": {"pulse": 1.0},
+    "chirps": {"pulse": 0.5, "chirp": 0.5},
+    "both": {"pulse": 0.5, "both": 0.5},
+    "steps": {"pulse": 0.5, "steps": 0.5},
+    "multisine": {"pulse": 0.5, "multisine": 0.5},
+    "mixed": dict.fromkeys(BURSTS, 1.0 / len(BURSTS)),
+    "training": {"pulse": 0.86, "both": 0.1, "chirp": 0.04},
+    "validation": {"pulse": 0.72, "both": 0.16, "chirp": 0.12},
 }
-"""The last two are those of three prototypes' logs, as are the shares below: 6 logs of 20 to 27 bursts."""
+"""How often each kind of burst is drawn in an excitation. The last two are those of three prototypes' logs, as are the
+shares below: 6 logs of 20 to 27 bursts."""
 
 EXCITATIONS = (*SHARES, "alternating")
 """Excitations of a log; "alternating" is `switching_pulses`."""
@@ -129,14 +132,15 @@ def random_excitation(rng: np.random.Generator, *, duration: float = 37.5, excit
         return switching_pulses(rng, duration=duration)
     none = np.empty(0)
     bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), MAX_VOLTAGE, 0.0, none, none)]
+    shares = SHARES[excitation]
     start = REST + bursts[0].duration + float(rng.uniform(0.05, 0.6))
     side = 1
     while start < duration - 0.2:
-        kind = int(rng.choice(5, p=SHARES[excitation]))
+        kind = BURSTS[int(rng.choice(len(BURSTS), p=[shares.get(name, 0.0) for name in BURSTS]))]
         burst = draw_burst(rng, kind, start, side, MAX_VOLTAGE, SHORT_PULSES)
         bursts.append(burst)
         start += burst.duration + draw_pause(rng, SHORT_PAUSES)
-        side = 1 - side if kind == 0 and rng.random() < 0.8 else side
+        side = 1 - side if kind == "pulse" and rng.random() < 0.8 else side
     return bursts
 
 
@@ -145,21 +149,39 @@ def draw_pause(rng: np.random.Generator, short: float = 0.4) -> float:
     return float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[short, 1.0 - short]))
 
 
-def draw_burst(rng: np.random.Generator, kind: int, start: float, side: int, top: float, short: float = 0.35) -> Burst:
-    """One burst of the kind numbered as in `SHARES`, up to `top` [V]; `side` 0 is left; so many pulses are `short`."""
+def draw_burst(
+    rng: np.random.Generator, kind: BurstKind, start: float, side: int, top: float, short: float = 0.35
+) -> Burst:
+    """One burst.
+
+    Parameters
+    ----------
+    rng : Generator
+        Draws it.
+    kind : BurstKind
+        What it is.
+    start : float
+        When it begins [s].
+    side : int
+        Of a pulse: 0 is left.
+    top : float
+        Largest voltage [V].
+    short : float
+        Share of the pulses in which the joint does not come to rest.
+    """
     none = np.empty(0)
     amplitude = top if rng.random() < 0.55 else float(rng.uniform(0.5, 1.0)) * top
-    if kind == 0:
+    if kind == "pulse":
         length = float(rng.uniform(0.1, 0.6) if rng.random() < short else rng.uniform(1.0, 2.4))
         left, right = (amplitude, 0.0) if side == 0 else (0.0, amplitude)
         return Burst("pulse", start, length, left, right, none, none)
-    if kind == 1:
+    if kind == "both":
         left, right = rng.uniform(0.5, 0.95, 2) * top
         return Burst("pulse", start, float(rng.uniform(0.8, 2.2)), float(left), float(right), none, none)
-    if kind == 2:
+    if kind == "chirp":
         band = np.array([rng.uniform(0.5, 2.0), rng.uniform(4.0, 10.0)])
         return Burst("chirp", start, float(rng.uniform(1.0, 2.4)), amplitude, amplitude, band, none)
-    if kind == 3:
+    if kind == "steps":
         levels = rng.uniform(-1.0, 1.0, int(rng.integers(6, 16)))
         length = STEP_HOLD * levels.size * float(rng.uniform(1.0, 4.0))
         return Burst("steps", start, length, top, top, none, levels)

@@ -2,25 +2,24 @@
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any, Literal, cast, get_args
+from typing import Literal, cast, get_args
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from ..errors import InputError
-from ..settings.logs import Number, SettingsTable, Whole
+from ..settings.logs import Number, Role, SettingsTable, Whole
 from ..store.outputs import new_outputs, rebased
 from .bench import Bench, BenchRecord, random_bench, record
 from .excitation import EXCITATIONS, Sequence, command, load_sequence, random_excitation
 from .joint import wells
 from .log import LAYOUTS, Fault, FaultKind, RawLog, inject_faults
 from .parameters import RigParameters, as_json, nominal, sized, table1
-from .random_joint import Family, aged, random_joint
+from .random_joint import Drift, Family, aged, random_joint
 
 Kind = Literal["same", "foreign", "worn", "nominal", "table1"]
-Role = Literal["train", "validation"]
 
 TRUTH_INTERVAL = 1e-3  # s
 _RATE_STEP = 2000.0  # Hz: the joint's time step must be a whole number of samples
@@ -30,82 +29,6 @@ _BEAM_SHARE = 0.25  # of the beam's mass that moves with the frame, about
 
 _EXCITATIONS: dict[Role, str] = {"train": "training", "validation": "validation"}
 """Default excitation of the logs."""
-
-
-@dataclass(frozen=True)
-class Experiment:
-    """What to simulate.
-
-    Attributes
-    ----------
-    kind : str
-        ``same``, ``foreign`` and ``worn`` draw a joint, see :mod:`pipeline.rig.random_joint`; ``nominal`` and
-        ``table1`` are the drawing itself.
-    format : str
-        A name in :data:`pipeline.rig.log.LAYOUTS`.
-    rate, duration : float
-        Samples per second [Hz] and length [s] of each log.
-    training_logs, validation_logs : int
-        How many.
-    excitation : str or None
-        Excitation of every log; by default ``training`` or ``validation``, as its role.
-    faults : tuple of str
-        Kinds of faults put into every log, see :func:`pipeline.rig.log.inject_faults`.
-    play : str or None
-        File with a voltage sequence that every training log plays from start to end; validation logs stay drawn.
-    charging : float
-        Time constant [s] with which membranes charge through their electrodes; 0: at once.
-    age : float or None
-        Days since a prototype was made; its joint and its bench are those of the seed, its logs those of the day.
-        None: the logs of the first experiment, and no ageing.
-    drift : mapping of str to float
-        What changes, and by how much a day, see :data:`pipeline.rig.random_joint.DRIFTS`.
-    size : float
-        Factor on the joint's lengths, see :func:`pipeline.rig.parameters.sized`.
-    """
-
-    kind: str = "same"
-    format: str = "mat"
-    rate: float = 30_000.0
-    duration: float = 37.5
-    training_logs: int = 1
-    validation_logs: int = 1
-    excitation: str | None = None
-    faults: tuple[FaultKind, ...] = ()
-    play: str | None = None
-    charging: float = 0.0
-    age: float | None = None
-    drift: Mapping[str, float] = field(default_factory=dict)
-    size: float = 1.0
-
-    def __post_init__(self) -> None:
-        for option, value, allowed in (
-            ("--kind", self.kind, get_args(Kind)),
-            ("excitation =", self.excitation or "mixed", EXCITATIONS),
-            ("--format", self.format, tuple(LAYOUTS)),
-        ):
-            if value not in allowed:
-                raise InputError(f"{option} {value}: unknown; choose one of {', '.join(allowed)}")
-        if self.rate < _RATE_STEP or self.rate % _RATE_STEP:
-            raise InputError(f"--rate {self.rate:g}: the rig samples at multiples of {_RATE_STEP:g} Hz")
-        if not 2.0 <= self.duration <= 3600.0:
-            raise InputError(f"--duration {self.duration:g}: a log lasts 2 to 3600 s")
-
-
-class Drift(SettingsTable):
-    """Changes in a day, proportional to the age."""
-
-    capacitance_percent: Number = 0.0
-    """Of both membranes."""
-    stiffness_percent: Number = 0.0
-    """Of the beam in bending."""
-    charging_s: Number = 0.0
-    """Of the time constant with which the membranes charge."""
-    laser_m: Number = 0.0
-    """Of the laser's reading at q = 0."""
-
-
-USUAL_DRIFT = Drift(capacitance_percent=-0.1, stiffness_percent=-0.05, charging_s=20e-6, laser_m=2e-6)
 
 
 class ExperimentFile(SettingsTable):
@@ -128,33 +51,40 @@ class ExperimentFile(SettingsTable):
     """Factor on the joint's lengths, which moves alike."""
     age_days: Number | None = Field(default=None, ge=0.0, le=1e5)
     """Age of the prototype: the same joint with other logs."""
-    drift: Drift = USUAL_DRIFT
+    drift: Drift = Drift(capacitance_percent=-0.1, stiffness_percent=-0.05, charging_s=20e-6, laser_m=2e-6)
     """What changes in a day, where there is an age."""
 
-    def fields(self, folder: Path) -> dict[str, Any]:
-        """The same as fields of an `Experiment`; `folder` is that of the file."""
-        drift = self.drift
-        changes = {
-            "capacitance": 0.01 * drift.capacitance_percent,
-            "stiffness": 0.01 * drift.stiffness_percent,
-            "charging": drift.charging_s,
-            "laser": drift.laser_m,
-        }
-        return {
-            "training_logs": self.training_logs,
-            "validation_logs": self.validation_logs,
-            "excitation": self.excitation,
-            "play": None if self.play is None else str(folder / self.play),
-            "faults": self.faults,
-            "charging": self.charging_time_s,
-            "size": self.size,
-            "age": self.age_days,
-            "drift": changes if self.age_days is not None else {},
-        }
+
+class Experiment(ExperimentFile):
+    """What to simulate."""
+
+    kind: str = "same"
+    """same, foreign, worn: drawn (`pipeline.rig.random_joint`); nominal, table1: the drawing itself."""
+    format: str = "mat"
+    """A name in `pipeline.rig.log.LAYOUTS`."""
+    rate: float = 30_000.0
+    """Samples per second [Hz]."""
+    duration: float = 37.5
+    """Length of each log [s]."""
+
+    @model_validator(mode="after")
+    def _checked(self) -> "Experiment":
+        for option, value, allowed in (
+            ("--kind", self.kind, get_args(Kind)),
+            ("excitation =", self.excitation or "mixed", EXCITATIONS),
+            ("--format", self.format, tuple(LAYOUTS)),
+        ):
+            if value not in allowed:
+                raise InputError(f"{option} {value}: unknown; choose one of {', '.join(allowed)}")
+        if self.rate < _RATE_STEP or self.rate % _RATE_STEP:
+            raise InputError(f"--rate {self.rate:g}: the rig samples at multiples of {_RATE_STEP:g} Hz")
+        if not 2.0 <= self.duration <= 3600.0:
+            raise InputError(f"--duration {self.duration:g}: a log lasts 2 to 3600 s")
+        return self
 
 
 @dataclass(frozen=True)
-class Log:
+class SimulatedLog:
     """One simulated log: its file's stem, what excited it, what was recorded."""
 
     role: Role
@@ -168,6 +98,17 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
 
     A drawn prototype is drawn again until every log switches often enough and none reaches the laser's rail, as an
     operator would choose the prototypes worth recording; all of it follows from `seed`.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of its files.
+    name : str
+        Name of the prototype.
+    experiment : Experiment
+        What is drawn and recorded.
+    seed : int
+        Seed of all draws.
 
     Returns
     -------
@@ -192,7 +133,7 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
     truth = {
         "seed": seed,
         "units": "SI",
-        "experiment": asdict(experiment),
+        "experiment": experiment.model_dump(),
         "excitations": {log.stem: log.excitation for log in logs},
         "wells_m": wells(joint),
         "joint": as_json(joint),
@@ -211,6 +152,17 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
 def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int) -> Path:
     """Write a prototype as `write_prototype` does, and return its settings file.
 
+    Parameters
+    ----------
+    folder : Path
+        Folder of its files.
+    name : str
+        Name of the prototype.
+    experiment : Experiment
+        What is drawn and recorded.
+    seed : int
+        Seed of all draws.
+
     Raises
     ------
     InputError
@@ -227,15 +179,26 @@ def simulate_fleet(folder: Path, count: int, experiment: Experiment, *, seed: in
 
     With the kind ``same`` every second prototype is ``foreign``: half of a fleet must not share the model's physics.
     Otherwise as `simulate_prototype`.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the prototypes' folders.
+    count : int
+        Number of prototypes.
+    experiment : Experiment
+        What is drawn and recorded.
+    seed : int
+        Seed of all draws.
     """
     for i in range(count):
         kind = "foreign" if experiment.kind == "same" and i % 2 else experiment.kind
         name = f"{kind}-{i:02d}"
         own = int(np.random.SeedSequence([seed, i]).generate_state(1)[0])
-        yield simulate_prototype(folder / name, name, replace(experiment, kind=kind), seed=own)
+        yield simulate_prototype(folder / name, name, experiment.model_copy(update={"kind": kind}), seed=own)
 
 
-def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameters, Bench, list[Log]]:
+def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameters, Bench, list[SimulatedLog]]:
     """A joint, its bench and its logs, drawn until they are worth recording; the drawing is taken as it is.
 
     With the generator of an equal seed it is what `write_prototype` drew.
@@ -248,23 +211,23 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameter
     sequence = None if experiment.play is None else load_sequence(Path(experiment.play))
     for _ in range(_MAX_TRIES):
         joint = sized(_joint(experiment.kind, rng), experiment.size)
-        bench = random_bench(rng, rate=experiment.rate, charging=experiment.charging)
+        bench = random_bench(rng, rate=experiment.rate, charging=experiment.charging_time_s)
         bench = replace(bench, laser=replace(bench.laser, rail=experiment.size * bench.laser.rail))
         logs = _logs(joint, bench, experiment, sequence, rng)
         if experiment.kind in ("nominal", "table1") or all(_worth_keeping(log.record, bench) for log in logs):
             break
     else:
         raise InputError(f"no prototype worth recording among {_MAX_TRIES} draws; take another --seed")
-    if experiment.age is None:
+    if experiment.age_days is None:
         return joint, bench, logs
-    joint, bench = aged(joint, bench, experiment.age, experiment.drift)
-    of_the_day = np.random.default_rng([int(rng.integers(2**32)), round(1e6 * experiment.age)])
+    joint, bench = aged(joint, bench, experiment.age_days, experiment.drift)
+    of_the_day = np.random.default_rng([int(rng.integers(2**32)), round(1e6 * experiment.age_days)])
     return joint, bench, _logs(joint, bench, experiment, sequence, of_the_day)
 
 
 def _logs(
     joint: RigParameters, bench: Bench, experiment: Experiment, sequence: Sequence | None, rng: np.random.Generator
-) -> list[Log]:
+) -> list[SimulatedLog]:
     """All logs of an experiment; those of training play the sequence, if there is one."""
     logs = []
     for role in _EXCITATIONS:
@@ -302,16 +265,16 @@ def _run(
     experiment: Experiment,
     played: Sequence | None,
     rng: np.random.Generator,
-) -> Log:
+) -> SimulatedLog:
     """Simulate log number `index` of a role, under the sequence `played` or under a drawn one."""
     stem = _stem(role, index)
     if played is not None:
         t = bench.clock(played.duration)
-        return Log(role, stem, "played", record(joint, bench, t, played.at(t), rng))
+        return SimulatedLog(role, stem, "played", record(joint, bench, t, played.at(t), rng))
     excitation = experiment.excitation or _EXCITATIONS[role]
     bursts = random_excitation(rng, duration=experiment.duration, excitation=excitation)
     t = bench.clock(experiment.duration)
-    return Log(role, stem, excitation, record(joint, bench, t, command(bursts, t), rng))
+    return SimulatedLog(role, stem, excitation, record(joint, bench, t, command(bursts, t), rng))
 
 
 def _worth_keeping(measured: BenchRecord, bench: Bench) -> bool:
@@ -346,7 +309,21 @@ def moving_mass(joint: RigParameters) -> float:
 
 
 def prototype_toml(name: str, mass: float, files: Mapping[str, list[str]], form: str, *, more: str = "") -> str:
-    """The prototype's settings: what a user would know of the device, not its truth; `more` goes to ``[plant]``."""
+    """The prototype's settings: what a user would know of the device, not its truth; `more` goes to ``[plant]``.
+
+    Parameters
+    ----------
+    name : str
+        Name of the prototype.
+    mass : float
+        Moving mass [kg].
+    files : mapping of str to list of str
+        Log files by role.
+    form : str
+        Layout of the logs.
+    more : str
+        Further lines of ``[plant]``.
+    """
     logs = "\n".join(["[logs]", *(f"{role} = {json.dumps(names)}" for role, names in files.items() if names)])
     plant = f'[plant]\nmass = {{ value = {mass:.4f}, unit = "kg" }}\ninputs = "squared"\n{more}'
     return f'# Simulated by the virtual rig.\nname = "{name}"\n\n{logs}\n\n{LAYOUTS[form].toml()}\n{plant}'

@@ -5,29 +5,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..device.parameters import BEAM_DAMPING_FACTOR, NOMINAL, TABLE1, JointParameters
 from ..numerics.arrays import FloatArray
 
-# Beam theories
-RITZ = 0
-CHAIN = 1
-# Rubber laws
-NEO_HOOKEAN = 0
-GENT = 1
-MOONEY_RIVLIN = 2
-OGDEN = 3
-# Strain that the viscous branches see: thickness stretch λ3 (§3.2.4), or Hencky strain ln λ1
-THICKNESS = 0
-HENCKY = 1
-# Friction laws
-MAXWELL_SLIP = 0
-LUGRE = 1
-BOUC_WEN = 2
-DAHL = 3
-
-EPS0 = 8.854e-12  # A s/(V m)
-LAYERS, FILM, AREA, PERMITTIVITY = 8, 50e-6, 1326e-6, 2.8  # Table 1: n, d0 [m], A0 [m²], εr
-VOLUME = LAYERS * AREA * FILM  # m³
-CAPACITANCE = LAYERS * EPS0 * PERMITTIVITY * AREA / FILM  # F
+BEAMS = ("ritz", "chain")
+RITZ, CHAIN = range(len(BEAMS))
+RUBBERS = ("neo-hookean", "gent", "mooney-rivlin", "ogden")
+NEO_HOOKEAN, GENT, MOONEY_RIVLIN, OGDEN = range(len(RUBBERS))
+STRAINS = ("thickness", "hencky")
+"""Strain that the viscous branches see: thickness stretch λ3 (§3.2.4), or Hencky strain ln λ1."""
+THICKNESS, HENCKY = range(len(STRAINS))
+FRICTIONS = ("maxwell-slip", "lugre", "bouc-wen", "dahl")
+MAXWELL_SLIP, LUGRE, BOUC_WEN, DAHL = range(len(FRICTIONS))
 
 
 class RigParameters(NamedTuple):
@@ -79,44 +68,40 @@ class RigParameters(NamedTuple):
     softening_time: float  # [s]
 
 
-def nominal(*, links: int = 5) -> RigParameters:
-    """The designer's drawing: Table 1 as corrected with E = 1.76 GPa, symmetric, without friction and creep."""
+def drawing(joint: JointParameters, *, links: int = 5) -> RigParameters:
+    """The joint of a drawing: symmetric, without friction and creep."""
     pair = np.ones(2)
-    length = 90e-3
-    modulus = 1.76e9
-    second_moment = 1.1e-12
-    section = 11e-6
-    density = 1200.0
-    link = length / links
-    hinge = np.full(links, modulus * second_moment / link)
+    side = joint.left
+    bending = joint.E * joint.I
+    hinge = np.full(links, bending * links / joint.l)
     hinge[0] *= 2.0  # the clamp's half cell
-    loss = 2 * 3.64e6 * second_moment
+    loss = BEAM_DAMPING_FACTOR * joint.eta * joint.I
     return RigParameters(
         beam=RITZ,
-        length=length,
-        mass=40e-3,
+        length=joint.l,
+        mass=joint.m,
         frame_inertia=0.0,
         frame_offset=0.0,
-        gravity=9.81,
-        line_density=density * section,
-        line_inertia=density * second_moment,
-        bending=modulus * second_moment,
-        axial=modulus * section,
+        gravity=joint.g,
+        line_density=joint.rho * joint.A,
+        line_inertia=joint.rho * joint.I,
+        bending=bending,
+        axial=joint.E * joint.A,
         bending_loss=loss,
-        curvature=0.0,
+        curvature=joint.kappa0,
         hinge_stiffness=hinge,
-        hinge_loss=hinge * loss / (modulus * second_moment),
+        hinge_loss=hinge * loss / bending,
         hinge_cubic=0.0,
-        arm=32e-3 * pair, drop=12e-3 * pair, anchor_x=16e-3 * pair, anchor_y=7e-3 * pair,
-        free_length=51e-3 * pair,
-        volume=VOLUME * pair,
-        modulus=1.2e6 * pair,
+        arm=side.a * pair, drop=(side.b - side.a0) * pair, anchor_x=side.e_z * pair, anchor_y=side.e_x * pair,
+        free_length=side.l0 * pair,
+        volume=side.volume * pair,
+        modulus=side.Y * pair,
         rubber=NEO_HOOKEAN, rubber_shape=np.zeros(2),
-        capacitance=CAPACITANCE * pair,
+        capacitance=side.capacitance * pair,
         capacitance_exponent=1.0,
-        kelvin_voigt=300.0, strain=THICKNESS,
-        branch_modulus=np.full((2, 1), 0.31e6),
-        branch_time=np.array([83.5e3 / 0.31e6]),
+        kelvin_voigt=side.eta_v, strain=THICKNESS,
+        branch_modulus=np.full((2, 1), side.Y_MW),
+        branch_time=np.array([side.eta_MW / side.Y_MW]),
         friction=MAXWELL_SLIP,
         friction_arm=0.0,
         slip_stiffness=np.zeros(1),
@@ -127,11 +112,14 @@ def nominal(*, links: int = 5) -> RigParameters:
     )  # fmt: skip
 
 
+def nominal(*, links: int = 5) -> RigParameters:
+    """The designer's drawing: Table 1 as corrected with E = 1.76 GPa."""
+    return drawing(NOMINAL, links=links)
+
+
 def table1() -> RigParameters:
     """Table 1 as printed, corrected: E = 1.62 GPa; it needs at least 2.4 kV to switch."""
-    p = nominal()
-    ratio = 1.62 / 1.76
-    return p._replace(bending=p.bending * ratio, axial=p.axial * ratio, hinge_stiffness=p.hinge_stiffness * ratio)
+    return drawing(TABLE1)
 
 
 _POWERS = {
@@ -160,11 +148,7 @@ def coordinates(p: RigParameters) -> int:
     return 4 if p.beam == RITZ else p.hinge_stiffness.size
 
 
-_BEAMS = ("ritz", "chain")
-_RUBBERS = ("neo-hookean", "gent", "mooney-rivlin", "ogden")
-_STRAINS = ("thickness", "hencky")
-_FRICTIONS = ("maxwell-slip", "lugre", "bouc-wen", "dahl")
-_LAWS = {"beam": _BEAMS, "rubber": _RUBBERS, "strain": _STRAINS, "friction": _FRICTIONS}
+_LAWS = {"beam": BEAMS, "rubber": RUBBERS, "strain": STRAINS, "friction": FRICTIONS}
 
 
 def as_json(p: RigParameters) -> dict[str, object]:
@@ -175,19 +159,13 @@ def as_json(p: RigParameters) -> dict[str, object]:
     return values | {key: names[getattr(p, key)] for key, names in _LAWS.items()}
 
 
-_SINCE_WORN = ("plastic_share", "plastic_yield", "softening", "softening_time")
-"""Entries that files of earlier versions lack: no layer yields there, and no rubber softens."""
-
-
 def from_json(values: Mapping[str, Any]) -> RigParameters:
-    """The joint back from `as_json`, of this or an earlier version.
+    """The joint back from `as_json`.
 
     Raises
     ------
     KeyError, ValueError, TypeError
         An entry is missing, or no number or law.
     """
-    drawing = nominal()
-    entries = {key: values[key] for key in drawing._fields if key in values or key not in _SINCE_WORN}
-    arrays: dict[str, Any] = {key: np.array(x) if isinstance(x, list) else x for key, x in entries.items()}
-    return drawing._replace(**arrays | {key: names.index(values[key]) for key, names in _LAWS.items()})
+    arrays: dict[str, Any] = {key: np.array(x) if isinstance(x, list) else x for key, x in values.items()}
+    return RigParameters(**arrays | {key: names.index(values[key]) for key, names in _LAWS.items()})

@@ -9,7 +9,6 @@
             decades of time.
 """
 
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import Literal
 
@@ -17,6 +16,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..numerics.arrays import FloatArray
+from ..settings.logs import Number, SettingsTable
 from . import parameters as law
 from .bench import Bench
 from .joint import simulate, wells
@@ -195,31 +195,45 @@ def _switches(p: RigParameters) -> bool:
     return bool(q[slow.size - 1] > 0.0 and q[-1] < 0.0)
 
 
-DRIFTS = {"capacitance": "1", "stiffness": "1", "charging": "s", "laser": "m"}
-"""Quantities that may change, with the unit of the change in a day: C0 of both membranes, the beam's bending stiffness,
-the time constant with which the membranes charge, and the laser's reading at q = 0. Changes are proportional to the
-age."""
+class Drift(SettingsTable):
+    """Changes in a day, proportional to the age."""
+
+    capacitance_percent: Number = 0.0
+    """Of both membranes."""
+    stiffness_percent: Number = 0.0
+    """Of the beam in bending."""
+    charging_s: Number = 0.0
+    """Of the time constant with which the membranes charge."""
+    laser_m: Number = 0.0
+    """Of the laser's reading at q = 0."""
 
 
-def aged(joint: RigParameters, bench: Bench, age: float, drift: Mapping[str, float]) -> tuple[RigParameters, Bench]:
-    """Joint and bench at an age [days] with changes a day by the names of `DRIFTS`.
+def aged(joint: RigParameters, bench: Bench, age: float, drift: Drift) -> tuple[RigParameters, Bench]:
+    """Joint and bench at an age [days].
+
+    Parameters
+    ----------
+    joint : RigParameters
+        When it was new.
+    bench : Bench
+        When it was new.
+    age : float
+        [days].
+    drift : Drift
+        What changes in a day.
 
     Raises
     ------
     InputError
         Nothing of a capacitance, a stiffness or a charging time is left at that age.
     """
-    change = {name: age * drift.get(name, 0.0) for name in DRIFTS}
-    charging = bench.charging + change["charging"]
-    if min(change["capacitance"], change["stiffness"]) <= -0.5 or charging < 0.0:
+    more_charge = 1.0 + 0.01 * age * drift.capacitance_percent
+    stiffer = 1.0 + 0.01 * age * drift.stiffness_percent
+    charging = bench.charging + age * drift.charging_s
+    if min(more_charge, stiffer) <= 0.5 or charging < 0.0:
         raise InputError(
             f"age_days = {age:g}: more than half of a capacitance or a stiffness is gone, or a time is negative"
         )
-    stiffer = 1.0 + change["stiffness"]
-    joint = joint._replace(
-        capacitance=joint.capacitance * (1.0 + change["capacitance"]),
-        bending=joint.bending * stiffer,
-        hinge_stiffness=joint.hinge_stiffness * stiffer,
-    )
-    laser = replace(bench.laser, zero=bench.laser.zero + change["laser"])
+    laser = replace(bench.laser, zero=bench.laser.zero + age * drift.laser_m)
+    joint = _stiffened(joint, stiffer)._replace(capacitance=joint.capacitance * more_charge)
     return joint, replace(bench, charging=charging, laser=laser)

@@ -16,8 +16,8 @@ from ..store.outputs import note_written
 from ..store.run_folder import RunFolder
 from ..store.schemas import FLEET
 from ..store.schemas import FLEET_FACTS as FLEET_FACT_TABLE
-from .failures import failure
 from .members import FLEET_CSV, FLEET_FACTS, FLEET_FILES, FLEET_REPORT, FLEET_TABLE, Member
+from .progress import failure
 from .report_data import load_datasheet, load_scores
 from .worker import Outcome
 
@@ -98,7 +98,7 @@ def _member(output: Path, name: str, reason: str) -> Summary:
 
 
 def _scores_alone(run: Path) -> dict[str, Any]:
-    """Entries of the page for a run without a datasheet: errors, without facts or a verdict."""
+    """Entries of the page for a run without a datasheet: errors, without facts or an assessment."""
     scores = load_scores(run)
     judged = next((row["model"] for row in scores if row["headline"]), scores[0]["model"])
     return {"scores": scores, "judged_model": judged, "facts": [], "verdict": {"data": "", "model": ""}}

@@ -31,7 +31,7 @@ from .si_log import read_si
 from .stage_check import examine
 
 if TYPE_CHECKING:
-    from ..diagnostics.rows import CheckRow
+    from ..signals.findings import Finding
 
 
 LEAST_SWITCHES = 5
@@ -58,6 +58,19 @@ def shortfalls(
     """Everything that falls short; `names` are those of the inputs; q is printed in `unit`, which is `factor` × SI.
 
     A device other than the `joint` needs no two wells; two places of rest are no wells yet.
+
+    Parameters
+    ----------
+    excitation : Excitation
+        What a log excites, in SI.
+    names : sequence of str
+        Names of the inputs.
+    factor : float
+        Printed number over the value in SI.
+    unit : str
+        Unit in which q is printed.
+    joint : bool
+        Whether the device needs two wells.
     """
     return [
         *(_wells(excitation, names) if joint else ()),
@@ -174,6 +187,12 @@ class LogExcitation:
     si: tuple[str, str]
     joint: bool
 
+    @property
+    def rests(self) -> tuple[float, float] | None:
+        """Left and right rest position in the unit that is shown; None where there are no two wells."""
+        wells = self.excitation.wells
+        return (self.factor * wells.left, self.factor * wells.right) if isinstance(wells, Wells) else None
+
 
 def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExcitation | str]:
     """Describe a log, with its excitation or the reason why there is none.
@@ -250,7 +269,7 @@ def _supposed(inspection: Inspection) -> Prototype:
         raise InputError(f"the channels are not clear; {settings}") from error
 
 
-def check(place: Path, observer: Observer) -> "tuple[Prototype, list[CheckRow]]":
+def check(place: Path, observer: Observer) -> "tuple[Prototype, list[Finding]]":
     """Look at the logs of a settings file, or again at those that a run folder holds.
 
     Raises

@@ -31,7 +31,7 @@ class Excerpt:
     Attributes
     ----------
     start, stop : float, optional
-        Stretch of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
+        Segment of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
     models : sequence of str
         The models that are drawn; without any those that the report shows.
     typeface : {"sans", "serif"}
@@ -80,7 +80,7 @@ class RunFigures:
         Raises
         ------
         InputError
-            No such figure or model, or an empty stretch.
+            No such figure or model, or an empty segment.
         """
         if name not in self.figures:
             close = difflib.get_close_matches(name, self.figures, n=1)
@@ -98,7 +98,7 @@ class RunFigures:
         if first >= last and part.start is not None and part.stop is not None:
             raise InputError(f"--from {first:g} is not below --to {last:g}; exchange them")
         if not max(low, first) < min(high, last):
-            raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a stretch inside")
+            raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a segment inside")
         return window(figure, first, last)
 
 
@@ -117,10 +117,23 @@ def run_figures(root: Path) -> RunFigures:
 def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, force: bool = False) -> Path:
     """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.figure`.
 
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    name : str
+        Name of the figure.
+    target : Path
+        The file.
+    part : Excerpt
+        What is drawn of it, and how.
+    force : bool
+        Whether a file of others may be replaced.
+
     Raises
     ------
     InputError
-        No such figure or model, another ending, an empty stretch, or a file of others there and no `force`.
+        No such figure or model, another ending, an empty segment, or a file of others there and no `force`.
     """
     form = form_of(target)
     with new_outputs(target.parent, "plot", force=force, names=(target.name,)) as staged:
@@ -136,6 +149,19 @@ def plot_runs(
     """The same figure of one or several runs.
 
     `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
+
+    Parameters
+    ----------
+    roots : sequence of Path
+        Run folders.
+    name : str
+        Name of the figure.
+    output : Path or None
+        File of a single run, or a folder; None: the current folder.
+    part : Excerpt
+        What is drawn of it, and how.
+    force : bool
+        Whether files of others may be replaced.
     """
     draw = partial(plot_figure, part=part, force=force)
     if len(roots) == 1 and output is not None and output.suffix in FORMATS:

@@ -1,20 +1,27 @@
-"""How far a batch is: what its run folders show while its processes, here or elsewhere, go on."""
+"""State of a batch: what its run folders show while its processes, here or elsewhere, go on, and why runs failed.
+
+For a prototype that failed there is a text file with what its process printed, until it does well.
+"""
 
 import os
+import re
 import stat
-from collections import Counter
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from ..errors import DebistError, InputError
 from ..store import layout
-from ..store.atomic import reading
+from ..store.atomic import reading, write_text
 from ..store.lock import HOLDER, LOCK, is_held
 from ..store.manifest import MANIFEST, load_manifest
-from .failures import failed_names, failure
+from ..system.plain_files import read_plain
+from .members import FAILED
 
+_LARGEST = 1 << 20
+_HEAD = re.compile(r"exit code (-?\d{1,10}): ([^\n]*)")
 State = Literal["done", "running", "failed", "stopped"]
 STATES: dict[State, str] = {
     "done": "has its scores",
@@ -25,26 +32,13 @@ STATES: dict[State, str] = {
 
 
 @dataclass(frozen=True)
-class Member:
+class MemberState:
     """One prototype of a batch: its state, why it failed, and when that was."""
 
     name: str
     state: State
     reason: str = ""
     since: datetime | None = None
-
-
-@dataclass(frozen=True)
-class FleetProgress:
-    """How far a batch is; the members in the order of the names."""
-
-    members: tuple[Member, ...]
-
-    @property
-    def counts(self) -> dict[str, int]:
-        """Prototypes by state."""
-        counted = Counter(member.state for member in self.members)
-        return {state: counted[state] for state in STATES}
 
 
 def is_fleet(folder: Path) -> bool:
@@ -54,7 +48,7 @@ def is_fleet(folder: Path) -> bool:
     return bool(_runs(folder) or failed_names(folder))
 
 
-def fleet_progress(output: Path) -> FleetProgress:
+def fleet_progress(output: Path) -> list[MemberState]:
     """The state of each run in a folder; artifacts are neither read nor hashed.
 
     Raises
@@ -65,7 +59,7 @@ def fleet_progress(output: Path) -> FleetProgress:
     names = sorted({*_runs(output), *failed_names(output)})
     if not names:
         raise InputError(f"{output}: holds no runs; name the DIR of `debist batch`")
-    return FleetProgress(tuple(_member(output, name) for name in names))
+    return [_member(output, name) for name in names]
 
 
 def _runs(output: Path) -> list[str]:
@@ -83,19 +77,19 @@ def _is_file(path: Path) -> bool:
         return False
 
 
-def _member(output: Path, name: str) -> Member:
+def _member(output: Path, name: str) -> MemberState:
     run = output / name
     if _is_file(run / HOLDER) and is_held(run):  # the lock itself is tried only where a note names its holder
-        return Member(name, "running", since=_time(run / HOLDER))
+        return MemberState(name, "running", since=_time(run / HOLDER))
     if (failed := failure(output, name)) is not None:
-        return Member(name, "failed", failed.reason, datetime.fromtimestamp(failed.time, UTC))
+        return MemberState(name, "failed", failed.reason, datetime.fromtimestamp(failed.time, UTC))
     if not _is_file(run / MANIFEST):
-        return Member(name, "stopped")
+        return MemberState(name, "stopped")
     try:
         state: State = "done" if layout.SCORES in load_manifest(run).artifacts else "stopped"
     except DebistError as error:
-        return Member(name, "failed", str(error))
-    return Member(name, state, since=_time(run / MANIFEST))
+        return MemberState(name, "failed", str(error))
+    return MemberState(name, state, since=_time(run / MANIFEST))
 
 
 def _time(path: Path) -> datetime | None:
@@ -104,3 +98,68 @@ def _time(path: Path) -> datetime | None:
         return datetime.fromtimestamp(path.stat().st_mtime, UTC)
     except OSError:
         return None
+
+
+class Failure(NamedTuple):
+    """How a prototype failed: exit code, reason in one line, and when [s since the epoch]."""
+
+    exit_code: int
+    reason: str
+    time: float
+
+
+def failure_file(output: Path, name: str) -> Path:
+    """Where the failure of a prototype is kept."""
+    return output / FAILED / f"{name}.txt"
+
+
+def keep_failure(output: Path, name: str, exit_code: int, reason: str, printed: str) -> None:
+    """Write down how a prototype failed, with what its process printed.
+
+    Parameters
+    ----------
+    output : Path
+        Folder of the batch.
+    name : str
+        Name of the prototype.
+    exit_code : int
+        Exit code of its process.
+    reason : str
+        Cause in one line.
+    printed : str
+        Standard error of the process.
+    """
+    head = f"exit code {exit_code}: {' '.join(reason.split())}\n"
+    write_text(failure_file(output, name), f"{head}\n{printed}", within=output)
+
+
+def forget_failure(output: Path, name: str) -> None:
+    """Remove it: the prototype is run again, or is up to date."""
+    with suppress(OSError):
+        failure_file(output, name).unlink(missing_ok=True)
+
+
+def failure(output: Path, name: str) -> Failure | None:
+    """How a prototype failed last; None where it did not, or where something was written into its run since."""
+    path = failure_file(output, name)
+    try:
+        text = read_plain(path, _LARGEST).decode("utf-8", "replace")
+        time = path.stat().st_mtime
+    except OSError:
+        return None
+    head = _HEAD.match(text)
+    if head is None or _changed(output / name) > time:
+        return None
+    return Failure(int(head[1]), head[2], time)
+
+
+def failed_names(output: Path) -> list[str]:
+    """The prototypes whose failure is kept."""
+    return sorted(path.stem for path in (output / FAILED).glob("*.txt"))
+
+
+def _changed(run: Path) -> float:
+    """When the manifest of a run was written [s since the epoch]; 0 where there is none."""
+    with suppress(OSError):
+        return (run / MANIFEST).stat().st_mtime
+    return 0.0

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..models.base import DynamicModel
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
 from ..signals.corrections import Corrections
@@ -19,7 +19,7 @@ from .corrections import corrections
 from .engine import Task
 from .logs import fitted_parts, load_motion, sources
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 
 Logs = Mapping[tuple[Role, str], Log]
 """Logs by role and name."""
@@ -64,13 +64,13 @@ def instrument_rows(
     stated : mapping of (role, name) to Corrections
         What already corrects each of them.
     """
-    from ..diagnostics.instruments import SIGNIFICANCE, Instruments, ObservedModel
+    from ..diagnostics.instruments import SIGNIFICANCE, InstrumentTest, ObservedModel
 
     if not isinstance(model, ObservedModel):
         return []
     parts = {name: fitted_parts(log) for name, log in logs.items()}
     trained = [log for log in logs if log[0] == "train"]
-    instruments = Instruments(model, [parts[log] for log in trained])
+    instruments = InstrumentTest(model, [parts[log] for log in trained])
     rows = []
     for log in logs:
         if log in trained and len(trained) == 1:

@@ -12,10 +12,9 @@ from cli import app
 from pipeline.errors import InputError
 from pipeline.store.lock import run_lock
 from pipeline.store.manifest import MANIFEST
-from pipeline.workflow.failures import failure, keep_failure
 from pipeline.workflow.fleet import collect_batch
 from pipeline.workflow.members import Member, Shard
-from pipeline.workflow.progress import fleet_progress
+from pipeline.workflow.progress import failure, fleet_progress, keep_failure
 
 RUNNER = CliRunner()
 NAMES = [f"P{number}" for number in range(60)]
@@ -78,7 +77,7 @@ def test_each_state_is_shown(tmp_path: Path) -> None:
     assert states == {"failing": ("failed", "no wells"), "held": ("running", ""), "stopped": ("stopped", "")}
     assert shown["counts"] == {"done": 0, "running": 1, "failed": 1, "stopped": 1}
     assert "no wells" in RUNNER.invoke(app, ["status", str(tmp_path)]).stdout
-    assert [member.state for member in fleet_progress(tmp_path).members] == ["failed", "stopped", "stopped"]
+    assert [member.state for member in fleet_progress(tmp_path)] == ["failed", "stopped", "stopped"]
 
 
 def test_a_failure_that_was_mended_since_is_none(tmp_path: Path) -> None:

@@ -48,9 +48,7 @@ def test_slopes_are_the_derivatives(name):
         assert slopes[:, :, place] == pytest.approx(difference, abs=1e-7 * max(1.0, scale))
 
 
-@pytest.mark.parametrize(
-    "name", [*SLOPED, "GAUSSIAN", "DAHL_RATE", "LAGGED_RATES", "POLYNOMIAL_VARIABLES", "REDUCED_RATES"]
-)
+@pytest.mark.parametrize("name", [*SLOPED, "GAUSSIAN", "DAHL_RATE", "LAGGED_RATES", "POLYNOMIAL_VARIABLES"])
 def test_a_formula_and_a_trace_give_what_the_graph_gives(name):
     graph = getattr(terms, name)
     given = drawn(graph, 20)

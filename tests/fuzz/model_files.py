@@ -20,7 +20,7 @@ from pipeline.export import fmu, sources
 from pipeline.export.templates import words
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.base import HasCurves, predictor
-from pipeline.models.kind import model_from_tree
+from pipeline.models.model_type import model_from_tree
 from pipeline.models.narx.model import NarxModel
 from pipeline.store.hashing import flatten
 from pipeline.store.trees import parse_tree
@@ -138,7 +138,6 @@ def use(name: str, data: bytes, *, exported: bool = False) -> None:
     t, v = joints.pulses(1.0, model.input_count)
     run = model.simulate(t, v, 0.001, 0.0)
     q, qdot = 1e-3 * np.sin(t), 1e-3 * np.cos(t)
-    model.accelerate(t, v, q, qdot)
     for predicted in predictor(model)(t, v, q, qdot, np.array([0, 19]), np.array([3, 5])):
         assert len(predicted) in (4, 6)
     assert run.q.shape == t.shape

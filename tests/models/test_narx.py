@@ -53,14 +53,6 @@ def test_a_planted_equation_predicts_a_new_record_freely(model: NarxModel) -> No
     assert error is not None and error < 1e-3
 
 
-def test_one_step_prediction_is_the_second_difference(model: NarxModel) -> None:
-    new = motion(9)
-    predicted = model.accelerate(new.t, new.v, new.q, new.qdot)
-    exact = (new.q[2:] - 2 * new.q[1:-1] + new.q[:-2]) / DT**2
-    assert predicted.shape == new.q.shape
-    np.testing.assert_allclose(predicted[5:-1], exact[4:], atol=1e-3 * np.abs(exact).max())
-
-
 def test_round_trip_through_the_tree_changes_no_prediction(model: NarxModel) -> None:
     again = NARX.read(model.to_tree())
     t, v = DT * np.arange(400), pulses(400, 3)

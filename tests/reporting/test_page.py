@@ -144,7 +144,7 @@ def test_a_run_without_models_or_notes_still_has_a_page() -> None:
     assert "Characteristic curves" not in page
     assert "Phase portrait" in page
     assert sheet.model is None
-    assert sheet.headline == "rbf"
+    assert sheet.main_model == "rbf"
 
 
 def test_figures_are_well_formed_and_without_inline_style() -> None:

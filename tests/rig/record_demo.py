@@ -13,7 +13,7 @@ from pipeline.rig.parameters import as_json
 
 SEED = 1
 """The first there is."""
-EXPERIMENT = Experiment("same", "mat", rate=2000.0, excitation="alternating")
+EXPERIMENT = Experiment(kind="same", format="mat", rate=2000.0, excitation="alternating")
 """The paper's: full pulses on alternating sides (figures 11 and 15), on a joint of Table 1's size with tolerances."""
 EVERY = round(INTERVAL * EXPERIMENT.rate)  # the recorder keeps every second sample
 

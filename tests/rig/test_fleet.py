@@ -2,7 +2,6 @@
 
 import json
 import tomllib
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -30,7 +29,7 @@ def truth_of(toml: Path) -> dict[str, object]:
 def test_every_format_is_read_back_as_its_toml_says(form: str, tmp_path: Path) -> None:
     from pyarrow import parquet
 
-    toml = write_prototype(tmp_path, "X", replace(SHORT, format=form), seed=2)
+    toml = write_prototype(tmp_path, "X", SHORT.model_copy(update={"format": form}), seed=2)
     prototype = tomllib.loads(toml.read_text(encoding="utf-8"))
     truth = parquet.read_table(tmp_path / "truth" / "train.parquet").to_pydict()
     entries = prototype["channels"]
@@ -64,7 +63,7 @@ def test_a_joint_of_another_size_moves_alike_and_slower(kind: RigParameters, siz
 def test_a_joint_and_its_records_come_back_from_the_seed(tmp_path: Path) -> None:
     from pyarrow import parquet
 
-    experiment = replace(SHORT, kind="foreign")
+    experiment = SHORT.model_copy(update={"kind": "foreign"})
     truth = truth_of(write_prototype(tmp_path, "X", experiment, seed=7))
     joint, _, logs = draw(Experiment(**truth["experiment"]), np.random.default_rng(truth["seed"]))
     records = {log.stem: log.record for log in logs}

@@ -10,9 +10,9 @@ from ...models.base import DynamicModel
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90
 from ...scoring.wells import NoWells, Wells
+from ...signals.findings import Finding, Number
 from ...signals.log import voltages
 from ...store.columns import FACT_COLUMNS, STABLE
-from ..findings import Finding, Number
 from .characteristics import (
     COVERAGE,
     Curves,
@@ -76,19 +76,14 @@ class DatasheetFact:
     @property
     def doubt(self) -> str:
         """Text in place of an interval where too few draws have the fact; empty otherwise."""
-        return doubt(self.low, self.in_draws)
+        if self.low is not None or self.in_draws is None or self.in_draws >= COVERAGE:
+            return ""
+        return f"not certain: in {100.0 * self.in_draws:.0f} % of the draws"
 
     @property
     def half_width(self) -> float | None:
         """Half of the interval of `value`."""
         return None if self.low is None or self.high is None else (self.high - self.low) / 2.0
-
-
-def doubt(low: float | None, in_draws: float | None) -> str:
-    """See `DatasheetFact.doubt`."""
-    if low is not None or in_draws is None or in_draws >= COVERAGE:
-        return ""
-    return f"not certain: in {100.0 * in_draws:.0f} % of the draws"
 
 
 def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
@@ -147,7 +142,7 @@ class Datasheet:
     ----------
     model : str or None
         Name of the model that the facts come from; None if no model has curves.
-    headline : str
+    main_model : str
         Name of the model that is judged.
     curves, draws : of that model
         On the training range; draws from its posterior for bands.
@@ -155,7 +150,7 @@ class Datasheet:
 
     name: str
     model: str | None
-    headline: str
+    main_model: str
     facts: tuple[DatasheetFact, ...]
     checks: tuple[Check, ...]
     wells: Wells | NoWells
@@ -165,12 +160,12 @@ class Datasheet:
 
     @property
     def refused(self) -> bool:
-        """Whether the facts come from a model that the verdict rejects."""
-        return self.model == self.headline and is_refused([vars(check) for check in self.checks])
+        """Whether the facts come from a model that the assessment rejects."""
+        return self.model == self.main_model and is_refused([vars(check) for check in self.checks])
 
     @property
     def grades(self) -> dict[str, Grade]:
-        """The verdict on the data and on the model: the worst grade of the checks of each."""
+        """The assessment of the data and on the model: the worst grade of the checks of each."""
         return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
 
     def to_json(self, data: RunData) -> dict[str, Any]:
@@ -179,7 +174,7 @@ class Datasheet:
             "format": FORMAT,
             "name": self.name,
             "facts_from": self.model,
-            "judged_model": self.headline,
+            "judged_model": self.main_model,
             "choice": None if data.choice is None else dict(data.choice),
             "level_of_intervals": COVERAGE,
             "facts": [asdict(fact) for fact in self.facts],
@@ -190,7 +185,7 @@ class Datasheet:
 
 
 def is_refused(checks: Iterable[Mapping[str, Any]]) -> bool:
-    """Whether the checks of a verdict, as its JSON has them, say not to use the model: a constant does better."""
+    """Whether the checks of an assessment, as its JSON has them, say not to use the model: a constant does better."""
     return any(check["name"] == "constant" and check["grade"] == "poor" for check in checks)
 
 
@@ -199,7 +194,7 @@ def make_datasheet(data: RunData) -> Datasheet:
     wells = wells_of_run(data)
     records = [(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs]
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
-    rests = rest_facts(records, wells, hum, joint=data.joint)
+    rests = rest_facts(records, wells, hum, joint=data.device.joint)
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
@@ -208,20 +203,20 @@ def make_datasheet(data: RunData) -> Datasheet:
     if source is not None:
         values, limits, in_draws = _by_model(data, curves[source], draws.get(source, []))
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
-        believed = believed_wells(wells, source, stable, joint=data.joint)
+        believed = believed_wells(wells, source, stable, joint=data.device.joint)
         if believed is not wells:
             wells = believed
-            rests = rest_facts(records, believed, hum, joint=data.joint)
+            rests = rest_facts(records, believed, hum, joint=data.device.joint)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, in_draws, rests, wells, events)
-    headline = data.model_names[0]
+    main_model = data.model_names[0]
     checks = (
         *data_checks(data, wells),
-        *model_checks(data, headline, _rest_errors(events, values, rests, wells), wells),
+        *model_checks(data, main_model, _rest_errors(events, values, rests, wells), wells),
         *fact_checks(facts),
     )
-    return Datasheet(data.name, source, headline, facts, checks, wells, rests, curves, draws)
+    return Datasheet(data.prototype.name, source, main_model, facts, checks, wells, rests, curves, draws)
 
 
 def _by_model(
@@ -231,8 +226,8 @@ def _by_model(
 
     Stable states have neither interval nor share: a draw may have another number of them than the curves.
     """
-    values = device_facts(curves, joint=data.joint)
-    drawn = [device_facts(draw, joint=data.joint) for draw in draws]
+    values = device_facts(curves, joint=data.device.joint)
+    drawn = [device_facts(draw, joint=data.device.joint) for draw in draws]
     limits = intervals(values, drawn) if draws else {}
     compared = {key for key in values if not key.startswith(STABLE)}
     in_draws = {key: share for key, share in shares(values, drawn).items() if key in compared}
@@ -283,7 +278,7 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
     if model is None or not logs:
         return {}
     runs = [(log.kinematics["t"], log.predictions[model]["q"], voltages(log.kinematics)) for log in logs]
-    events = _measured(rest_facts(runs, wells, joint=data.joint), wells)
+    events = _measured(rest_facts(runs, wells, joint=data.device.joint), wells)
     return {key: float(np.mean(values)) for key, values in events.items()}
 
 
@@ -301,8 +296,14 @@ def _facts(
     measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
     if "rest" in measured and _scattered(measured["rest"], [log.kinematics["q"] for log in data.logs]):
         del measured["rest"]
-    stiffness = f"{data.curve_units['F']}/{data.displacement}" if data.mass_known else "1/s²"
-    units = {"{q}": data.displacement, "{v}": data.voltage, "{U}": data.energy_unit, "{k}": stiffness}
+    of_mass = data.device.known_mass is not None
+    stiffness = f"{data.device.curve_units['F']}/{data.device.displacement.symbol}" if of_mass else "1/s²"
+    units = {
+        "{q}": data.device.displacement.symbol,
+        "{v}": data.device.inputs[0].symbol,
+        "{U}": data.device.energy_unit,
+        "{k}": stiffness,
+    }
     facts = []
     for key, title, unit in _listed(values):
         events = measured.get(key)

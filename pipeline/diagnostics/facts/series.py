@@ -11,7 +11,7 @@ from ...models.base import DynamicModel, HasCurveDraws, HasCurves
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90
 from ...signals.log import Log
-from ..instruments import Instruments
+from ..instruments import InstrumentTest
 from .calibrated import calibrated
 
 ALARM = 0.05
@@ -28,8 +28,14 @@ _QUANTITIES = {
 }
 """Quantities of `hybrid` that age, and what people call them."""
 
-READINGS = {"gain_v1": "gain of v1", "gain_v2": "gain of v2", "zero_q": "zero of q", "gain_q": "gain of q"}
-"""Names of readings for people, where they differ from those in files."""
+READINGS = {
+    "gain_v1": "gain of v1 or of the device",
+    "gain_v2": "gain of v2 or of the device",
+    "zero_q": "zero of q",
+    "gain_q": "gain of q",
+}
+"""Names of readings for people, where they differ from those in files. Logs do not separate the gain of an input from
+that of the device: the force of a joint goes with C v², so 2 % of capacitance read as 1 % of voltage."""
 
 
 @dataclass(frozen=True)
@@ -118,14 +124,14 @@ def facts_of(
             yield RunFact(key, title, quantity.unit, quantity.value, _error(quantity.low, quantity.high))
 
 
-def instrument_facts(instruments: Instruments, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
+def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
     """What the instruments of a later run read, beside those of the first run, by the first run's model.
 
     Nothing where the device has changed so that no instrument explains it: that is for the facts to show.
 
     Parameters
     ----------
-    instruments : Instruments
+    instruments : InstrumentTest
         Of the first run.
     parts : sequence of Log
         The parts of all training logs of the later run.

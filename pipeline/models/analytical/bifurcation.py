@@ -128,7 +128,19 @@ def _residual(family: Family, scale: FloatArray) -> Residual:
 
 
 def branch_through(family: Family, qm: FloatArray, value: float, bounds: tuple[float, float]) -> Branch:
-    """The curve of equilibria through (q_m, λ); its `y` are q_m, its parameters λ."""
+    """The curve of equilibria through (q_m, λ); its `y` are q_m, its parameters λ.
+
+    Parameters
+    ----------
+    family : Family
+        Equilibria over a parameter λ.
+    qm : FloatArray, shape (4,)
+        Ritz coordinates of an equilibrium.
+    value : float
+        λ there.
+    bounds : (float, float)
+        Range of λ.
+    """
     scale = _SHAPE * length_scales(float(family.at(value)[0][0]))
     residual = _residual(family, scale)
     unit = family.unit

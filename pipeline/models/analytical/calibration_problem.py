@@ -161,6 +161,19 @@ def search(
 
     SciPy's trust region within bounds (Branch, Coleman & Li 1999, doi:10.1137/S1064827595289108). `tick` is called
     before each step.
+
+    Parameters
+    ----------
+    simulated : SimulatedProblem
+        Residuals and their derivatives.
+    x0 : FloatArray, shape (P,)
+        Start.
+    limit : int
+        Most simulations.
+    tolerance : float
+        Relative decrease of the cost at which the search ends.
+    tick : callable
+        Is called before each step.
     """
     from scipy.optimize import least_squares
 

@@ -72,6 +72,19 @@ def rest_state(
     qdot0 and the internal states `z` (3,) push it: a first-order slow manifold. Without `z` the Maxwell elements
     have relaxed, as after a long rest.
 
+    Parameters
+    ----------
+    parameters : JointParameters
+        The joint.
+    q0 : float
+        Displacement [m].
+    qdot0 : float
+        Velocity [m/s].
+    v : FloatArray, shape (2,)
+        Voltages [V].
+    z : FloatArray, shape (3,), optional
+        Maxwell strains and friction state.
+
     Raises
     ------
     InputError
@@ -92,6 +105,19 @@ def rest_states(
     """States of rest of many joints, (W, 11), for q0 and qdot0 (W, 2), `v` (W, 2) and `z` (W, 3).
 
     The search for a shape starts from the nearest of `path`.
+
+    Parameters
+    ----------
+    parameters : JointParameters
+        The joint.
+    measured : FloatArray, shape (W, 2)
+        Displacements [m] and velocities [m/s].
+    v : FloatArray, shape (W, 2)
+        Voltages [V].
+    z : FloatArray, shape (W, 3)
+        Maxwell strains and friction states.
+    path : StaticPath
+        Shapes to start from.
     """
     nearest = np.argmin(np.abs(path.q - measured[:, :1]), axis=1)
     shapes = path.qm[nearest] + path.tangent[nearest] * (measured[:, :1] - path.q[nearest, None])

@@ -5,32 +5,19 @@ from functools import partial
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, Field, TypeAdapter
+from pydantic import Field
 
-from ...device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
+from ...device.parameters import QUANTITIES, VECTOR_NAMES, JointParameters
 from ...errors import InputError
 from ...numerics.arrays import FloatArray
 from ...numerics.stiff import STATES
 from ...signals.log import Log
 from ..base import FreeRun, checked
-from ..kind import Kind, Training
-from ..model_file import JointValues, ModelFile
+from ..model_file import JointSet, ModelFile
+from ..model_type import ModelType, Training
 from .full_order import rest_state, simulate
-from .reduced_order import CURVES, accelerate, reduce_joint
+from .reduced_order import CURVES, reduce_joint
 from .windows import voltage_knots
-
-
-def _set_of(values: Any) -> Any:
-    """The parameter set of its values by name."""
-    if isinstance(values, JointParameters):
-        return values
-    try:
-        return NOMINAL.with_values(_VALUES.validate_python(values, strict=True))
-    except InputError as error:
-        raise ValueError(str(error)) from error
-
-
-_VALUES: TypeAdapter[dict[str, float]] = TypeAdapter(JointValues)
 
 
 class AnalyticalModel(ModelFile):
@@ -41,7 +28,7 @@ class AnalyticalModel(ModelFile):
     """Name of the model."""
     tolerance: Annotated[float, Field(ge=1e-8, le=0.1)] = 1e-4
     """Local error of the integrator, relative to the usual size of each state."""
-    parameters: Annotated[JointParameters, BeforeValidator(_set_of)]
+    parameters: JointSet
     """The designer's set for `analytical`, the fitted one for `analytical-calibrated`."""
 
     @property
@@ -54,6 +41,17 @@ class AnalyticalModel(ModelFile):
         """Free run from the static shape at ``q0`` that moves with ``qdot0``; v is left and right [V].
 
         Cost: 0.1 s of processor time for 37.5 s, at 10 ms samples.
+
+        Parameters
+        ----------
+        t : FloatArray, shape (N,)
+            Times [s].
+        v : FloatArray, shape (N, 2) or (N, r, 2)
+            Voltages [V] at the samples, or at r times of each interval.
+        q0 : float
+            Displacement [m] at the first sample.
+        qdot0 : float
+            Velocity [m/s] there.
         """
         knots = voltage_knots(t, v)
         start = rest_state(self.parameters, q0, qdot0, knots.v[0])
@@ -61,14 +59,6 @@ class AnalyticalModel(ModelFile):
         q, qdot, qddot = (signal[knots.rows] for signal in (motion.q, motion.q_dot, motion.q_ddot))
         status: Literal["ok", "diverged"] = "ok" if motion.diverged_at is None else "diverged"
         return FreeRun(t, q, qdot, qddot, status, motion.diverged_at)
-
-    @checked
-    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured motion, by the reduced model (eq. 26), shape (N,).
-
-        q does not determine the beam's other shapes, so they follow the static path here.
-        """
-        return accelerate(reduce_joint(self.parameters), t, v if v.ndim == 2 else v[:, 0], q, qdot)
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
@@ -98,10 +88,6 @@ class AnalyticalModel(ModelFile):
             "tolerance": self.tolerance,
             "parameters": values,
         } | self.diagnostics
-
-    def to_tree(self) -> dict[str, Any]:
-        """The model as a dictionary: parameters in SI by name, and how they came about."""
-        return super().to_tree() | {"parameters": {name: self.parameters.value(name) for name in VECTOR_NAMES}}
 
 
 def calibrate_analytical(data: Sequence[Log], start: JointParameters) -> AnalyticalModel:
@@ -139,7 +125,7 @@ def _parameters(training: Training) -> JointParameters:
 
 
 _read = partial(AnalyticalModel.read, name="analytical", command="compare")
-ANALYTICAL = Kind(lambda training: AnalyticalModel(parameters=_parameters(training)), _read)
-ANALYTICAL_CALIBRATED = Kind(
+ANALYTICAL = ModelType(lambda training: AnalyticalModel(parameters=_parameters(training)), _read)
+ANALYTICAL_CALIBRATED = ModelType(
     lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), _read
 )

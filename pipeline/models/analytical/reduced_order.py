@@ -20,7 +20,7 @@ import numpy as np
 from ...codegen.numba_writer import formula, kernel
 from ...device.parameters import JointParameters
 from ...generated.analytical_joint import dissipation, dynamics
-from ...generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION, REDUCED_RATES
+from ...generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION
 from ...numerics.arrays import FloatArray, IntArray, sample_interval
 from ...numerics.compiled import compiled
 from ...numerics.fixed_step import Methods, integrator, workspace
@@ -344,25 +344,24 @@ def friction_state(q: FloatArray, s_c: float) -> FloatArray:
     return zeta
 
 
-def accelerate(reduced: ReducedJoint, t: FloatArray, v: FloatArray, q: FloatArray, q_dot: FloatArray) -> FloatArray:
-    """q̈ [m/s²] of eq. 26 along a measured motion, shape (N,); NaN where q is NaN."""
-    finite = np.isfinite(q)
-    filled = np.interp(t, t[finite], q[finite])
-    value, slope = reduced.evaluate(filled)
-    e = maxwell_strains(value[:, 3:5], float(t[1] - t[0]), reduced.creep_rate)
-    parameters = reduced.parameters
-    zeta = friction_state(filled, parameters.s_c) if parameters.F_c > 0.0 else np.zeros(t.size)
-    outputs = REDUCED_RATES.evaluate(
-        q_dot=q_dot[:, None], e=e, curves=value, slopes=slope, v_squared=v**2, load=-parameters.F_c * zeta[:, None],
-        gain=reduced.creep_gain, rate=reduced.creep_rate,
-    )["rates"]  # fmt: skip
-    return np.where(finite, outputs[:, 0], np.nan)
-
-
 def pulse_sequence(
     voltage: float = 3000.0, *, pulse: float = 0.5, pause: float = 1.0, count: int = 4, dt: float = 1e-3
 ) -> tuple[FloatArray, FloatArray]:
-    """Times [s] and voltages (N, 2) [V]: left, right, left … pulses of `pulse` [s] with pauses, as in figure 7."""
+    """Times [s] and voltages (N, 2) [V]: left, right, left … pulses of `pulse` [s] with pauses, as in figure 7.
+
+    Parameters
+    ----------
+    voltage : float
+        Voltage of the pulses [V].
+    pulse : float
+        Length of a pulse [s].
+    pause : float
+        Length of a pause [s].
+    count : int
+        Number of pulses.
+    dt : float
+        Sample interval [s].
+    """
     period = pulse + pause
     t: FloatArray = dt * np.arange(round(count * period / dt) + 1, dtype=np.float64)
     v = np.zeros((t.size, 2))
@@ -395,7 +394,19 @@ class Motions:
 
 
 def simulate_both(parameters: JointParameters, t: FloatArray, v: FloatArray, *, q0: float | None = None) -> Motions:
-    """Free run of the full-order and the reduced model from rest at q0 [m], or in the left well."""
+    """Free run of the full-order and the reduced model from rest at q0 [m], or in the left well.
+
+    Parameters
+    ----------
+    parameters : JointParameters
+        The joint.
+    t : FloatArray, shape (N,)
+        Times [s].
+    v : FloatArray, shape (N, 2)
+        Voltages [V].
+    q0 : float, optional
+        Displacement at the start [m].
+    """
     start = q0 if q0 is not None else next(e.q for e in equilibria(parameters, v[0]) if e.stable)
     state = rest_state(parameters, start, 0.0, v[0])
     reduced = reduce_joint(parameters)

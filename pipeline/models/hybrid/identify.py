@@ -16,8 +16,8 @@ from ...fitting.regression import basis_centres, basis_width
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import MOST_SAMPLES, Log, operating_range, within
-from ..kind import Kind, Training, fitted_samples
-from ..tube_scales import scale_on
+from ..free_runs import scale_on
+from ..model_type import ModelType, Training, fitted_samples
 from . import parameters as condensed_parameters
 from .kernels import CURVES
 from .model import HybridModel
@@ -401,4 +401,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 
-HYBRID = Kind(_fit, HybridModel.from_tree, "export.hybrid:realise")
+HYBRID = ModelType(_fit, HybridModel.from_tree, "export.hybrid:realise")

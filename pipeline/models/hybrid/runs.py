@@ -1,4 +1,4 @@
-"""Runs of the condensed joint: free, coupled to a measurement by an observer, or along a prescribed path.
+"""Runs of the condensed joint: free, or coupled to a measurement by an observer.
 
 One joint runs alone; many run `BATCH` at a time, side by side in vector registers. The steps are those of
 `pipeline.numerics.fixed_step`; stop operators are exact in them.
@@ -49,8 +49,6 @@ class Joints(NamedTuple):
         Reading [m] that an observer follows and its pole L [1/s]; both (0,) in a free run.
     wall, lead : float
         Displacement [m] that confines the runs; dτ/dq [1/m] of slow motions.
-    path : FloatArray, shape (H, 2)
-        Prescribed q [m] and q̇ [m/s]; (0, 2) where the tip is free.
     points, slips : FloatArray, shapes (steps + 1, 4, STATES) and (steps + 1, STOPS)
         Filled in a run of one joint: states at all stages, and stop operators where steps begin. Empty in other runs.
     """
@@ -72,7 +70,6 @@ class Joints(NamedTuple):
     pole: FloatArray
     wall: float
     lead: float
-    path: FloatArray
     points: FloatArray
     slips: FloatArray
 
@@ -109,8 +106,6 @@ def _begin_of(w: int) -> Any:
 
     def begin(system, x, node):
         """Start of the step, from which the stop operators count the play."""
-        if len(system.path) > 0:
-            x[0], x[1] = system.path[node, 0], system.path[node, 1]
         for j in range(w):
             system.start[j], system.start[w + j], system.start[2 * w + j] = x[j], x[2 * w + j], x[4 * w + j]
         system.now[0], system.now[2] = node, 0.0
@@ -128,8 +123,6 @@ def _rates_of(w: int) -> Any:
 
     def rates(system, x, node, dx, acceleration):
         """The law with the corrections at q, and the observer's pull."""
-        if len(system.path) > 0:
-            x[0], x[1] = system.path[node, 0], system.path[node, 1]
         if w == 1 and len(system.points) > 0:
             step = int(system.now[0]) // 2
             stage = int(system.now[2])
@@ -164,9 +157,6 @@ def _finish_of(w: int) -> Any:
 
     def finish(system, x):
         """The wall holds the tip, and the stop operators move."""
-        if len(system.path) > 0:
-            node = int(system.now[0]) + 2
-            x[0], x[1] = system.path[node, 0], system.path[node, 1]
         for j in range(w):
             if abs(x[j]) > system.wall:
                 x[j] = system.wall if x[j] > 0.0 else -system.wall
@@ -291,7 +281,7 @@ def run_joints(
             np.zeros(3 * width), np.zeros(2 * width), np.zeros(3), driving.squares, driving.variant[chosen],
             np.zeros(width, dtype=np.int64) if alike else chosen, span, tables,
             driving.offset[chosen], followed.reading, poles,
-            stepping.wall, stepping.lead, np.zeros((0, 2)), *NO_STAGES,
+            stepping.wall, stepping.lead, *NO_STAGES,
         )  # fmt: skip
         integrate_joints(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
         filled = min(width, count - first)
@@ -338,7 +328,7 @@ def continued_runs(
             (0,), prepared[0], np.zeros(VALUES), z,
             np.zeros(3), np.zeros(2), np.zeros(3), driving.squares[:, nodes], only, only, span, tables,
             driving.offset, followed.reading[nodes] if held else none, poles[nodes] if held else none,
-            stepping.wall, stepping.lead, np.zeros((0, 2)), *NO_STAGES,
+            stepping.wall, stepping.lead, *NO_STAGES,
         )  # fmt: skip
         integrate_joints(system, x, out, work, stepping.substeps, stepping.dt / stepping.substeps, -np.inf, np.inf)
         return np.asarray(out[:, 0, 0] + driving.offset)
@@ -348,31 +338,6 @@ def continued_runs(
         moved(x, z, at, start - at, held=True)
         at = start
         yield moved(x.copy(), z.copy(), start, count, held=False)
-
-
-def follow_path(
-    u: FloatArray, path: FloatArray, dt: float, substeps: int, k: FloatArray, basis: FloatArray, weights: FloatArray,
-    age: float,
-) -> FloatArray:  # fmt: skip
-    """Acceleration [m/s²] along a prescribed path, shape (N,): only the hidden states are integrated, from rest.
-
-    `path` holds q and q̇ on the half steps, shape (2 substeps (N−1) + 1, 2); `u` (2 substeps (N−1) + 1, 2) are the
-    squared voltages [V²] there; the path begins `age` [s] after the
-    recording did; the rest is as in `run_joints`, for one joint.
-    """
-    samples = (len(path) - 1) // (2 * substeps) + 1
-    none = np.zeros(0)
-    p = prepare(k[None])[0]
-    x, z = rest_state(float(path[0, 0]), u[0], k, p, basis, weights, age)
-    only = np.zeros(1, dtype=np.int64)
-    out = np.empty((samples, 3, 1))
-    system = Joints(
-        (0,), p, np.zeros(VALUES), z,
-        np.zeros(3), np.zeros(2), np.zeros(3), u[None], only, only, table_span(basis, weights.shape[1]),
-        tabulate(basis, weights[None]), np.zeros(1), none, none, np.inf, 0.0, path, *NO_STAGES,
-    )  # fmt: skip
-    integrate_joints(system, x, out, workspace(x), substeps, dt / substeps, -np.inf, np.inf)
-    return np.ascontiguousarray(out[:, 2, 0])
 
 
 def _rows(values: FloatArray) -> FloatArray:

@@ -97,7 +97,7 @@ def sensitivities(
     system = Joints(
         (0,), p, np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3), driven.squares[None], only, only,
         table_span(basis, weights.shape[1]), tabulate(basis, weights[None]), np.array([offset]), driven.observed,
-        driven.pole, wall, lead, np.zeros((0, 2)), points, slips,
+        driven.pole, wall, lead, points, slips,
     )  # fmt: skip
     integrate_joints(system, x, np.empty((steps + 1, 3, 1)), workspace(x), 1, dt / substeps, -np.inf, np.inf)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))

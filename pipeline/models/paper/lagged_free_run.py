@@ -99,7 +99,21 @@ class LaggedLaw:
     squared: bool = True
 
     def joint(self, v: FloatArray, parts: int, reach: float | None, u: FloatArray, values: FloatArray) -> LaggedJoint:
-        """The system of a run."""
+        """The system of a run.
+
+        Parameters
+        ----------
+        v : FloatArray, shape (N, K)
+            Inputs at the samples.
+        parts : int
+            Half steps in a sample interval.
+        reach : float or None
+            |q − ξ|/σ beyond which a bell is left out; None: none is.
+        u : FloatArray, shape (K,)
+            Room for the inputs of the equations.
+        values : FloatArray, shape (2 + K,)
+            Room for the curves at a displacement.
+        """
         return LaggedJoint(
             v, self.squared, parts, None if reach is None else reach**2, np.ascontiguousarray(self.centres),
             np.ascontiguousarray(self.weights), 1.0 / self.width, float(self.lag), u, values,

@@ -15,7 +15,6 @@ from ...scoring.cross_validation import mean_over_folds
 from ...signals.log import Log
 from ...units.units import DISPLACEMENT, INPUT
 from ..base import FreeRun, checked
-from ..kind import Kind
 from ..model_file import (
     MOST_INPUTS,
     Exponents,
@@ -27,6 +26,7 @@ from ..model_file import (
     Table,
     Unit,
 )
+from ..model_type import ModelType
 from ..polynomial_dynamics import (
     FIRST_INPUT,
     FRICTION,
@@ -175,14 +175,6 @@ class SindyModel(ModelFile):
             rows = slice(start, start + count + 1)
             begin = (float(seen[start]), float(speed[start]))
             yield free_run(self.dynamics, v[rows], dt, *begin, states[start])[0][:, 0]
-
-    @checked
-    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured gap-free path, lag states filtered from the measured signals."""
-        d = self.dynamics
-        library = monomials(d.exponents, scaled_variables(d, _at_samples(v), q, qdot, sample_interval(t)))
-        acceleration: FloatArray = library @ d.coefficients[1]
-        return acceleration
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves on a grid of q [m], shape (n,) (fig. 14).
@@ -342,6 +334,19 @@ def identify_default_sindy(
     """SINDy as pysindy ships it: `pipeline.models.sindy.fit.fit_default_sindy`; parameters as above.
 
     `log_units`: those of the log for q and the inputs, in SI.
+
+    Parameters
+    ----------
+    trajectories : sequence of Log
+        Gap-free training segments.
+    inputs : {"squared", "linear"}
+        How the inputs act.
+    mass : float
+        Moving mass [kg]; 1 if unknown.
+    units : (str, str)
+        SI units of q and of the inputs.
+    log_units : (float, float)
+        Units of the log for q and the inputs, in SI.
     """
     from .fit import fit_default_sindy
 
@@ -355,14 +360,14 @@ def _terms(dynamics: PolynomialDynamics) -> int:
     return int(np.count_nonzero(dynamics.coefficients[1]))
 
 
-SINDY = Kind(
+SINDY = ModelType(
     lambda data: identify_sindy(
         data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
     ),
     partial(SindyModel.read, name="sindy", command="compare"),
     "export.lagged:realise_polynomial",
 )
-SINDY_DEFAULT = Kind(
+SINDY_DEFAULT = ModelType(
     lambda data: identify_default_sindy(
         data.segments, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
     ),

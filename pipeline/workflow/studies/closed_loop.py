@@ -138,6 +138,17 @@ def _controller(run: Path | None, play: Path | None) -> Controller:
 def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
     """Write a run as a raw log with the reference, and the settings with which debist reads it, beside one another.
 
+    Parameters
+    ----------
+    path : Path
+        The log.
+    form : str
+        Layout of the log.
+    run : ClosedLoop
+        The run.
+    name : str
+        Name of the prototype.
+
     Returns
     -------
     list of Path

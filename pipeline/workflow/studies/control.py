@@ -75,7 +75,23 @@ def _one_map(joint_run: ControlRun, converters: Converters, to: Well, on_progres
 def pulse(
     root: Path, to: Well, start: Well | None, goal: Goal, settings: ControlSettings, observer: Observer
 ) -> dict[str, Any]:
-    """A feedforward snap to a well and what the model predicts of it."""
+    """A feedforward snap to a well and what the model predicts of it.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    to : {"left", "right"}
+        Well to bring the joint to.
+    start : {"left", "right"} or None
+        Well it rests in; None: the other one.
+    goal : str
+        Quantity that the pulse minimises.
+    settings : ControlSettings
+        Limits of the voltages, and lags.
+    observer : Observer
+        Receives what happens.
+    """
     if start == to:
         raise InputError(f"--from {start}: the joint is there already; a pulse brings it from one well to the other")
     highest = control_run(root).highest(settings)
@@ -114,7 +130,19 @@ def pulse(
 
 
 def with_draws(model: HybridModel, converters: Converters, places: tuple[float, float, float], to: Well) -> Ensemble:
-    """The joint with the draws that judge a pulse to a well: their voltages err as its lowest voltage may."""
+    """The joint with the draws that judge a pulse to a well: their voltages err as its lowest voltage may.
+
+    Parameters
+    ----------
+    model : HybridModel
+        The identified joint.
+    converters : Converters
+        Lags of the converters.
+    places : (float, float, float)
+        Left rest, unstable equilibrium and right rest [m].
+    to : {"left", "right"}
+        Well of the pulse.
+    """
     lowest = lowest_voltage(model, converters, places, to, TYPICAL)
     return uncertain(ensemble_of(model, DRAWS, converters), [lowest])
 
@@ -136,7 +164,19 @@ def check_pulse_name(output: Path) -> None:
 
 
 def write_pulse(root: Path, document: Mapping[str, Any], output: Path, *, force: bool) -> list[Path]:
-    """Write a pulse of a run as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it."""
+    """Write a pulse of a run as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    document : mapping
+        The pulse.
+    output : Path
+        The file.
+    force : bool
+        Whether a file of others may be replaced.
+    """
     check_pulse_name(output)
     t = np.array(document["t_s"])
     v = np.array(document["v_V"])

@@ -17,22 +17,14 @@ from ...models.analytical.reduced_order import reduce_joint, simulate_reduced
 from ...models.analytical.statics import equilibria
 from ...models.hybrid.model import HybridModel
 from ...numerics.arrays import FloatArray
-from ...rig.excitation import ENDINGS, Sequence, command, save_sequence
+from ...rig.excitation import BURSTS, ENDINGS, BurstKind, Sequence, command, save_sequence
 from ...settings.logs import Number, SettingsTable, Whole
 from ...settings.models import CENTRES
 from ...settings.prototype import FIELD_LIMIT, Prototype
 from ...store.outputs import check_places, new_outputs, rebased
 from ...store.run_folder import RunFolder
 from ..run_models import subject
-from .excitation_design import (
-    KINDS,
-    Assessment,
-    BurstKind,
-    Design,
-    Requirements,
-    Simulator,
-    design_excitation,
-)
+from .excitation_design import Assessment, Design, Requirements, Simulator, design_excitation
 from .next_log import NextLog, design_next_log
 
 _COMMAND = "rig excite"
@@ -64,7 +56,7 @@ class ExcitationSource:
     run : Path or None
         A run whose model takes the place of the parameter set.
     model : str
-        The run's model; the headline if left out.
+        The run's model; the main model if left out.
     joints : int
         Joints made after the drawing, with tolerances; a run is one joint.
     seed : int
@@ -96,7 +88,7 @@ class DesignFile(SettingsTable):
     """Rest before the first burst."""
     rate_Hz: Number = Field(default=1000.0, ge=100.0, le=100e3)
     """Rate of the written samples."""
-    kinds: tuple[BurstKind, ...] = Field(default=KINDS, min_length=1)
+    kinds: tuple[BurstKind, ...] = Field(default=BURSTS, min_length=1)
     """Bursts to use."""
     basis_functions: Whole = Field(default=CENTRES, ge=2, le=50)
     """Basis functions of each curve."""
@@ -114,6 +106,21 @@ def excite(
     report: Callable[[float], None] | None = None,
 ) -> tuple[Design | NextLog, tuple[Path, ...]]:
     """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
+
+    Parameters
+    ----------
+    output : Path
+        The sequence.
+    source : ExcitationSource
+        Joint or run that it is designed for.
+    wanted : Requirements
+        Duration, bursts and candidates.
+    limits : ExcitationLimits
+        Largest voltage and field.
+    rate : float
+        Sampling rate of the file [Hz].
+    report : callable, optional
+        Receives the share that is done.
 
     Returns
     -------

@@ -11,7 +11,6 @@ doi:10.1016/0025-5564(85)90068-9).
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Literal, get_args
 
 import numpy as np
 
@@ -20,7 +19,7 @@ from ...fitting.coverage import FEW, Coverage, coverage
 from ...fitting.information import Conditioning, ScaledRegressor, conditioning, log_information
 from ...numerics.arrays import FloatArray
 from ...rig.bench import Converter
-from ...rig.excitation import Burst, alternating_pulses, command, draw_burst, draw_pause
+from ...rig.excitation import BURSTS, Burst, BurstKind, alternating_pulses, command, draw_burst, draw_pause
 from ...scoring.wells import NoWells, Wells, find_wells, snaps
 from ...settings.models import CENTRES, SMOOTHING
 
@@ -28,9 +27,6 @@ Simulator = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
 """Times (N,) [s] and voltages (N, 2) [V] to q (N,) [m] and q̇ (N,) [m/s], from rest; NaN after a divergence."""
 
 INTERVAL = 5e-3  # s, of the simulated samples
-BurstKind = Literal["pulse", "both", "chirp", "steps", "multisine"]
-KINDS: tuple[BurstKind, ...] = get_args(BurstKind)
-"""Kinds of bursts, in the order of `pipeline.rig.excitation.SHARES`."""
 COVERAGE_WEIGHT = 1.0  # nats per weight that full coverage is worth
 _SHORTEST = 0.3  # s, of room that is worth another burst
 _FADE_OUT = 0.2  # s without voltage at the end
@@ -52,7 +48,7 @@ class Requirements:
     voltage : float
         Largest voltage of either side [V].
     kinds : tuple of str
-        Names in `KINDS` that may be used.
+        Bursts that may be used.
     candidates : int
         Bursts drawn for each place.
     basis_functions : int
@@ -64,7 +60,7 @@ class Requirements:
     duration: float = 37.5
     rest: float = 1.0
     voltage: float = 3000.0
-    kinds: tuple[BurstKind, ...] = KINDS
+    kinds: tuple[BurstKind, ...] = BURSTS
     candidates: int = 24
     basis_functions: int = CENTRES
     smoothing: float = SMOOTHING
@@ -153,7 +149,7 @@ def design_excitation(
     wanted : Requirements
         Length, limits, shapes, effort.
     report : callable, optional
-        Told the share that is designed.
+        Receives the share that is designed.
 
     Raises
     ------
@@ -189,6 +185,17 @@ def greedy_bursts(
 
     `criterion` takes bursts and where they end [s]; −∞ refuses them.
 
+    Parameters
+    ----------
+    criterion : callable
+        Bursts and their end [s] → value; −∞ refuses them.
+    rng : numpy.random.Generator
+        Draws the candidates.
+    wanted : Requirements
+        Duration, kinds of bursts and candidates.
+    report : callable, optional
+        Receives the share that is done.
+
     Raises
     ------
     InputError
@@ -221,7 +228,21 @@ def greedy_bursts(
 def assess(
     simulators: Sequence[Simulator], weights: ScaledRegressor, wells: Wells, bursts: list[Burst], duration: float
 ) -> Assessment:
-    """Play a sequence on every simulator; the information of its motions on the weights."""
+    """Play a sequence on every simulator; the information of its motions on the weights.
+
+    Parameters
+    ----------
+    simulators : sequence of Simulator
+        Joints on which the sequence is played.
+    weights : ScaledRegressor
+        Regressor of the weights.
+    wells : Wells
+        Wells of the joints.
+    bursts : list of Burst
+        The sequence.
+    duration : float
+        Its length [s].
+    """
     runs = [_play(simulate, bursts, duration) for simulate in simulators]
     information = [weights.information(*run, INTERVAL) for run in runs]
     coverages = [_coverage(weights, run) for run in runs]
@@ -234,7 +255,7 @@ def assess(
 
 def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
     """A burst at `start` [s] that fits, and the end [s] of the pause behind it; three of four follow the turn."""
-    kind = KINDS.index(wanted.kinds[int(rng.integers(len(wanted.kinds)))])
+    kind = wanted.kinds[int(rng.integers(len(wanted.kinds)))]
     turn = side if rng.random() < 0.75 else 1 - side
     burst = draw_burst(rng, kind, start, turn, wanted.voltage)
     last = wanted.duration - _FADE_OUT

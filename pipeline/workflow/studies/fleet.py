@@ -10,7 +10,7 @@ import numpy as np
 
 from ...device.device import device
 from ...diagnostics.facts.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
-from ...diagnostics.instruments import Instruments, ObservedModel
+from ...diagnostics.instruments import InstrumentTest, ObservedModel
 from ...errors import DataRefusedError, DebistError, InputError
 from ...models.base import DynamicModel
 from ...models.hybrid.model import HybridModel
@@ -18,7 +18,6 @@ from ...models.hybrid.siblings import Learnt, column, learn, to_tree
 from ...numerics.arrays import FloatArray
 from ...signals.log import Log
 from ...store import layout
-from ...store.documents import read_document
 from ...store.manifest import MANIFEST
 from ...store.run_folder import RunFolder, in_snapshot
 from ...store.trees import write_tree
@@ -139,7 +138,7 @@ def series_of(roots: Sequence[Path], at: str | None) -> Series:
     of_runs = [list(facts_of(r.sheet, r.model, between, r.gain_unit)) for r in runs]
     first = runs[0]
     if isinstance(first.model, ObservedModel):
-        instruments = Instruments(first.model, first.training)
+        instruments = InstrumentTest(first.model, first.training)
         for run, own in zip(runs[1:], of_runs[1:], strict=True):
             own += instrument_facts(instruments, [part for parts in run.training for part in parts], run.displacement)
     facts = facts_over_time(ascending, of_runs)
@@ -177,7 +176,7 @@ def _times(text: str, count: int) -> FloatArray:
 def _read(run: RunFolder) -> _Run:
     if layout.DATASHEET not in run.manifest.artifacts:
         raise InputError(f"{run.root}: has no datasheet; `debist report {shell_word(run.root)}` makes one")
-    sheet = read_document(run, layout.DATASHEET)
+    sheet = run.read_document(layout.DATASHEET)
     prototype = run.prototype
     if sheet["facts_from"] is None:
         raise InputError(f"{run.root}: no model has curves, so there are no facts to follow; identify hybrid or rbf")

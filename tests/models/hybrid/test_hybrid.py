@@ -15,7 +15,7 @@ from pipeline.models.hybrid.identify import BASIS_FUNCTIONS, identify_hybrid
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.start import prior_root
-from pipeline.models.kind import Training
+from pipeline.models.model_type import Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import Identify
 from pipeline.signals.log import Log
@@ -172,14 +172,6 @@ def test_a_log_that_begins_in_motion_is_compared_from_where_its_hidden_states_ar
     assert np.abs(error).max() < 0.02 * 1e3 * np.ptp(whole.q)  # mm
     assert problem.held_share == 0.0
     assert len(error) == len(whole.t) - begin - 100
-
-
-def test_acceleration_along_the_own_path_is_the_own(identified: tuple[HybridModel, HybridModel]) -> None:
-    truth, _ = identified
-    t, v = pulses(3, 5.0)
-    run = truth.simulate(t, v, -0.0105, 0.0)
-    along = truth.accelerate(t, v, run.q, run.qdot)
-    assert np.sqrt(np.mean((along - run.qddot) ** 2)) < 0.03 * np.ptp(run.qddot)
 
 
 def test_the_tree_goes_round(identified: tuple[HybridModel, HybridModel]) -> None:

@@ -66,7 +66,6 @@ def test_a_new_record_is_predicted_freely(model: SindyModel) -> None:
     run = model.simulate(new.t, new.v, float(new.q[0]), float(new.qdot[0]))
     assert run.status == "ok"
     assert nrmse(new.q, run.q) < 1e-2
-    np.testing.assert_allclose(model.accelerate(new.t, new.v, new.q, new.qdot), new.qddot, atol=5e-3)
 
 
 def test_characteristic_curves_are_those_planted(model: SindyModel) -> None:
