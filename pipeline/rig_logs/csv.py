@@ -41,6 +41,7 @@ _LARGEST_HEAD = 1 << 24
 _FEWEST_LINES = 20
 _MOST_NAMED = 3
 _MARKED = re.compile(r"\d([.,])\d")
+_EMPTY = "empty cells only in the first rows; no sensor, or another channel?"
 _FIRST_YEAR = "1678"
 _LAST_YEAR = "2261"
 """Whose times a count of nanoseconds since 1970 holds."""
@@ -94,8 +95,8 @@ class CsvSource(Source):
         """What stands in the columns that are no numbers."""
         left_out = {}
         for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True):
-            if text or (cell and not is_value(cell, self._dialect.decimal)):
-                left_out[name] = text or repr(cell[:40])
+            if text or not cell or not is_value(cell, self._dialect.decimal):
+                left_out[name] = text or (repr(cell[:40]) if cell else _EMPTY)
         return left_out
 
     def entries(self) -> list[Entry]:

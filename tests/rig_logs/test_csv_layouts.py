@@ -62,11 +62,14 @@ LAYOUTS = {
         "t,q\n" + _rows("{:02.0f}:{:06.3f},{:.4f}", np.where(TIME < 1.0, 59, 0), (59 + TIME) % 60, Q),
         {"t": TIME, "q": Q},
     ),
-    "a channel that begins behind what is seen at first": (
-        "t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, ["" if i < 500 else "7.5" for i in range(N)]),
-        {"t": TIME, "q": Q, "v": np.where(np.arange(N) < 500, np.nan, 7.5)},
-    ),
 }
+
+
+def test_a_channel_that_begins_behind_what_is_seen_at_first_is_named(tmp_path):
+    late = _rows("{:.3f},{:.4f},{}", TIME, Q, ["" if i < 500 else "7.5" for i in range(N)])
+    (tmp_path / "log.csv").write_text("t,q,v\n" + late)
+    source = open_here(tmp_path / "log.csv")
+    assert [entry.name for entry in source.entries()] == ["t", "q"] and "empty cells only" in source.texts["v"]
 
 
 @pytest.mark.parametrize("name", LAYOUTS)
