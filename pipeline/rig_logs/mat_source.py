@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..units.units import SECONDS, time_unit
 from .attributes import is_unit, scales_among, starts_among
 from .channel_roles import is_called
-from .controldesk import is_recorder, recorder_channels
+from .mat_recorders import is_recorder, is_simulink_log, recorder_channels, simulink_channels
 from .mat_tables import TABLES, table_channels
 from .mat_values import (
     MatArray,
@@ -22,7 +22,6 @@ from .mat_values import (
     scalar_of,
     text_of,
 )
-from .simulink import is_simulink_log, simulink_channels
 from .source import (
     MOST_COLUMNS,
     Counted,

@@ -15,6 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..units.units import SECONDS
+
 MEGABYTE = 1 << 20
 
 
@@ -242,7 +244,6 @@ _STEP = re.compile(
 """Names of single numbers that say how often a log was sampled …"""
 _WITH_UNIT = re.compile(r"(?i)(?P<name>.*?)[_ ]+[\[(]?(?P<unit>k?hz|[mu]?s)[\])]?")
 """… and a unit behind such a name."""
-_UNITS = {"hz": 1.0, "khz": 1e3, "s": 1.0, "ms": 1e-3, "us": 1e-6}
 
 
 def stated_rate(name: str, number: float) -> float | None:
@@ -251,7 +252,8 @@ def stated_rate(name: str, number: float) -> float | None:
         return None
     unit = _WITH_UNIT.fullmatch(name)
     if unit and not (_RATE.fullmatch(name) or _STEP.fullmatch(name)):
-        name, number = unit["name"], number * _UNITS[unit["unit"].lower()]
+        name = unit["name"]
+        number *= SECONDS.get(unit["unit"].lower(), 1000.0 if unit["unit"].lower() == "khz" else 1.0)
     rate = number if _RATE.fullmatch(name) else 1.0 / number if _STEP.fullmatch(name) else math.inf
     return rate if rate < math.inf else None
 
