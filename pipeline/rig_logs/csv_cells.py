@@ -115,7 +115,19 @@ def is_before_decimals(cell: str, decimal: str) -> bool:
 
 
 def unclear_mark(cell: str, line: int, column: str, mark: str) -> str:
-    """What to say of a mark of which nothing shows whether it stands before decimals."""
+    """What to say of a mark of which nothing shows whether it stands before decimals.
+
+    Parameters
+    ----------
+    cell : str
+        The first cell with it.
+    line : int
+        Its line, counted from 1.
+    column : str
+        The name of its column.
+    mark : str
+        The point or the comma.
+    """
     return (
         f"{cell!r} in line {line}, column {column!r}: does {mark!r} separate thousands? Nothing in the first rows "
         f"shows it. Export the log without such separators; if it is the decimal mark, set [ingest.csv] decimal = "

@@ -114,7 +114,8 @@ def _one_table(sheets: Mapping[str, Any]) -> str:
     """
     main = max(sheets, key=lambda name: sheets[name].total_height)
     heads = {name: _heading(each.to_python(False, _START)) for name, each in sheets.items()}
-    alike = [name for name in sheets if heads[name] in ([], heads[main]) and sheets[name].width == sheets[main].width]
+    alike = [name for name in sheets if heads[name] == heads[main] or [] in (heads[name], heads[main])]
+    alike = [name for name in alike if heads[name] is not None and sheets[name].width == sheets[main].width]
     if len(alike) > 1:
         raise UnreadableLogError(
             f"the sheets {', '.join(map(repr, alike))} hold tables of one heading: save each as a file of its own, or "

@@ -46,6 +46,8 @@ def bandwidth(samples: FloatArray, step: float, noise: float) -> Bandwidth:
     Cost: the spectra of at most 64 windows of 2¹⁴ samples, spread over the signal: 6 ms of 10⁶ samples.
     """
     size = min(samples.size, _WINDOW)
+    if size < 2:
+        return Bandwidth(np.nan, np.nan)
     below: FloatArray = np.cumsum(np.maximum(_spectrum(samples, size) - 2.0 * noise**2 / size, 0.0))
     if not below[-1] > 0.0:
         return Bandwidth(np.nan, np.nan)

@@ -39,7 +39,6 @@ def _values(text, name="log.csv", folder=None):
         ("t,q,v\ns,mm,V\n" + "".join(LINES[:300]) + "t,q,v\ns,mm,V\n" + "".join(LINES[300:]), "s,mm,V"),
         ("t,q,v\n\ns,mm,V\n\n" + ROWS, ""), ("t/s,q/mm,v/V\n" + ROWS, ""), ("t,q,v\n's','mm','V'\n" + ROWS, ""),
         ("t [s] q [mm] v [V]\n" + ROWS.replace(",", " "), ""),
-        (HEAD + "".join(f'="{line.strip().replace(",", chr(34) + ",=" + chr(34))}"\n' for line in LINES), ""),
         ("\ufeff\ufeff" + HEAD + ROWS, ""), ("\0" * 512 + HEAD + ROWS, ""),
     ],
 )  # fmt: skip

@@ -125,7 +125,7 @@ def test_a_workbook_is_known_by_its_content_and_its_hidden_sheets_are_not_read(t
     workbook(tmp_path / name, rows, hidden=[*rows, *rows[1:]])
     source = open_here(tmp_path / name)
     np.testing.assert_array_equal(load(source, "q"), Q)
-    assert source.warnings == ["of the sheets 'Log' is read, 'Hidden' not"]
+    assert source.warnings == ["of the sheets 'Log' is read, 'Old' not"]
 
 
 def test_numbers_that_a_workbook_holds_as_text_need_their_decimal_mark(tmp_path):
