@@ -26,14 +26,6 @@ _SENTENCE = 21  # columns of the longest name of a model; longer texts may be wr
 _GAP = 2  # columns between two of a table
 
 
-def clock(seconds: float) -> str:
-    """A duration as people read it."""
-    if seconds < 60.0:
-        return f"{seconds:.0f} s"
-    minutes = round(seconds / 60.0)
-    return f"{minutes} min" if minutes < 60 else f"{minutes // 60} h {minutes % 60} min"
-
-
 def printable(text: str) -> str:
     """The text with every control character (terminal escapes, line feeds, direction marks) written out."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)

@@ -1,7 +1,6 @@
 """Results of a run or a batch: scores, assessment, instruments, states of tasks, and the progress of a batch."""
 
 import sys
-import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from datetime import UTC, datetime
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from ..system.names import shell_word
-from .console import brief, clock, emit_json, emit_table, emit_text, printable
+from .console import brief, emit_json, emit_table, emit_text, printable
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -233,20 +232,26 @@ class BatchProgress:
         self._total = total
         self._quiet = quiet
         self._done = 0
-        self._made = 0
-        self._began: float | None = None
         self._running: list[str] = []
         self._bar: Any = None
 
     def __enter__(self) -> "BatchProgress":
         if sys.stderr.isatty() and not self._quiet:
             from rich.console import Console
-            from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+            from rich.progress import (
+                BarColumn,
+                MofNCompleteColumn,
+                Progress,
+                TextColumn,
+                TimeElapsedColumn,
+                TimeRemainingColumn,
+            )
 
             self._bar = Progress(
                 BarColumn(),
                 MofNCompleteColumn(),
                 TimeElapsedColumn(),
+                TimeRemainingColumn(),
                 TextColumn("{task.description}", markup=False),
                 console=Console(stderr=True),
                 transient=True,
@@ -266,28 +271,19 @@ class BatchProgress:
                 "--collect makes tables of what is there",
             )
 
-    def _left(self) -> str:
-        """Estimated time for the rest, from the prototypes that were run; those up to date are left out."""
-        if self._began is None or not self._made or self._done == self._total:
-            return ""
-        elapsed = time.perf_counter() - self._began
-        return f", about {clock(elapsed / self._made * (self._total - self._done))} left"
-
     def started(self, name: str) -> None:
         """Show it among those that run."""
-        self._began = self._began or time.perf_counter()
         self._running.append(name)
         self._show()
 
     def finished(self, outcome: "Outcome") -> None:
         """Say how it went."""
         self._done += 1
-        self._made += not _up_to_date(outcome)
         self._running.remove(outcome.name)
         if self._quiet:
             return
         state = f"failed: {outcome.reason}" if outcome.failed else "up to date" if _up_to_date(outcome) else "done"
-        line = f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s){self._left()}"
+        line = f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"
         line = printable(line)
         if self._bar is None:  # a cluster's log: each line stands alone
             typer.echo(f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} {line}", err=True)
@@ -299,7 +295,7 @@ class BatchProgress:
         if self._bar is not None:
             more = f" and {len(self._running) - _MOST_NAMED} more" if len(self._running) > _MOST_NAMED else ""
             names = printable(", ".join(self._running[:_MOST_NAMED]) + more)
-            self._bar.update(self._bar.task_ids[0], completed=self._done, description=names + self._left())
+            self._bar.update(self._bar.task_ids[0], completed=self._done, description=names)
 
 
 def _up_to_date(outcome: "Outcome") -> bool:

@@ -47,36 +47,35 @@ class Shown:
 
 @with_options
 def plot(
-    runs: Runs,
+    run: Run,
     shown: Shown,
     figure: Annotated[str | None, typer.Option("--figure", help="Name of the figure [default: list them].")] = None,
     output: Annotated[
         Path | None,
-        typer.Option("-o", help="File (.svg, .pdf, .png), or a folder for several runs [default: here]."),
+        typer.Option("-o", metavar="FILE", help="File: .svg, .pdf or .png [default: PROTOTYPE-FIGURE.svg]."),
     ] = None,
     force: Force = False,
     as_json: Json = False,
 ) -> None:
-    """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
+    """One figure of a run as SVG, PDF or PNG; without --figure the names of all figures.
 
     Times in s. Example: debist plot runs/P1 --figure validation-validation-models -o models.pdf --from 18 --to 24
     """
-    from ..workflow.plot import Excerpt, plot_runs, run_figures
+    from ..workflow.plot import Excerpt, plot_figure, run_figures
 
     if figure is None:
-        names = list(run_figures(runs[0]).titles.items())
+        names = list(run_figures(run).titles.items())
         if as_json:
             emit_json({"figures": [{"name": name, "title": title} for name, title in names]})
         else:
-            emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
+            emit_table(f"figures of {run}", ("figure", "shows"), names, numeric_from=2)
         return
-    written = plot_runs(
-        runs, figure, output, Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface), force=force
-    )
+    excerpt = Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface)
+    written = plot_figure(run, figure, output, excerpt, force=force)
     if as_json:
-        emit_json({"written": written})
+        emit_json({"written": [written]})
     else:
-        typer.echo("\n".join(map(str, written)))
+        typer.echo(str(written))
 
 
 def show(run: Run, as_json: Json = False) -> None:
@@ -96,6 +95,9 @@ def show(run: Run, as_json: Json = False) -> None:
     emit_table(f"{shown.title}; ± half of the central 90 %, ring-downs of small motion", wells, shown.facts)
     if shown.seen:
         emit_table("measured in the logs, and in the model's free runs", wells, shown.seen)
+    if shown.elements:
+        heading = ("element", "RMS force", "of the restoring force")
+        emit_table("what acts along the training logs", heading, shown.elements)
     outcome.emit_instruments(run)
     emit_table(
         f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4

@@ -19,7 +19,6 @@ Role = str
 Dash = Literal["role", "solid", "dashed", "dotted"]
 MOST_POWERS = 6  # labels along a logarithmic axis
 MOST_PLAIN = 1e3  # ratio of its ends beyond which they are powers of ten
-FEW_POWERS = 1e2  # ratio up to which there are labels between them
 
 
 def log_label(value: float, *, powers: bool) -> str:

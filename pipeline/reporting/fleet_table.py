@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -51,23 +51,18 @@ class Summary:
 
     name: str
     reason: str
-    link: str | None
-    done: bool
-    data: str
-    model: str
-    why: str
-    diverged: bool
-    error: float
-    switches: float
-    training: bool
-    facts: dict[str, tuple[float, str]]
+    link: str | None = None
+    done: bool = False
+    data: str = ""
+    model: str = ""
+    why: str = ""
+    diverged: bool = False
+    error: float = float("nan")
+    switches: float = float("nan")
+    training: bool = False
+    facts: dict[str, tuple[float, str]] = field(default_factory=dict)
     instruments: float = float("nan")
     off: bool = False
-
-
-def failed(name: str, reason: str) -> Summary:
-    """A prototype without a datasheet."""
-    return Summary(name, reason, None, False, "", "", "", False, float("nan"), float("nan"), False, {})
 
 
 def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:

@@ -1,5 +1,6 @@
 """A figure drawn with matplotlib: for a paper, for the page, and on the axes of a notebook."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -14,7 +15,6 @@ from ..system.names import Typeface
 from ..system.package import full_name
 from ..units.quantity import axis_scale, scale
 from .figure import (
-    FEW_POWERS,
     MOST_PLAIN,
     MOST_POWERS,
     Cells,
@@ -239,7 +239,8 @@ def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, ticks: _T
     (on.set_xlim if which == "x" else on.set_ylim)(low, high)
     if ticks.log:
         (on.set_xscale if which == "x" else on.set_yscale)("log")
-        between = (1.0,) if high > FEW_POWERS * low else (1.0, 2.0, 5.0)
+        inside = math.floor(math.log10(high)) - math.ceil(math.log10(low)) + 1
+        between = (1.0,) if inside > 2 else (1.0, 2.0, 5.0)  # where there are few powers of ten
         axis.set_major_locator(ticker.LogLocator(subs=between, numticks=MOST_POWERS))
         axis.set_minor_locator(ticker.NullLocator())
         powers = high > MOST_PLAIN * low

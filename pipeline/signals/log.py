@@ -271,14 +271,3 @@ def unknown_rows(t: FloatArray, spans: Sequence[Sequence[float]]) -> BoolArray:
     for start, stop in spans:
         inside[np.searchsorted(t, start, side="right") : np.searchsorted(t, stop)] = True
     return inside
-
-
-def peaks(v: FloatArray, *, joint: bool) -> FloatArray:
-    """Largest magnitude of each input, shape (K,), against which its steps and rests are seen.
-
-    Of the joint, whose voltages are of one kind, the larger one of both; of another device each input's own, but not
-    less than a twentieth of the largest, so that the noise of an unused one is no step.
-    """
-    own: FloatArray = np.max(np.abs(v), axis=0, initial=0.0)
-    largest = float(np.max(own, initial=0.0))
-    return np.full_like(own, largest) if joint else np.maximum(own, 0.05 * largest)

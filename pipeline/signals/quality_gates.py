@@ -146,29 +146,23 @@ def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -
     return [refusal("rate", "coarse_log", numbers)]
 
 
-_PLAUSIBLE_SPANS = {"m": (1e-5, 0.5), "rad": (1e-3, 20.0), "V": (0.5, 5e4)}
-"""Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides."""
-
-
-def scale_suspicion(span: float, symbol: str, *, joint: bool = True) -> float | None:
+def scale_suspicion(span: float, plausible: tuple[float, float] | None) -> float | None:
     """By what factor numbers look too large, if a unit prefix seems to be wrong.
 
     Parameters
     ----------
     span : float
         Largest minus smallest value, in SI.
-    symbol : str
-        SI unit of the values.
-    joint : bool
-        Whether the device is one: of another, any span is plausible.
+    plausible : (float, float) or None
+        Least and largest span that such signals show (`Device.plausible_span`).
 
     Returns
     -------
     float or None
         1000.0: looks 1000 times too large; 0.001: 1000 times too small, and so on; None where the span is
-        plausible, zero, or the unit is not one with known spans.
+        plausible, zero, or nothing is known of it.
     """
-    low, high = plausible_span(symbol, joint=joint) or (0.0, np.inf)
+    low, high = plausible or (0.0, np.inf)
     if not 0.0 < span < np.inf or low <= span <= high:
         return None
     prefix = 1000.0 if span > high else 1.0 / 1000.0
@@ -176,11 +170,6 @@ def scale_suspicion(span: float, symbol: str, *, joint: bool = True) -> float | 
     while max(low * factor / span, span / (high * factor)) > 1.0 and max(factor, 1.0 / factor) < 1e9:
         factor *= prefix
     return factor
-
-
-def plausible_span(symbol: str, *, joint: bool = True) -> tuple[float, float] | None:
-    """Least and largest span [SI] of a signal of this unit that a joint shows; None for others."""
-    return _PLAUSIBLE_SPANS.get(symbol) if joint else None
 
 
 def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
