@@ -22,8 +22,7 @@ from ..units.units import (
 )
 
 _PLAUSIBLE_SPANS = {"m": (1e-5, 0.5), "rad": (1e-3, 20.0), "V": (0.5, 5e4)}
-"""Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides; and those of
-another device: a cart goes metres, a motor turns many times."""
+"""Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides."""
 
 
 @dataclass(frozen=True)
@@ -137,10 +136,8 @@ class Device:
     def plausible_span(self, symbol: str) -> tuple[float, float] | None:
         """Least and largest span [SI] of its signals of this unit; None for a unit without known spans.
 
-        An electronic circuit is built for whatever voltages it was built for.
+        Of a device that is no joint any span is plausible.
         """
-        if self.displacement.symbol == "V":
-            return None
         return _PLAUSIBLE_SPANS.get(symbol) if self.joint else None
 
 
