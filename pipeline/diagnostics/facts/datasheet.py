@@ -208,7 +208,7 @@ def make_datasheet(data: RunData) -> Datasheet:
     wells = wells_of_run(data)
     records = [(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs]
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
-    rests = rest_facts(records, wells, hum, joint=data.device.joint)
+    rests = rest_facts(records, wells, hum, plant=data.device)
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
@@ -217,10 +217,10 @@ def make_datasheet(data: RunData) -> Datasheet:
     if source is not None:
         values, limits, in_draws = _by_model(data, curves[source], draws.get(source, []))
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
-        believed = believed_wells(wells, source, stable, joint=data.device.joint)
+        believed = believed_wells(wells, source, stable, plant=data.device)
         if believed is not wells:
             wells = believed
-            rests = rest_facts(records, believed, hum, joint=data.device.joint)
+            rests = rest_facts(records, believed, hum, plant=data.device)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, in_draws, rests, wells, events)
@@ -240,8 +240,8 @@ def _by_model(
 
     Stable states have neither interval nor share: a draw may have another number of them than the curves.
     """
-    values = device_facts(curves, joint=data.device.joint)
-    drawn = [device_facts(draw, joint=data.device.joint) for draw in draws]
+    values = device_facts(curves, plant=data.device)
+    drawn = [device_facts(draw, plant=data.device) for draw in draws]
     limits = intervals(values, drawn) if draws else {}
     compared = {key for key in values if not key.startswith(STABLE)}
     in_draws = {key: share for key, share in shares(values, drawn).items() if key in compared}
@@ -292,7 +292,7 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
     if model is None or not logs:
         return {}
     runs = [(log.kinematics["t"], log.predictions[model]["q"], voltages(log.kinematics)) for log in logs]
-    events = _measured(rest_facts(runs, wells, joint=data.device.joint), wells)
+    events = _measured(rest_facts(runs, wells, plant=data.device), wells)
     return {key: float(np.mean(values)) for key, values in events.items()}
 
 
