@@ -10,6 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..device.device import Device
 from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..scoring.wells import NoWells, Wells, find_wells, snaps
@@ -18,7 +19,6 @@ from ..signals.findings import Finding, Number, refusal
 from ..signals.noise import is_idle, noise_level
 from .coverage import ACTING, Coverage, coverage
 from .information import Conditioning, ScaledRegressor, conditioning
-from .regression import InputLaw, input_signal
 
 _INTERMEDIATE = (0.15, 0.85)
 """Shares of the largest value between which an input is neither off nor full."""
@@ -97,11 +97,10 @@ def examine_excitation(
     v: FloatArray,
     segment: IntArray,
     interval: float,
+    plant: Device,
     *,
-    inputs: InputLaw = "squared",
     basis_functions: int = CENTRES,
     smoothing: float = SMOOTHING,
-    joint: bool,
 ) -> Excitation:
     """Examine a uniform record.
 
@@ -115,12 +114,10 @@ def examine_excitation(
         Number of the gap-free segment; negative where masked.
     interval : float
         Sample interval [s].
-    inputs : {"squared", "linear"}
-        How the inputs act.
+    plant : Device
+        How its inputs act, and whether it is the joint.
     basis_functions, smoothing : int, float
         M and σ_n of the curves that are to be identified.
-    joint : bool
-        Whether the device can be the bistable joint.
 
     Raises
     ------
@@ -143,10 +140,10 @@ def examine_excitation(
         largest,
         basis_functions=basis_functions,
         smoothing=smoothing,
-        inputs=inputs,
+        inputs=plant.action,
     )
     information: FloatArray = np.sum([weights.information(*each, interval) for each in motions], axis=0)
-    wells = find_wells([(q, v, interval)], joint=joint)
+    wells = find_wells([(q, v, interval)], plant=plant)
     acting: BoolArray = np.abs(v) > ACTING * np.maximum(largest, np.finfo(float).tiny)
     return Excitation(
         centres=weights.centres,
@@ -158,7 +155,7 @@ def examine_excitation(
         together=float(np.mean(acting.all(axis=1))) if v.shape[1] > 1 else 0.0,
         conditioning=conditioning(information),
         interval=interval,
-        signals=input_signal(v, inputs),
+        signals=plant.acting(v),
         displacement=max(motions, key=lambda each: each[0].size)[0],
     )
 
@@ -231,13 +228,11 @@ def excitation_findings(
     v: FloatArray,
     segment: IntArray,
     interval: float,
+    plant: Device,
     *,
-    inputs: InputLaw,
     basis_functions: int,
     smoothing: float,
     bistable: bool,
-    joint: bool,
-    displacement: str = "m",
 ) -> list[Finding]:
     """Objections to a model from these training data.
 
@@ -251,14 +246,12 @@ def excitation_findings(
         Number of the gap-free segment, different for each log; negative where masked.
     interval : float
         Sample interval [s].
-    inputs : {"squared", "linear"}
-        How the inputs act.
+    plant : Device
+        How its inputs act, and whether it is the joint.
     basis_functions, smoothing : int, float
         M and σ_n of the curves that are to be identified.
-    bistable, joint : bool
-        Whether the device is known to have two wells, and whether it can be the bistable joint.
-    displacement : str
-        SI unit of q.
+    bistable : bool
+        Whether the device is known to have two wells.
 
     Raises
     ------
@@ -272,17 +265,18 @@ def excitation_findings(
     valid = (segment >= 0) & np.isfinite(q)
     if not valid.any() or _idle(q[valid]):
         return [refusal("idle", "idle")]
-    acting = input_signal(v, inputs)
+    acting = plant.acting(v)
     undriven = [k for k in range(v.shape[1]) if _idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
     findings = [refusal("undriven", "undriven", subject=f"v{k + 1}") for k in undriven]
     try:
         excitation = examine_excitation(
-            q, v, segment, interval,
-            inputs=inputs, basis_functions=basis_functions, smoothing=smoothing, joint=joint,
-        )  # fmt: skip
+            q, v, segment, interval, plant, basis_functions=basis_functions, smoothing=smoothing
+        )
     except InputError as error:
         raise DataRefusedError(str(error)) from error
-    return findings + _of_places(excitation, basis_functions, displacement, conditioned=not undriven, bistable=bistable)
+    return findings + _of_places(
+        excitation, basis_functions, plant.displacement.symbol, conditioned=not undriven, bistable=bistable
+    )
 
 
 def _of_places(

@@ -24,18 +24,13 @@ _bell = formula(BELL)
 POLYNOMIALS = 4
 """Basis functions 1, x, x², x³ before the Gaussians (1, sin q, cos q, x³ with a wall for a turning arm)."""
 
-FORCE = 0
-DAMPING = 1
-INPUT = 2
+FORCE, DAMPING, INPUT = range(3)
 """Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L, then ρ, β_1 … β_K of each shape element."""
 
 WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, NUMBER, INPUT_SHAPE = range(6)
 """Kinds of parameters: the `kind` of `SensitivityParameters`; a `NUMBER` is one of those below."""
 
-CENTRE = 3
-ARC = 4
-DRAG = 5
-STOPS = 6
+CENTRE, ARC, DRAG, STOPS = range(3, 7)
 """Places in `ObservedJoint.by` of derivatives by numbers of the equation: arm, arc, drag, the four of the stops."""
 
 
@@ -92,7 +87,21 @@ def shapes(c, inputs):
 
 @shared
 def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray, curvatures: FloatArray) -> None:
-    """The basis (4 + M,) and its derivative at x, and the second derivative of the Gaussians (M,)."""
+    """The basis (4 + M,) and its derivative at x, and the second derivative of the Gaussians (M,).
+
+    Parameters
+    ----------
+    x : float
+        Dimensionless displacement.
+    c : Coefficients
+        Numbers of the joint.
+    values : FloatArray, shape (4 + M,)
+        Takes the basis.
+    slopes : FloatArray, shape (4 + M,)
+        Takes its derivative.
+    curvatures : FloatArray, shape (M,)
+        Takes the second derivative of the Gaussians.
+    """
     head = _powers((x,)) if c.arm[1] == 0.0 else _turning_arm((x, c.arm[0], c.arm[1]))
     for i in range(POLYNOMIALS):
         values[i], slopes[i] = head[i], head[POLYNOMIALS + i]
