@@ -136,7 +136,7 @@ def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
     """Print the channels, the time bases, the notes, and what the log excites."""
-    from ..rig_logs.remarks import stamped
+    from ..signals.remarks import stamped
 
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",

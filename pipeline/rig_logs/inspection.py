@@ -12,6 +12,7 @@ from ..signals.columns import Signal, sparse
 from ..signals.missing import code_remarks, codes_in, masked
 from ..signals.outliers import NONE, Dropouts, dropout_remarks, dropouts
 from ..signals.quality_gates import MOST_REPEATED
+from ..signals.remarks import Clock, Context, counted, remarks_on, stamped
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import SignalQuality, examine_signal
 from ..signals.timebase import TimeQuality, examine
@@ -20,7 +21,6 @@ from ..units.units import SECONDS
 from .channel_roles import Suggestion, is_called, suggest, suggested_unit
 from .guarded import read_recording
 from .recording import RecordedChannel, Recording
-from .remarks import Clock, Context, counted, remarks_on, stamped
 from .source import CsvOptions, note_on_rate, stated_rate
 
 _UNEVEN = 0.5

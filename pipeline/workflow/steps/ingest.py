@@ -92,8 +92,8 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
 
 def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
     """The log with its inputs' single-sample spikes bridged, and noted."""
-    from ...rig_logs.remarks import counted, stamped
     from ...signals.outliers import without_spikes
+    from ...signals.remarks import counted, stamped
     from ...signals.timebase import nominal_step
 
     texts = list[str]()
@@ -182,9 +182,9 @@ def _lacking(signals: RawLog, interval: float) -> tuple[list[str], "list[Finding
     """What to say of samples that signals beside q lack, and of more than an interval [s] at which only q is known; and
     what of it speaks against the log.
     """
-    from ...rig_logs.remarks import counted, stamped
     from ...signals.missing import missing
     from ...signals.quality_gates import missing_findings
+    from ...signals.remarks import counted, stamped
 
     beside = missing(signals.q, signals.beside)
     texts = []
@@ -202,7 +202,7 @@ def _discarded(rows: "TimeRows") -> list[str]:
     """What to say of rows that are left out where time steps back."""
     if not rows.turns.size:
         return []
-    from ...rig_logs.remarks import counted, stamped
+    from ...signals.remarks import counted, stamped
 
     share = rows.backward / rows.time.size
     places = counted(int(rows.turns.size), "place")
@@ -215,7 +215,7 @@ def _discarded(rows: "TimeRows") -> list[str]:
 
 def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[str]:
     """What to say of gaps in time, and of spans [s] in which the inputs are not known."""
-    from ...rig_logs.remarks import counted, stamped
+    from ...signals.remarks import counted, stamped
 
     kinds = [
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
@@ -244,8 +244,8 @@ def _with_cuts(
 
 def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
-    from ...rig_logs.remarks import counted
     from ...signals.outliers import dropout_remarks
+    from ...signals.remarks import counted
 
     rails, lost, spikes = trusted.left_out
     plant = device(prototype)
@@ -293,8 +293,8 @@ def _hum_against_rate(signals: RawLog, rate: float | None) -> list[str]:
 
 def _warnings(signals: RawLog, prototype: Prototype, trusted: "Trusted") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
-    from ...rig_logs.remarks import remarks_on
     from ...signals.quality_gates import saturation, scale_suspicion
+    from ...signals.remarks import remarks_on
     from ...signals.signal_quality import span
     from ...signals.timebase import nominal_step
 

@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from ..signals.signal_quality import SignalQuality
+from .signal_quality import SignalQuality
 
 _FROZEN_SECONDS = 0.05
 _FROZEN_SAMPLES = 20
