@@ -9,7 +9,7 @@ from scipy.special import stdtrit
 
 from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.metrics import NORMAL_95
-from .descent import Prior
+from .descent import PARAMETER_STEP, Prior
 from .homotopy import HomotopyFit
 
 SIGNIFICANCE = 0.16
@@ -68,9 +68,6 @@ def surely_smaller(errors: FloatArray, reference: FloatArray) -> bool:
         return False
     return bool(gain.mean() > stdtrit(count - 1.0, 1.0 - SIGNIFICANCE) * gain.std() / np.sqrt(count))
 
-
-NUDGE = 1e-4
-"""Step of the differences of curves: of prior widths or logarithms."""
 
 GROUPS = 10
 """Groups of data whose pulls are compared."""
@@ -160,8 +157,8 @@ def first_order_curves(
     """
     best = curves(mean)
     moved = np.flatnonzero(np.any(spread, axis=1))
-    ahead = [curves(mean + step) for step in NUDGE * np.eye(len(mean))[moved]]
-    deviations = posterior_draws(np.zeros(len(moved)), spread[moved], count, seed) / NUDGE
+    ahead = [curves(mean + step) for step in PARAMETER_STEP * np.eye(len(mean))[moved]]
+    deviations = posterior_draws(np.zeros(len(moved)), spread[moved], count, seed) / PARAMETER_STEP
     drawn = {}
     for name, middle in best.items():
         slopes = np.array([each[name] - middle for each in ahead]).reshape(len(moved), middle.size)

@@ -41,18 +41,30 @@ SLOPES = 79
 
 
 class Method(NamedTuple):
-    """Coefficients of a method of s stages: γ, `start` (s,), `a` and `c` (s, s), `nodes` (s,) as shares of the step."""
+    """Coefficients of a method of s stages.
+
+    γ, `start` (s,), `a` and `c` (s, s − 1), `nodes` (s,) as shares of the step, `by_time` (s,): the share of h ∂f/∂t
+    in the right-hand side of each stage.
+    """
 
     gamma: float
     start: FloatArray
     a: FloatArray
     c: FloatArray
     nodes: FloatArray
+    by_time: FloatArray
 
 
-RODAS4 = Method(
+def _rosenbrock(gamma: float, a: FloatArray, c: FloatArray) -> Method:
+    """A Rosenbrock method: with Γ = (1/γ − C)⁻¹ its nodes are the row sums of A Γ, its shares of ∂f/∂t those of Γ."""
+    stages = len(a)
+    square = np.pad(np.stack([a, c]), ((0, 0), (0, 0), (0, 1)))
+    by_time = np.linalg.solve(np.eye(stages) / gamma - square[1], np.ones(stages))
+    return Method(gamma, np.ones(stages), a, c, square[0] @ by_time, by_time)
+
+
+RODAS4 = _rosenbrock(
     0.25,
-    np.ones(6),
     np.array(
         [
             [0.0, 0.0, 0.0, 0.0, 0.0],
@@ -73,7 +85,6 @@ RODAS4 = Method(
             [8.083246795921522, -7.981132988064893, -31.52159432874371, 16.31930543123136, -6.058818238834054],
         ]
     ),
-    np.array([0.0, 0.386, 0.21, 0.63, 1.0, 1.0]),
 )
 
 
@@ -85,7 +96,7 @@ def _alexander() -> Method:
     second = 0.25 * (6.0 * gamma**2 - 20.0 * gamma + 5.0)
     b = np.array([[0.0, 0.0, 0.0], [middle - gamma, 0.0, 0.0], [first, second, 0.0]]) / gamma
     a = np.asarray(np.linalg.solve(np.eye(3) + b, b), dtype=np.float64)
-    return Method(gamma, 1.0 - a.sum(axis=1), a, np.zeros((3, 0)), np.array([gamma, middle, 1.0]))
+    return Method(gamma, 1.0 - a.sum(axis=1), a, np.zeros((3, 0)), np.array([gamma, middle, 1.0]), np.zeros(3))
 
 
 SDIRK3 = _alexander()

@@ -15,12 +15,10 @@ from ...numerics.arrays import FloatArray, IntArray
 from ...numerics.compiled import compiled, part
 from ...numerics.inner_loops import copy_into, factorise, solve_factorised
 from ...numerics.stiff import R_S, RODAS4, STATES, Work, advance, factorise_stages, working
-from .statics import StaticPath, equilibria, hold_tip, length_scales, unactuated_path
+from .statics import TYPICAL_SHAPE, StaticPath, equilibria, hold_tip, length_scales, unactuated_path
 
 REACH = 0.06
 """Displacement [m] beyond which a run counts as diverged."""
-_TYPICAL = np.array([0.1, 0.1, 0.1, 1e-3])
-"""Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,7 @@ class FullOrderMotion:
 
 def state_scale(parameters: JointParameters) -> FloatArray:
     """Typical size of each state, shape (11,); tolerances are relative to it."""
-    shape = _TYPICAL * length_scales(parameters.l)
+    shape = TYPICAL_SHAPE * length_scales(parameters.l)
     return np.concatenate([shape, 20.0 * shape, [0.1, 0.1, 1.0]])
 
 
@@ -192,9 +190,6 @@ def simulate(
     )  # fmt: skip
 
 
-_TIME_DERIVATIVE = np.array([0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0.0])
-"""Share of h ∂f/∂t in each stage of RODAS4."""
-
 MOST_TRIES = 20_000
 """Steps between two samples, refused ones too, beyond which a run counts as diverged: a joint takes 2 to 20 in 10 ms;
 one that blows up would never end."""
@@ -302,7 +297,7 @@ def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
     else:
         fine = _rate(s, work.at, s.offset[0] + RODAS4.nodes[stage] * h, s.mass, s.f)
     for i in range(STATES):
-        work.right[i] = s.f[i] + _TIME_DERIVATIVE[stage] * h * s.f_t[i]
+        work.right[i] = s.f[i] + RODAS4.by_time[stage] * h * s.f_t[i]
     return fine
 
 

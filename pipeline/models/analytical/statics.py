@@ -21,6 +21,8 @@ from ...numerics.inner_loops import factorise, solve_factorised
 
 STEEPEST = np.pi / 4
 """Tip rotation [rad] up to which the beam equations (moderate slopes) are believed."""
+TYPICAL_SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
+"""Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""
 REACH = 0.03
 """Largest deflection [m] of the shapes that Newton's method starts from."""
 

@@ -22,7 +22,7 @@ from ..tube_scales import scale_on
 from . import parameters as condensed_parameters
 from .kernels import CURVES
 from .model import HybridModel
-from .problem import DEVIATION_COUNT, CondensedJoint, CondensedProblem
+from .problem import DEVIATION_COUNT, POLES, CondensedJoint, CondensedProblem
 from .similarity import SAME, Similarity
 from .start import NoJoint, mass_factor, prior_root, shift_of, similar_joint, theta_places
 
@@ -30,14 +30,13 @@ TUBE_MARGIN = 4.0
 """Times the 90 % quantile of errors on the training logs that tubes of other logs need: of fifty simulated joints of
 three physics."""
 
-COUPLED = (60.0, 30.0)
-FREE = (8.0, 2.0, 0.0)
-"""Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
+COUPLED, FREE = POLES[:2], POLES[2:]
+"""Poles at which every sample stands alone, and those from there to the free run."""
 
-WHOLE = (8.0, 0.0, 0.0)
+WHOLE = (POLES[2], 0.0, 0.0)
 """Poles on whole logs. The free run comes twice: the first one may bring runs back that had lost their log."""
 
-CORRECTED = (30.0, 8.0, 2.0, 0.0)
+CORRECTED = POLES[1:]
 """Poles with corrections: they, too, are first fitted while every sample stands alone."""
 
 COUPLED_STEPS = (12, 5)
@@ -48,7 +47,7 @@ LAST_STEPS = 20
 """Steps of the descent: coupled, at each level between, in free run on the first quarters, at each level before the
 last on whole logs, and at the last one there."""
 
-COMPARED_POLE = 8.0
+COMPARED_POLE = POLES[2]
 """Observer pole [1/s] at which corrections are judged on held-out data: a free run there is decided by single pulses
 that end near the separatrix, held like this it is decided by all of them."""
 

@@ -26,13 +26,10 @@ from ..tube_scales import TubePart
 from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
-from .problem import CondensedJoint, CondensedProblem, age_at, simulate
+from .problem import POLES, CondensedJoint, CondensedProblem, age_at, simulate
 from .runs import BATCH, Driving, Followed, Laws, continued_runs
 from .similarity import Similarity
 from .statics import static_curves, substeps
-
-COUPLING_POLE = 30.0
-"""Observer pole [1/s] of a joint of the set's size at which each sample stands nearly alone: above its 18 1/s."""
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
 
@@ -225,7 +222,7 @@ class HybridModel:
     @property
     def coupling(self) -> float:
         """Observer pole [1/s] at which each sample stands nearly alone."""
-        return COUPLING_POLE / self.joint.similarity.time
+        return POLES[1] / self.joint.similarity.time
 
     def observed(self, parts: Sequence[Log]) -> CondensedProblem:
         """The joint coupled to the parts of a log."""

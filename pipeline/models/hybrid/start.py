@@ -16,6 +16,7 @@ import numpy as np
 
 from ...device.parameters import JointParameters
 from ...fitting.population import NormalPopulation
+from ...generated.condensed_joint import CORRECTIONS
 from ...numerics.arrays import FloatArray, IntArray
 from ...scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
 from ...signals.log import Log
@@ -176,8 +177,16 @@ in the places of the mounts."""
 ALIKE = 0.9
 """Correlation of a correction with its mirror image."""
 
-_MIRRORED = ((0, -1.0), (1, 1.0), (3, -1.0), (2, -1.0), (4, -1.0), (5, 1.0), (7, -1.0), (6, -1.0), (8, 1.0))
-"""Of each row of the corrections' weights the row at −q that is its mirror image, and the sign."""
+_EVEN = ("damping", "stiffness", "loss")
+"""Corrections that a mirrored joint has with the same sign at −q; generalised forces have the other one."""
+
+
+def _mirrored(row: int) -> tuple[int, float]:
+    """The row of the corrections' weights that is the mirror image of this one, and its sign."""
+    name = CORRECTIONS[row]
+    side, *rest = name.split("_")
+    image = "_".join([{"left": "right", "right": "left"}.get(side, side), *rest])
+    return CORRECTIONS.index(image), 1.0 if name in _EVEN else -1.0
 
 
 def prior_root(
@@ -201,7 +210,8 @@ def prior_root(
             covariance[i, j] = covariance[j, i] = 1.0 - (OWN_MATERIAL if "log" in name else OWN_MOUNT)
     if siblings is not None:
         covariance[: len(NAMES), : len(NAMES)] = siblings.covariance
-    for row, (image, sign) in enumerate(_MIRRORED):
+    for row in range(CURVES):
+        image, sign = _mirrored(row)
         for n in range(centres):
             i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))
             if i != j:

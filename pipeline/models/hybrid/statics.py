@@ -37,9 +37,7 @@ LONGEST_STEP = 5.5e-3
 """Longest step [s]: it damps a frame that turns at 28 Hz by 1 1/s, where its own loss is 10 to 20 1/s."""
 FASTER = 1.15
 """Reserve of a stable step: a joint is faster than at rest, because its stiffness grows away from rest."""
-MOST_SUBSTEPS = 6
-"""Bound on the work of a run whose constants are absurd, as a fit may try, where twice the longest steps are fewer."""
-_SHARES = np.array([-0.25, -0.12, 0.0, 0.12, 0.25])
+_SHARES = np.linspace(-0.25, 0.25, 5)
 """Tip displacements over length at which the fastest rate is looked for."""
 _OF_SLOPE = BENDS[1][1]
 _OF_INTERIOR = BENDS[2][2]
@@ -168,7 +166,7 @@ def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, s
     pairs = zip(many, prepare(many), loads, strict=True)
     jacobians = np.concatenate([_jacobians(k_i, p_i, basis, w_i) for k_i, p_i, w_i in pairs])
     fewest = int(np.ceil(dt / (slowness * LONGEST_STEP)))
-    most = max(MOST_SUBSTEPS, 2 * fewest)
+    most = 3 * fewest  # the constants that a fit may try are absurd beyond
     if not np.all(np.isfinite(jacobians)):
         return most
     rates = np.linalg.eigvals(jacobians)
