@@ -12,12 +12,13 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from pipeline.commands.console import Progress
-from pipeline.diagnostics.check import check_logs
+from pipeline.diagnostics.check import check_logs, refusing
 from pipeline.diagnostics.declared import Declared
-from pipeline.diagnostics.rows import CheckRow, findings
+from pipeline.diagnostics.sentences import sentences
 from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.settings.prototype import load_prototype
+from pipeline.signals.findings import Finding
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow import stage_ingest as ingest
 from pipeline.workflow.schedule import bring_up_to_date
@@ -41,15 +42,17 @@ def pairs(folder: Path) -> Iterator[tuple[str, list[LogSignals], Declared]]:
         yield name, *signals(run, prototype)
 
 
-def inside(rows: list[CheckRow]) -> Iterator[tuple[str, bool]]:
+def inside(findings: list[Finding]) -> Iterator[tuple[str, bool]]:
     """Of every number with a standard error in both logs: whether they agree within two standard errors of both."""
-    for what in {row.what for row in rows}:
-        both = [row.values for row in rows if row.what == what]
-        for key in both[0] if len(both) == 2 else ():
-            stem, _, unit = key.partition("_")
-            errors = [values[name] for values in both if (name := f"{stem}_error_{unit}") in values]
-            if len(errors) == 2:
-                yield what, abs(both[0][key] - both[1][key]) <= 2.0 * float(np.hypot(errors[0], errors[1]))
+    for of in {(finding.code, finding.subject) for finding in findings}:
+        both = [finding.numbers for finding in findings if (finding.code, finding.subject) == of]
+        for name in both[0] if len(both) == 2 else ():
+            first, second = (numbers[name] for numbers in both)
+            if first.error is not None and second.error is not None:
+                yield (
+                    f"{of[0]} {name}",
+                    abs(first.value - second.value) <= 2.0 * float(np.hypot(first.error, second.error)),
+                )
 
 
 def main() -> None:
@@ -58,16 +61,15 @@ def main() -> None:
     refused = 0
     with TemporaryDirectory() as folder:
         for name, logs, declared in pairs(Path(folder)):
-            rows = check_logs(logs, declared)
-            wrong = [f"{name}: refused: {found.text}" for found in findings(rows)]
-            noted = [row for row in rows if row.state == "note"]
-            print(
-                "\n".join([*wrong, *(f"{name}: noted: {row.sentence}" for row in noted)]),
-                end="\n" * bool(wrong or noted),
-            )
-            notes.update(row.what for row in noted)
+            findings = check_logs(logs, declared)
+            wrong = refusing(findings)
+            noted = [finding for finding in findings if finding.severity == "fair"]
+            for kind, some in (("refused", wrong), ("noted", noted)):
+                for finding in some:
+                    print(f"{name}: {kind}: {sentences(finding)[0]}")
+            notes.update(finding.code for finding in noted)
             refused += bool(wrong)
-            for what, agrees in inside(rows):
+            for what, agrees in inside(findings):
                 shares.setdefault(what, []).append(agrees)
     print(f"{refused} of {PAIRS} honest pairs refused; logs with a note: {dict(notes) or 'none'}")
     for what, agreeing in shares.items():

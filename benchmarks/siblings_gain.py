@@ -19,7 +19,7 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.workflow.batch import Execution, run_batch
 from pipeline.workflow.members import SETTINGS, members, prototype_files
-from pipeline.workflow.variants import with_siblings
+from pipeline.workflow.table import with_siblings
 
 QUICK = '\n[identify]\nmodels = ["hybrid"]\n[compare]\nmodels = []\n'
 SHORT = 8.0

@@ -9,10 +9,11 @@ import numpy as np
 
 from ..device.device import Device, device
 from ..device.parameter_sets import parameter_set
-from ..diagnostics.check import check_logs
-from ..diagnostics.copies import shared_recordings, shared_rows
+from ..diagnostics.check import check_logs, refusing
+from ..diagnostics.copies import shared_findings, shared_recordings
 from ..diagnostics.facts.characteristics import believed_wells, stable_rests
-from ..diagnostics.rows import findings, remarks
+from ..diagnostics.rows import remarks
+from ..diagnostics.sentences import sentences
 from ..diagnostics.weak_form import LogSignals
 from ..errors import DataRefusedError, InputError, warn_user
 from ..models.base import DynamicModel, kind_of, real_numbers
@@ -224,13 +225,13 @@ def identify_signals(
     measured = [part.motion for part in parts]
     records = [part.signals for part in parts]
     stated = declared(prototype)
-    rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records))]
-    unaccepted = [finding for finding in findings(rows) if finding.gate not in prototype.quality.accept]
-    contradictions = [f"{finding.text}: {finding.advice}" for finding in unaccepted]
+    findings = [*check_logs(records, stated), *shared_findings(records, shared_recordings(records))]
+    unaccepted = [finding for finding in refusing(findings) if finding.gate not in prototype.quality.accept]
+    contradictions = [": ".join(sentences(finding)) for finding in unaccepted]
     if units := [text for finding, text in zip(unaccepted, contradictions, strict=True) if finding.gate == "scale"]:
         accept = "settings={'quality': {'accept': ['scale']}}"
         raise DataRefusedError(f"{units[0]}; give SI units, or if they are, accept it: {accept}")
-    for text in (*contradictions, *remarks(rows)):
+    for text in (*contradictions, *remarks(findings)):
         warn_user(text)
     if name in names("compare"):
         model = kind(name).fit(training(measured, prototype, parameters))
@@ -238,7 +239,7 @@ def identify_signals(
     else:
         models, notes = identified(measured, prototype, parameters, prior)
         model = next(iter(models.values()))
-    remarks_of_all = [*(text for part in parts for text in part.warnings), *remarks(rows), *contradictions]
+    remarks_of_all = [*(text for part in parts for text in part.warnings), *remarks(findings), *contradictions]
     notes |= {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}
     return model, notes, measured
 

@@ -89,10 +89,6 @@ class BatchOptions:
         Path | None,
         typer.Option("--base", metavar="FILE", help="Settings that the rows of a table share [default: beside it]."),
     ] = None
-    sets: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="KEY=V,V", help="Vary a key of one prototype; repeat for every combination."),
-    ] = None
     siblings: Annotated[
         Path | None, typer.Option("--siblings", metavar="FILE", help="Prior of `debist fleet learn` for all of them.")
     ] = None
@@ -128,7 +124,7 @@ def batch(
 
     A table has a row for each prototype: name, logs.train, logs.validation, and settings that differ. Writes
     fleet.html, fleet.parquet and fleet.csv (NRMSE as fractions); a shard leaves them to --collect. While it works,
-    `debist status DIR` shows how far it is. With --set it compares the runs: NRMSE of q in percent, without reports.
+    `debist status DIR` shows how far it is.
 
     Example: debist batch prototypes/ -o runs --jobs 2
     """
@@ -136,7 +132,7 @@ def batch(
     from ..workflow.batch import Execution, run_batch
     from ..workflow.fleet import collect_batch
     from ..workflow.members import SETTINGS, Shard, members, prototype_files
-    from ..workflow.variants import matrix_rows, with_siblings, write_matrix
+    from ..workflow.table import with_siblings
 
     limit = parse_quantity(options.time_limit, ("s",), "--time-limit")
     if not 1.0 <= limit <= 1e7:
@@ -147,12 +143,6 @@ def batch(
     files = prototype_files(prototypes, output, options.base)
     if options.siblings is not None and not options.collect:
         files = with_siblings(files, options.siblings, output / SETTINGS)
-    variants = []
-    if options.sets:
-        if len(files) > 1:
-            raise InputError("--set: varies one prototype; name one settings file, or write a table")
-        variants = write_matrix(files[0], options.sets, output / SETTINGS)
-        files = [variant.path for variant in variants]
     named = [member for member in members(files) if shard is None or shard.holds(member.name)]
     if options.listed:
         outcome.emit_members(named, as_json=as_json)
@@ -160,14 +150,10 @@ def batch(
     if options.collect:
         outcomes = collect_batch(named, output)
     else:
-        execution = Execution(options.jobs, not (no_report or variants), options.fail_fast, limit)
+        execution = Execution(options.jobs, not no_report, options.fail_fast, limit)
         with outcome.BatchProgress(len(named), quiet=quiet) as progress:
             outcomes = run_batch(named, output, progress, debist, execution, shard)
-    if variants:
-        runs = {result.name: output / result.name for result in outcomes if result.exit_code == 0}
-        results.emit_matrix(matrix_rows(runs, variants), as_json=as_json)
-    else:
-        outcome.emit_outcomes(outcomes, output, as_json=as_json)
+    outcome.emit_outcomes(outcomes, output, as_json=as_json)
     if failed := [result for result in outcomes if result.failed]:
         names = ", ".join(result.name for result in failed)
         raise BatchFailedError(f"{len(failed)} of {len(outcomes)} prototypes failed: {names}; {failed[0].reason}")

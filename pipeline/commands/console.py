@@ -9,7 +9,6 @@ import os
 import shutil
 import sys
 import textwrap
-import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -25,53 +24,6 @@ _NOTHING_KEPT = "no step was finished yet; the same command starts again"
 _PIPE_COLUMNS = 160
 _SENTENCE = 21  # columns of the longest name of a model; longer texts may be wrapped
 _GAP = 2  # columns between two of a table
-COST = {"ingest": 1.0, "check": 0.5, "differentiate": 1.0, "identify": 10.0, "validate": 0.5, "compare": 2.0}
-"""Processor time [s] of a task of each stage on a log of 37.5 s at 30 kHz, roughly; 1 s for the others. Only what is
-left is estimated from it and from the time so far."""
-_ELSE = 1.0
-_TELLING = 0.15  # share of the cost that must be done before a rest is shown
-
-
-class Stopwatch:
-    """Counts tasks.
-
-    Parameters
-    ----------
-    stages : sequence of str
-        The stages of all coming tasks; empty if they are unknown.
-    """
-
-    def __init__(self, stages: Sequence[str]) -> None:
-        self._total = len(stages)
-        self._coming = sum(COST.get(stage, _ELSE) for stage in stages)
-        self._began = time.perf_counter()
-        self._at = 0
-        self._made = 0.0
-
-    def next(self) -> None:
-        """The next task begins, or is skipped."""
-        self._at += 1
-
-    def done(self, stage: str, *, made: bool = True) -> None:
-        """A task is over; one that was up to date is left out of the estimate."""
-        cost = COST.get(stage, _ELSE)
-        self._coming = max(0.0, self._coming - cost)
-        self._made += cost if made else 0.0
-
-    @property
-    def place(self) -> str:
-        """`` (k of n)``, or nothing where n is not known; n grows if more comes than was planned."""
-        return f" ({self._at} of {max(self._total, self._at)})" if self._total else ""
-
-    @property
-    def left(self) -> str:
-        """The time so far and the estimated rest, in words; empty if there is no estimate."""
-        if not self._total or not self._coming:
-            return ""
-        elapsed = time.perf_counter() - self._began
-        if self._made < _TELLING * (self._made + self._coming):
-            return f", {clock(elapsed)} so far"
-        return f", {clock(elapsed)} so far, about {clock(elapsed / self._made * self._coming)} left"
 
 
 def clock(seconds: float) -> str:
@@ -182,20 +134,26 @@ class Progress:
         self._quiet = quiet
         self._status: Any = None
         self._bar: Any = None
-        self._watch = Stopwatch(())
+        self._total = 0
+        self._at = 0
         self._made = 0
         self._quarter = 0
 
+    @property
+    def _place(self) -> str:
+        """`` (k of n)``, or nothing where n is not known; n grows if more comes than was planned."""
+        return f" ({self._at} of {max(self._total, self._at)})" if self._total else ""
+
     def planned(self, stages: Sequence[str]) -> None:
         """Count from here on."""
-        self._watch = Stopwatch(stages)
+        self._total = len(stages)
 
     def started(self, task: "Task", reasons: list[str]) -> None:
         """Say what is done and why."""
-        self._watch.next()
+        self._at += 1
         if self._quiet:
             return
-        line = f"{task.stage} {task.title}{self._watch.place}: {brief(reasons)}"
+        line = f"{task.stage} {task.title}{self._place}: {brief(reasons)}"
         if sys.stderr.isatty():
             from rich.console import Console
 
@@ -224,17 +182,15 @@ class Progress:
             self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
             self._bar.add_task("", total=1.0)
             self._bar.start()
-        line = printable(f"{task.stage} {task.title}{self._watch.place}: {what}")
+        line = printable(f"{task.stage} {task.title}{self._place}: {what}")
         self._bar.update(self._bar.task_ids[0], completed=share, description=line)
 
     def finished(self, task: "Task", seconds: float) -> None:
-        """Say how long it took, and how long the rest may take."""
+        """Print how long it took."""
         self._stop()
         self._made += 1
-        self._watch.done(task.stage)
         if not self._quiet:
-            line = f"{task.stage} {task.title}: done in {seconds:.1f} s{self._watch.left}"
-            typer.echo(printable(line), err=True)
+            typer.echo(printable(f"{task.stage} {task.title}: done in {seconds:.1f} s"), err=True)
 
     def warned(self, what: str, warning: str) -> None:
         """Print a warning, also with `-q`."""
@@ -242,8 +198,7 @@ class Progress:
 
     def skipped(self, task: "Task") -> None:
         """Nothing to do for this task; the summary counts it."""
-        self._watch.next()
-        self._watch.done(task.stage, made=False)
+        self._at += 1
 
     def __enter__(self) -> "Progress":
         return self

@@ -5,7 +5,7 @@ from typing import Any
 
 COMMANDS = {
     "repair": "`debist run PROTOTYPE.toml -o RUN` sets aside what is damaged and makes it anew",
-    "study settings": "`debist batch PROTOTYPE.toml --set KEY=V,V -o DIR` runs every combination",
+    "study settings": "`debist batch TABLE.csv -o DIR` runs a row for each combination of settings",
 }
 _EXPERIMENT = "{} in the TOML file of --experiment"
 _SCENARIO = "{} in the TOML file of --scenario"
@@ -24,7 +24,9 @@ OPTIONS = {
     "--report": "leave it out: the report is made unless --no-report is given",
     "--keep-going": "leave it out: the others go on unless --fail-fast is given",
     "--capabilities": "`debist --help`, and the README",
+    "batch --set": "a table with a row for each combination of settings, and `debist diff` for its runs",
     "series -o": "--page",
+    "status --watch": "`watch debist status DIR`",
     "verify --subset": "leave it out: all files are checked",
     "physics calibrate --set": 'a TOML file for --parameters: base = "nominal", then the values',
     "physics calibrate --starts": _SEARCH.format("starts"),

@@ -209,16 +209,18 @@ def check(
     Rates in Hz, fields in V/µm. Exit code 3 if the model would be wrong. `debist run` does it first.
     Example: debist check P1.toml
     """
+    from ..diagnostics.rows import check_rows
     from ..workflow.inspection import check as check_tool
     from ..workflow.stage_check import verdict
 
     with Progress(quiet=quiet) as progress:
-        prototype, rows = check_tool(place, progress)
+        prototype, findings = check_tool(place, progress)
+    rows = check_rows(findings)
     if as_json:
         emit_json({"prototype": prototype.name, "rows": [asdict(row) for row in rows]})
     else:
         emit_rows(prototype.name, rows, details=details)
-    verdict(rows, prototype)
+    verdict(findings, prototype)
 
 
 def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
@@ -229,9 +231,9 @@ def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
     emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=len(header))
     for row in rows:
         if row.state == "note":
-            emit_text(f"note: {row.sentence}: {row.advice}", indent="  ")
+            emit_text(f"note: {row.remark}", indent="  ")
         elif details and row.more:
-            emit_text(row.sentence, indent="  ")
+            emit_text(f"{row.log}: {row.what}: {row.found}; {row.more}", indent="  ")
     if all(row.state in ("ok", "not seen") for row in rows):
         emit_text("no contradiction; gains, zeros, delays and clocks are measured after the fit")
 

@@ -190,7 +190,7 @@ def emit_tasks(
 
 
 def result_line(result: Mapping[str, Any]) -> str:
-    """What a stage came to for one log or model (`pipeline.workflow.stage_results`), as a line."""
+    """What a stage came to for one log or model (`pipeline.workflow.report_data`), as a line."""
     from ..units.quantity import quantity
 
     if "rows" in result:

@@ -65,27 +65,6 @@ def _emit_csv(runs: "RunDifferences") -> None:
         writer.writerows((part, disarmed(row.key), *map(disarmed, row.values)) for row in getattr(runs, part))
 
 
-def emit_matrix(rows: Sequence[dict[str, Any]], *, as_json: bool) -> None:
-    """Print what was set in each run of a matrix, and the NRMSE of q by log and model."""
-    if as_json:
-        emit_json({"runs": rows})
-        return
-    if not rows:
-        return
-    scores = [{(r["role"], r["log"], r["model"]): r["nrmse"] for r in row["scores"]} for row in rows]
-    columns = sorted({key for of_run in scores for key in of_run}, key=lambda key: (key[0] == "train", key))
-    keys = list(rows[0]["settings"])
-    emit_table(
-        "NRMSE of q in %",
-        ("run", *keys, *(f"{role} {log} {model}" for role, log, model in columns)),
-        [
-            (row["name"], *(str(row["settings"][key]) for key in keys), *(percent(s.get(c)) for c in columns))
-            for row, s in zip(rows, scores, strict=True)
-        ],
-        numeric_from=1 + len(keys),
-    )
-
-
 def _difference_tables(runs: "RunDifferences") -> list[tuple[str, str, list[tuple[str, ...]]]]:
     """Title, heading of the keys, and rows of texts of each part."""
     return [

@@ -21,8 +21,8 @@ def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = Fals
     """
     from ..store.run_folder import in_snapshot
     from ..workflow.place import place_of
+    from ..workflow.report_data import ingested
     from ..workflow.run import run_prototype
-    from ..workflow.stage_results import ingested
 
     place = place_of(prototype, output)
     with Progress(quiet=quiet) as progress:
@@ -36,7 +36,7 @@ def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None
     Example: debist differentiate runs/P1
     """
     from ..store.run_folder import in_snapshot
-    from ..workflow.stage_results import differentiated
+    from ..workflow.report_data import differentiated
 
     done = _done(run, "differentiate", quiet)
     outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, differentiated))
@@ -48,7 +48,7 @@ def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
     Example: debist identify runs/P1
     """
     from ..store.run_folder import in_snapshot
-    from ..workflow.stage_results import identified
+    from ..workflow.report_data import identified
 
     done = _done(run, "identify", quiet)
     outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, identified))

@@ -1,6 +1,5 @@
 """A run as a whole: made, looked at, drawn."""
 
-import time
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -8,7 +7,6 @@ from typing import Annotated
 
 import typer
 
-from ..errors import InputError
 from ..system.machine import cores
 from ..system.names import Typeface, shell_word
 from . import outcome
@@ -167,20 +165,17 @@ def _announce_compilation(quiet: bool) -> None:
 def status(
     runs: Runs,
     brief_form: Annotated[bool, typer.Option("--brief", help="One line for each run, as always for several.")] = False,
-    watch: Annotated[bool, typer.Option("--watch", help="Of a batch: show it anew until nothing runs.")] = False,
     as_json: Json = False,
 ) -> None:
     """What is stale in a run, and why; of the folder of a batch: what is done, running, stopped or failed.
 
     A run's artifacts are compared with the logs and the settings file of today. Example: debist status runs/P1
     """
-    from ..workflow.progress import is_fleet
+    from ..workflow.progress import fleet_progress, is_fleet
 
     if len(runs) == 1 and is_fleet(runs[0]):
-        _fleet_status(runs[0], watch=watch, as_json=as_json)
+        outcome.emit_fleet_progress(runs[0], fleet_progress(runs[0]), as_json=as_json)
         return
-    if watch:
-        raise InputError("--watch is for one folder of a batch, the DIR of `debist batch`")
     from ..workflow.run import fleet_status, missing_settings, run_status
 
     if brief_form or len(runs) > 1:
@@ -190,25 +185,6 @@ def status(
     outcome.emit_stale_exports(runs[0])
     if note := missing_settings(runs[0]):
         typer.echo(f"note: {note}", err=True)
-
-
-_REFRESH = 2.0
-"""Time [s] between two looks at a batch."""
-
-
-def _fleet_status(folder: Path, *, watch: bool, as_json: bool) -> None:
-    from rich.console import Console
-
-    from ..workflow.progress import fleet_progress
-
-    console = Console()
-    progress = fleet_progress(folder)
-    while watch and not as_json and progress.counts["running"]:
-        console.clear()
-        outcome.emit_fleet_progress(folder, progress, as_json=False)
-        time.sleep(_REFRESH)
-        progress = fleet_progress(folder)
-    outcome.emit_fleet_progress(folder, progress, as_json=as_json)
 
 
 def warmup(

@@ -72,6 +72,18 @@ class Device:
         )  # fmt: skip
 
     @property
+    def energy_unit(self) -> str:
+        """SI unit of the integral of its restoring force over q."""
+        if self.known_mass is not None:
+            return "J"
+        return "J/kg" if self.displacement.symbol == "m" else f"{self.displacement.symbol}²/s²"
+
+    @property
+    def input_word(self) -> str:
+        """Noun for an input: a voltage only where it is one."""
+        return "voltage" if self.inputs[0].symbol == "V" else "input"
+
+    @property
     def joint(self) -> bool:
         """Whether it can be the bistable joint."""
         units = [unit.symbol for unit in self.inputs]

@@ -1,23 +1,33 @@
-"""All checks of a prototype's logs, as rows: each log by itself, without a model."""
+"""All checks of a prototype's logs, as findings: each log by itself, without a model."""
 
 from collections.abc import Sequence
 from dataclasses import replace
 
+from ..signals.findings import Finding
 from .declared import Declared
-from .input_rows import input_rows
+from .input_findings import input_findings
 from .log_facts import log_facts
-from .motion_rows import motion_rows, start_rows
-from .rows import CheckRow
+from .motion_findings import motion_findings, starts
 from .weak_form import LogSignals
 
 
-def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]:
+def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[Finding]:
     """Look at every log; logs are compared by the fitted model, not here.
 
     Cost: 0.2 s of processor time for each log of 40,000 samples.
     """
     facts = [log_facts(log, declared.sample_interval, squared=declared.squared, joint=declared.joint) for log in logs]
-    rows = [row for fact in facts for row in (*motion_rows(fact, declared), *input_rows(fact, declared))]
-    shown = {row.what for row in rows if row.state == "ok" and row.what.startswith("push")}  # in another log
-    rows = [replace(row, state="not seen") if row.state == "note" and row.what in shown else row for row in rows]
-    return [*rows, *start_rows(facts)]
+    findings = [
+        finding for fact in facts for finding in (*motion_findings(fact, declared), *input_findings(fact, declared))
+    ]
+    seen = {finding.subject for finding in findings if finding.code in ("side", "push")}  # in some log
+    for place, finding in enumerate(findings):
+        if finding.code in ("idle_input", "never_on") and finding.subject in seen:
+            findings[place] = replace(finding, severity="unseen")
+    return [*findings, *starts(facts)]
+
+
+def refusing(findings: Sequence[Finding]) -> list[Finding]:
+    """What would make the model wrong: the first finding of each gate."""
+    first = {finding.gate: finding for finding in reversed(findings) if finding.gate is not None}
+    return [first[gate] for gate in dict.fromkeys(finding.gate for finding in findings if finding.gate is not None)]

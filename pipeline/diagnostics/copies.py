@@ -11,7 +11,7 @@ import numpy as np
 
 from ..numerics.arrays import FloatArray
 from ..signals.columns import chunks
-from .rows import CheckRow
+from ..signals.findings import Finding, Number
 from .weak_form import LogSignals
 
 _WINDOW = 64
@@ -30,12 +30,6 @@ class Overlap:
 
     here: tuple[float, float]
     there: tuple[float, float]
-
-    @property
-    def spans(self) -> str:
-        """Both spans, that in the second log first."""
-        here, there = (f"{start:.4g} to {stop:.4g} s" for start, stop in (self.here, self.there))
-        return f"{there} is {here} of it" if here != there else here
 
 
 def sketch(time: FloatArray, q: FloatArray) -> list[tuple[int, float]]:
@@ -67,13 +61,18 @@ def shared_recordings(logs: Sequence[LogSignals]) -> list[tuple[int, int, Overla
     return [(i, k, shared) for i, k, shared in pairs if shared is not None]
 
 
-def shared_rows(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int, Overlap]]) -> list[CheckRow]:
+def shared_findings(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int, Overlap]]) -> list[Finding]:
     """What to look at where logs of one role share a recording."""
-    advice = "what both hold counts twice in fits and scores: leave one of them out, or cut it"
     return [
-        CheckRow(logs[k].name, f"shared with {logs[i].name}", each.spans, "none", "note", None, advice)
+        Finding(
+            "shared_recording", "fair", logs[k].name, logs[i].name,
+            {
+                "start": Number(each.there[0], "s"), "stop": Number(each.there[1], "s"),
+                "other_start": Number(each.here[0], "s"), "other_stop": Number(each.here[1], "s"),
+            },
+        )
         for i, k, each in shared
-    ]
+    ]  # fmt: skip
 
 
 def overlap(first: Sequence[tuple[int, float]], second: Sequence[tuple[int, float]]) -> Overlap | None:

@@ -5,7 +5,8 @@ from typing import Any
 
 from ..errors import DataRefusedError
 from ..settings.prototype import Gate, Quality
-from ..signals.quality_gates import Finding
+from ..signals.findings import Finding
+from .sentences import sentences
 
 
 def judge(
@@ -37,12 +38,14 @@ def judge(
     """
     refused = [finding for finding in findings if finding.gate not in (*settings.accept, *prior)]
     if refused:
-        names = ", ".join(f'"{gate}"' for gate in dict.fromkeys((*settings.accept, *(f.gate for f in refused))))
-        reasons = "; ".join(f"{finding.text}: {finding.advice}" for finding in refused)
+        gates = dict.fromkeys((*settings.accept, *(finding.gate for finding in refused)))
+        names = ", ".join(f'"{gate}"' for gate in gates)
+        reasons = "; ".join(": ".join(sentences(finding)) for finding in refused)
         raise DataRefusedError(f"{where}: {reasons}. To use it knowingly, set [quality] accept = [{names}]")
+    accepted = [(sentences(finding)[0], finding.gate) for finding in findings]
     return [
-        f"{f.text} (accepted: {f.gate})" if f.gate in settings.accept else f"{f.text}; there {decides} decide"
-        for f in findings
+        f"{text} (accepted: {gate})" if gate in settings.accept else f"{text}; there {decides} decide"
+        for text, gate in accepted
     ]
 
 

@@ -81,7 +81,7 @@ class ObservedModel(Protocol):
 
 
 @dataclass(frozen=True)
-class Quantity:
+class Instrument:
     """An instrument's error: its name, and the limit of practical interest [1, m, rad or s]."""
 
     name: str
@@ -123,16 +123,16 @@ class Reading:
     residual_ratio: float
 
 
-def quantities(parts: Sequence[Log]) -> tuple[Quantity, ...]:
+def quantities(parts: Sequence[Log]) -> tuple[Instrument, ...]:
     """The errors that are measured of a log, with limits for its range of q and its sample interval."""
     span = float(np.ptp(np.concatenate([part.known_q for part in parts])))
     scales = {"zero_q": span, "delay": parts[0].interval}
-    inputs = [Quantity(f"gain_v{k}", LIMITS["gain"]) for k in range(1, parts[0].v.shape[1] + 1)]
+    inputs = [Instrument(f"gain_v{k}", LIMITS["gain"]) for k in range(1, parts[0].v.shape[1] + 1)]
     rest = [name for name in LIMITS if name != "gain"]
-    return (*inputs, *(Quantity(name, LIMITS[name] * scales.get(name, 1.0)) for name in rest))
+    return (*inputs, *(Instrument(name, LIMITS[name] * scales.get(name, 1.0)) for name in rest))
 
 
-class Instruments:
+class InstrumentTest:
     """Instruments of logs by one model.
 
     Parameters

@@ -29,7 +29,7 @@ _ON = 0.25
 
 
 @dataclass(frozen=True)
-class Push:
+class InputForce:
     """Mean acceleration while an input is on, at its largest value [m/s² or rad/s²], and whether its sign is sure."""
 
     value: float
@@ -43,7 +43,7 @@ class LogFacts:
     Attributes
     ----------
     signals : LogSignals
-    pushes : tuple of Push or None
+    pushes : tuple of InputForce or None
         One of each input; None where it hardly ever changes, or the log is too short.
     late : float
         By how much q answers its inputs later than they are logged [s]; zero unless every part of the log has it so.
@@ -67,7 +67,7 @@ class LogFacts:
     """
 
     signals: LogSignals
-    pushes: tuple[Push | None, ...]
+    pushes: tuple[InputForce | None, ...]
     late: float
     peaks: FloatArray
     span: float
@@ -112,8 +112,8 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: 
     )
 
 
-def pushes(terms: WeakTerms) -> tuple[Push | None, ...]:
-    """Push of every input; None where it hardly ever changes: a constant determines none.
+def pushes(terms: WeakTerms) -> tuple[InputForce | None, ...]:
+    """InputForce of every input; None where it hardly ever changes: a constant determines none.
 
     Parts of a log that are left out do not show what the weak form has wrong, and that grows as inputs go together.
     """
@@ -131,7 +131,7 @@ def pushes(terms: WeakTerms) -> tuple[Push | None, ...]:
     apart = np.sqrt(np.maximum(1.0 - np.max(np.abs(correlations), axis=0) ** 2, np.finfo(float).eps))
     sure = np.abs(whole) > limits.SURE * errors / apart
     return tuple(
-        Push(float(push), bool(certain)) if changes else None
+        InputForce(float(push), bool(certain)) if changes else None
         for push, certain, changes in zip(whole, sure, moved, strict=True)
     )
 

@@ -1,4 +1,4 @@
-"""What a check says: one row for each thing looked at, with its number, its limit, and what to do."""
+"""The table of the check: one row for each thing looked at, with its number, its limit, and what to do."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -6,21 +6,21 @@ from typing import Literal
 
 import numpy as np
 
-from ..settings.prototype import CheckGate
-from ..signals.quality_gates import Finding
-from ..units.quantity import scale, short, significant
+from ..settings.prototype import Gate
+from ..signals.findings import Finding, Severity
 from ..units.units import column_suffix
+from . import log_sentences
 
-State = Literal["ok", "note", "wrong", "not seen"]
+State = Literal["not seen", "ok", "note", "wrong"]
 """ok: within the limit; note: look at it; wrong: the model would be wrong; not seen: the log does not show it."""
 
+STATES: dict[Severity, State] = {"unseen": "not seen", "good": "ok", "fair": "note", "poor": "wrong"}
 _MOST_BESIDE = 2
-_ORDER: tuple[State, ...] = ("not seen", "ok", "note", "wrong")
 
 
 @dataclass(frozen=True)
 class CheckRow:
-    """One thing that was looked at.
+    """A finding of the check in words, as tables, `check.json` and the page show it.
 
     Attributes
     ----------
@@ -29,16 +29,18 @@ class CheckRow:
     what : str
         What was looked at.
     found, limit : str
-        The number with its uncertainty, and what it may be; the limit may be empty.
+        The number, and what it may be; the limit may be empty.
     state : State
-    gate : CheckGate or None
+    gate : Gate or None
         The name under which the settings can accept it.
     advice : str
         What to do unless the state is ok.
     more : str
         Other numbers that speak for or against it.
     values : mapping of str to float
-        The numbers of `found` in SI, the unit at the end of the key, as in ``delay_s``.
+        The numbers of the finding in SI, the unit at the end of the key, as in ``delay_s``.
+    code : str
+        That of the finding; empty in runs of earlier releases.
     """
 
     log: str
@@ -46,16 +48,38 @@ class CheckRow:
     found: str
     limit: str
     state: State = "ok"
-    gate: CheckGate | None = None
+    gate: Gate | None = None
     advice: str = ""
     more: str = ""
     values: Mapping[str, float] = field(default_factory=dict)
+    code: str = ""
 
     @property
-    def sentence(self) -> str:
-        """Log, number, other numbers and limit in one line."""
-        numbers = "; ".join(filter(None, (self.found, self.more)))
-        return f"{self.log}: {self.what}: {numbers}" + (f" (limit: {self.limit})" if self.limit else "")
+    def remark(self) -> str:
+        """Log, numbers, limit and advice in one line."""
+        return f"{log_sentences.line(self.log, self.what, self.found, self.more, self.limit)}: {self.advice}"
+
+
+def check_rows(findings: Sequence[Finding]) -> list[CheckRow]:
+    """The findings of a check as rows."""
+    rows = []
+    for finding in findings:
+        shown = log_sentences.row(finding)
+        advice = shown.advice if finding.severity in ("fair", "poor") else ""
+        state = STATES[finding.severity]
+        values = _in_si(finding)
+        rows.append(
+            CheckRow(
+                finding.log, shown.what, shown.found, shown.limit, state, finding.gate, advice, shown.more, values,
+                finding.code,
+            )
+        )  # fmt: skip
+    return rows
+
+
+def remarks(findings: Sequence[Finding]) -> list[str]:
+    """What deserves a look and does not make the model wrong."""
+    return [": ".join(log_sentences.of_row(finding)) for finding in findings if finding.severity == "fair"]
 
 
 def beside(rows: Sequence[CheckRow]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
@@ -68,12 +92,13 @@ def beside(rows: Sequence[CheckRow]) -> tuple[tuple[str, ...], list[tuple[str, .
         What was looked at, what was found, the limit; a (!) marks what is remarkable.
     """
     logs = list(dict.fromkeys(row.log for row in rows))
+    order = list(STATES.values())
     table = []
     for what in dict.fromkeys(row.what for row in rows):
         kind = [row for row in rows if row.what == what]
         shown: list[CheckRow | None]
         if len(logs) > _MOST_BESIDE:
-            shown = [max(kind, key=lambda row: _ORDER.index(row.state))]
+            shown = [max(kind, key=lambda row: order.index(row.state))]
         else:
             shown = [next((row for row in kind if row.log == log), None) for log in logs]
         table.append((what, *map(_cell, shown), kind[0].limit))
@@ -87,37 +112,12 @@ def _cell(row: CheckRow | None) -> str:
     return f"{row.found} (!)" if row.state in ("wrong", "note") else row.found
 
 
-def findings(rows: Sequence[CheckRow]) -> list[Finding]:
-    """What would make the model wrong: one finding for each gate, with the first row's number."""
-    collected = []
-    for gate in dict.fromkeys(row.gate for row in rows if row.state == "wrong" and row.gate is not None):
-        of_gate = [row for row in rows if row.gate == gate and row.state == "wrong"]
-        first = of_gate[0]
-        more = f", and {len(of_gate) - 1} more like it" if len(of_gate) > 1 else ""
-        collected.append(Finding(gate, f"{first.sentence}{more}", first.advice))
-    return collected
-
-
-def remarks(rows: Sequence[CheckRow]) -> list[str]:
-    """What deserves a look and does not make the model wrong."""
-    return [f"{row.sentence}: {row.advice}" for row in rows if row.state == "note"]
-
-
-def in_si(name: str, unit: str, value: float | None, error: float | None = None) -> dict[str, float]:
-    """A number for `CheckRow.values` under a key with its SI unit, and its standard error; nothing where it is none."""
-    end = "" if unit == "1" else f"_{column_suffix(unit)}"
-    numbers = {f"{name}{end}": value, f"{name}_error{end}": error}
-    return {key: float(number) for key, number in numbers.items() if number is not None and np.isfinite(number)}
-
-
-def short_quantity(value: float, unit: str) -> str:
-    """A round number with its unit."""
-    shown, factor = scale(unit, value)
-    return f"{short(value * factor)} {shown}"
-
-
-def times_text(ratio: float | None) -> str:
-    """How many times as large, in words; empty for None."""
-    if ratio is None:
-        return ""
-    return f"{significant(ratio, 2)} times" if ratio >= 1.0 else f"1/{significant(1.0 / ratio, 2)}"
+def _in_si(finding: Finding) -> dict[str, float]:
+    """Numbers under keys with their SI units, and their standard errors."""
+    values = {}
+    for name, number in finding.numbers.items():
+        end = "" if number.unit == "1" else f"_{column_suffix(number.unit)}"
+        for key, value in ((f"{name}{end}", number.value), (f"{name}_error{end}", number.error)):
+            if value is not None and np.isfinite(value):
+                values[key] = float(value)
+    return values

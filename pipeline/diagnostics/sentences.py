@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 
+from ..signals.findings import Finding, Number
 from ..units.quantity import moment, percent, quantity, significant
-from .findings import Finding, Number
+from . import log_sentences
 
 ADVICE_BY_MODEL = {"rbf-paper": "fewer basis functions ([identify] basis_functions), or richer training logs"}
 """Where basis functions do act in number, fewer of them are a remedy."""
@@ -273,6 +274,7 @@ def _measured_facts(finding: Finding) -> tuple[str, str]:
 
 
 CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {
+    **log_sentences.CODES,
     "generalisation": _generalisation,
     "another_device": _another_device,
     "exchanged": _exchanged,

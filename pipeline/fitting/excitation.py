@@ -14,9 +14,8 @@ from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..scoring.wells import NoWells, Wells, find_wells, snaps
 from ..settings.models import CENTRES, SMOOTHING
+from ..signals.findings import Finding, Number, refusal
 from ..signals.noise import is_idle, noise_level
-from ..signals.quality_gates import Finding
-from ..units.quantity import quantity
 from .coverage import ACTING, Coverage, coverage
 from .information import Conditioning, ScaledRegressor, conditioning
 from .regression import InputLaw, input_signal
@@ -272,18 +271,10 @@ def excitation_findings(
     """
     valid = (segment >= 0) & np.isfinite(q)
     if not valid.any() or _idle(q[valid]):
-        advice = "drive the device through its whole stroke"
-        return [Finding("idle", "the displacement shows nothing but noise: no excitation", advice)]
+        return [refusal("idle", "idle")]
     acting = input_signal(v, inputs)
     undriven = [k for k in range(v.shape[1]) if _idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
-    findings = [
-        Finding(
-            "undriven",
-            f"input v{k + 1} never changes by more than its noise: nothing is known of its gain",
-            f"drive it, or leave it out of [channels] (v{k + 1})",
-        )
-        for k in undriven
-    ]
+    findings = [refusal("undriven", "undriven", subject=f"v{k + 1}") for k in undriven]
     try:
         excitation = examine_excitation(
             q, v, segment, interval,
@@ -301,24 +292,23 @@ def _of_places(
     fewest = int(excitation.visits.visits.min())
     condition = excitation.conditioning
     if fewest < LEAST_VISITS:
-        place = quantity(float(excitation.centres[int(np.argmin(excitation.visits.visits))]), displacement)
-        findings.append(
-            Finding(
-                "visits",
-                f"the basis centre at q = {place} has {fewest} of at least {LEAST_VISITS} training samples",
-                f"excite that place, or set fewer than {centres} [identify] basis_functions",
-            )
-        )
+        place = float(excitation.centres[int(np.argmin(excitation.visits.visits))])
+        numbers = {
+            "place": Number(place, displacement),
+            "visits": Number(fewest),
+            "least": Number(LEAST_VISITS),
+            "centres": Number(centres),
+        }
+        findings.append(refusal("visits", "visits", numbers))
     if conditioned and (condition.silent or condition.condition > LARGEST_CONDITION):
-        text = f"condition number {condition.condition:.3g} (at most {LARGEST_CONDITION:g}), {condition.silent} zero"
-        findings.append(
-            Finding("rank", f"the regressor's columns cannot be told apart: {text}", "vary the inputs independently")
-        )
+        numbers = {
+            "condition": Number(condition.condition),
+            "most": Number(LARGEST_CONDITION),
+            "silent": Number(condition.silent),
+        }
+        findings.append(refusal("rank", "rank", numbers))
     if bistable and isinstance(excitation.wells, NoWells) and excitation.wells.one_cluster:
-        text = "only one well is visited: of the other half of every curve the data say nothing"
-        findings.append(
-            Finding("one-well", text, "add pulses that snap the joint to the other side (`debist rig excite`)")
-        )
+        findings.append(refusal("one-well", "one_well"))
     return findings
 
 

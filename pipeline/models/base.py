@@ -11,8 +11,8 @@ import numpy as np
 from ..errors import InputError
 from ..numerics.arrays import FloatArray, IntArray
 from ..scoring.horizons import Predict
-from ..scoring.tubes import TubeScale
 from ..signals.timebase import is_uniform
+from .tubes import TubeScale
 
 
 @dataclass(frozen=True)

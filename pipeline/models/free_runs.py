@@ -1,15 +1,18 @@
 """Free runs of models over logs: from which rows, under which voltages and with which velocity a model starts."""
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from ..errors import InputError
 from ..numerics.arrays import FloatArray
-from ..scoring.tubes import Tubes, tubes
-from ..signals.log import EDGE, Log
+from ..signals.inputs import MOST_SAMPLES
+from ..signals.log import EDGE, Log, operating_range, within
 from ..store.columns import TUBE_COLUMNS
-from .base import DynamicModel, FreeRun, HasDraws, HasTubes
+from .base import DrawnModel, DynamicModel, FreeRun, HasDraws, HasTubes
+from .tubes import Tubes, TubeScale, tube_scale, tubes
 
 DRAWS = 32
 """Free runs that show what the training data leave open."""
@@ -125,3 +128,31 @@ def followed_velocity(log: Log, v: FloatArray, model: DynamicModel) -> float:
         best = trial
         least = moved
     return best
+
+
+def scale_on(records: Sequence[Log], model: DrawnModel, floor: float, margin: float, least: float = 0.0) -> TubeScale:
+    """Scale of the tubes, from the errors on the training logs. Cost: 33 runs of each log.
+
+    Parameters
+    ----------
+    records : sequence of Log
+        The training logs.
+    model : DrawnModel
+        What was fitted to them.
+    floor : float
+        RMS error of q [m or rad] on the training data.
+    margin : float
+        Errors on another log over those on the training data.
+    least : float
+        Smallest κ.
+    """
+    parts = []
+    for record in within(records, MOST_SAMPLES):
+        v = record.drive if model.fine_voltages else record.v
+        given = record.t, v, float(record.q[0]), float(record.qdot[0])
+        ensemble, _ = model.simulate_draws(*given)
+        parts.append((model.simulate(*given).q, ensemble, np.where(record.valid, record.q, np.nan)))
+    free, drawn_q, q = (np.concatenate(each, axis=-1) for each in zip(*parts, strict=True))
+    low, high = operating_range(records)
+    scale = tube_scale(free, drawn_q, q, floor, margin, high - low)
+    return replace(scale, factor=max(scale.factor, least))

@@ -6,10 +6,10 @@ attributes of each array, number and text.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, is_dataclass
 from fnmatch import fnmatchcase
 from functools import partial
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 import numpy as np
 from pydantic import (
@@ -20,13 +20,14 @@ from pydantic import (
     Field,
     GetCoreSchemaHandler,
     PlainValidator,
+    TypeAdapter,
     ValidationError,
     model_validator,
 )
 
 from ..device.device import Device
-from ..device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
-from ..errors import CorruptArtifactError
+from ..device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
+from ..errors import CorruptArtifactError, InputError
 from ..numerics.arrays import FloatArray, IntArray
 from ..store.trees import Columns
 from ..units.units import MASS
@@ -128,7 +129,26 @@ def _of_joint(values: dict[str, float]) -> dict[str, float]:
 
 ABSURD = 1e4
 """Factor between a parameter of the set `nominal` and one that no joint has."""
-JointValues = Annotated[dict[str, Real], AfterValidator(_of_joint)]
+_VALUES: TypeAdapter[dict[str, float]] = TypeAdapter(Annotated[dict[str, Real], AfterValidator(_of_joint)])
+
+
+def _set_of(values: Any) -> Any:
+    """The parameter set of its values by name."""
+    if isinstance(values, JointParameters):
+        return values
+    try:
+        return NOMINAL.with_values(_VALUES.validate_python(values, strict=True))
+    except InputError as error:
+        raise ValueError(str(error)) from error
+
+
+JointSet = Annotated[JointParameters, BeforeValidator(_set_of)]
+"""Parameters of a joint, in the file their values by name."""
+
+
+def listed(values: Any) -> Any:
+    """An array as a list, for a field that holds a tuple."""
+    return values.tolist() if isinstance(values, np.ndarray) else values
 
 
 def _facts(value: Any, levels: int = _DEEPEST) -> Any:
@@ -149,34 +169,86 @@ def _facts(value: Any, levels: int = _DEEPEST) -> Any:
 Facts = Annotated[dict[str, Any], BeforeValidator(_facts)]
 
 
+STORED = ConfigDict(extra="forbid", arbitrary_types_allowed=True, allow_inf_nan=False, use_attribute_docstrings=True)
+"""Configuration of a class that declares a part of a file."""
+PartT = TypeVar("PartT")
+
+
+def fitting(part: PartT) -> PartT:
+    """The part, axes of one letter being equally long and within the `sizes` of its class.
+
+    Raises
+    ------
+    ValueError
+        An axis has another length.
+    """
+    kind: Any = type(part)
+    sizes: Sizes = getattr(kind, "sizes", {})
+    lengths: dict[str, tuple[int, str]] = {}
+    for name, field in kind.__pydantic_fields__.items():
+        for table in (annotation for annotation in field.metadata if isinstance(annotation, Table)):
+            for axis, length in zip(table.shape.split(), getattr(part, name).shape, strict=True):
+                expected, where = (
+                    (int(axis), "") if axis.isdigit() else lengths.setdefault(axis, (length, f" as {name}"))
+                )
+                if length != expected:
+                    raise ValueError(f"{name} has {length} entries along an axis instead of {expected}{where}")
+                least, most = sizes.get(axis, (length, length))
+                if not least <= length <= most:
+                    raise ValueError(f"{name} has {length} entries along an axis, beyond {least} to {most}")
+    return part
+
+
+def read_part(part: type[PartT], tree: Mapping[str, Any], name: str, command: str) -> PartT:
+    """A declared part from its tree, checked.
+
+    Parameters
+    ----------
+    part : type
+        A `FilePart`, or a dataclass of pydantic with `STORED`.
+    tree : mapping
+        What the file holds.
+    name : str
+        Name of the model.
+    command : str
+        Command that writes it anew.
+
+    Raises
+    ------
+    CorruptArtifactError
+        An entry is missing, unknown, of another type or shape, or beyond its range.
+    """
+    try:
+        return fitting(TypeAdapter(part).validate_python(dict(tree)))
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False, include_context=False)[0]
+        place = ".".join(map(str, first["loc"]))
+        reason = f"{place}{': ' if place else ''}{first['msg'].removeprefix('Value error, ')}"
+    except ValueError as error:
+        reason = str(error)
+    raise CorruptArtifactError(f"the model {name} cannot be read ({reason}); run `debist {command}` again")
+
+
+def tree_of(part: Any) -> dict[str, Any]:
+    """What `read_part` reads: a dictionary of arrays, numbers and texts."""
+    if isinstance(part, JointParameters):
+        return {name: part.value(name) for name in VECTOR_NAMES}
+    entries = {name: getattr(part, name) for name in type(part).__pydantic_fields__}
+    return {name: tree_of(entry) if is_dataclass(entry) else entry for name, entry in entries.items()}
+
+
 class FilePart(BaseModel):
     """Entries of a file; a subclass names them, and in `sizes` the least and largest length of each axis.
 
     The text below a field is its line of help; without one that of the class is.
     """
 
-    model_config = ConfigDict(
-        strict=True, frozen=True, extra="forbid", arbitrary_types_allowed=True, allow_inf_nan=False,
-        use_attribute_docstrings=True,
-    )  # fmt: skip
+    model_config = ConfigDict(strict=True, frozen=True, **STORED)
     sizes: ClassVar[Sizes] = {}
 
     @model_validator(mode="after")
     def _fit(self) -> Self:
-        """Axes of one letter are equally long and within their sizes."""
-        lengths: dict[str, tuple[int, str]] = {}
-        for name, field in type(self).model_fields.items():
-            for table in (annotation for annotation in field.metadata if isinstance(annotation, Table)):
-                for axis, length in zip(table.shape.split(), getattr(self, name).shape, strict=True):
-                    expected, where = (
-                        (int(axis), "") if axis.isdigit() else lengths.setdefault(axis, (length, f" as {name}"))
-                    )
-                    if length != expected:
-                        raise ValueError(f"{name} has {length} entries along an axis instead of {expected}{where}")
-                    least, most = self.sizes.get(axis, (length, length))
-                    if not least <= length <= most:
-                        raise ValueError(f"{name} has {length} entries along an axis, beyond {least} to {most}")
-        return self
+        return fitting(self)
 
 
 class ModelFile(FilePart):
@@ -186,24 +258,12 @@ class ModelFile(FilePart):
 
     @classmethod
     def read(cls, tree: Mapping[str, Any], name: str, command: str) -> Self:
-        """The tree of the model `name`, checked; `command` writes it anew.
-
-        Raises
-        ------
-        CorruptArtifactError
-            An entry is missing, unknown, of another kind or shape, or beyond its range.
-        """
-        try:
-            return cls.model_validate(dict(tree))
-        except ValidationError as error:
-            first = error.errors(include_url=False, include_input=False, include_context=False)[0]
-            place = ".".join(map(str, first["loc"]))
-            reason = f"{place}{': ' if place else ''}{first['msg'].removeprefix('Value error, ')}"
-        raise CorruptArtifactError(f"the model {name} cannot be read ({reason}); run `debist {command}` again")
+        """The tree of the model `name`, checked by `read_part`; `command` writes it anew."""
+        return read_part(cls, tree, name, command)
 
     def to_tree(self) -> dict[str, Any]:
         """The contents as a dictionary of arrays, numbers and texts."""
-        return {entry: getattr(self, entry) for entry in type(self).model_fields}
+        return tree_of(self)
 
 
 TEXT = "text"
@@ -319,7 +379,7 @@ def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[File
     for place in places:
         if place in QUANTITIES:  # of a joint's parameters
             return QUANTITIES[place].unit, QUANTITIES[place].meaning
-        field = part.model_fields[place]
+        field = part.__pydantic_fields__[place]
         help_of_part = part.__doc__ or ""
         part = field.annotation
     stated = next((mark.symbol for mark in field.metadata if isinstance(mark, Unit)), None)
@@ -327,6 +387,7 @@ def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[File
     return unit.format_map(units), " ".join((field.description or help_of_part).split()).rstrip(".")
 
 
-def declaration(model: Any) -> type[FilePart]:
+def declaration(model: Any) -> type[Any]:
     """The declaration of a model's file: its own class, or what it names as `file`."""
-    return type(model) if isinstance(model, ModelFile) else type(model).file
+    declared: type[Any] = getattr(type(model), "file", type(model))
+    return declared

@@ -39,8 +39,8 @@ def _timeline(
     t = log.kinematics["t"]
     q = log.kinematics["q"]
     v = voltages(log.kinematics)
-    switched = {"voltage switched": voltage_switches(t, v)} if data.joint else {}
-    marks = switched or {f"{data.input_word} steps": input_steps(t, v)}
+    switched = {"voltage switched": voltage_switches(t, v)} if data.device.joint else {}
+    marks = switched or {f"{data.device.input_word} steps": input_steps(t, v)}
     marks["device snaps over"] = t[snaps(q, wells)]
     places = {name: at[~_unknown(log, at)] for name, at in marks.items()}
     return Figure(
@@ -80,7 +80,10 @@ def _masked(t: FloatArray, segment: FloatArray) -> tuple[tuple[float, float], ..
 
 def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.record["t"]
-    panels = [Panel("q", data.displacement, (Line("q measured", "measured", t, log.record["q"]),)), _inputs(data, log)]
+    panels = [
+        Panel("q", data.device.displacement.symbol, (Line("q measured", "measured", t, log.record["q"]),)),
+        _inputs(data, log),
+    ]
     notes = log.record_notes
     caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart"
     if "raw_rows" in notes:
@@ -93,15 +96,15 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
     """The inputs over time, without stretches in which they are not known."""
     t = log.record["t"]
-    sides = {"v1": " (left)", "v2": " (right)"} if data.joint else {}
+    sides = {"v1": " (left)", "v2": " (right)"} if data.device.joint else {}
     recorded = {name: np.where(_unknown(log, t), np.nan, log.record[name]) for name in data.inputs}
     lines = tuple(Line(name + sides.get(name, ""), name, t, values) for name, values in recorded.items())
-    return Panel(data.input_word + "s" * (len(lines) > 1), data.voltage, lines, low=low)
+    return Panel(data.device.input_word + "s" * (len(lines) > 1), data.device.inputs[0].symbol, lines, low=low)
 
 
 def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     table = log.kinematics
-    unit = signal_units(data.displacement)
+    unit = signal_units(data.device.displacement.symbol)
     t = table["t"]
     q = table["q"]
     velocity = np.gradient(q, t)
@@ -126,7 +129,7 @@ def differentiation(data: RunData, log: LogData) -> str:
     if not stretches:
         return "How it was differentiated was not recorded."
     alphas = [s["alpha"] for s in stretches if s.get("alpha") is not None]
-    unit = ALPHA_UNIT[data.displacement][0].replace("deg", "°")
+    unit = ALPHA_UNIT[data.device.displacement.symbol][0].replace("deg", "°")
     text = METHODS.get(str(notes["method"]), str(notes["method"]))
     if notes["method"] == "tvregdiff":
         text += f" of order {notes['order']}"
@@ -146,7 +149,7 @@ def measured_signals(log: LogData) -> dict[str, FloatArray]:
 
 def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.kinematics["t"]
-    unit = signal_units(data.displacement)
+    unit = signal_units(data.device.displacement.symbol)
     panels = []
     for name, measured in measured_signals(log).items():
         lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
@@ -154,7 +157,7 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
         panels.append(Panel(HEADINGS[name], unit[name], tuple(lines)))
     gone = [f"{m} diverged at {moment(n['diverged_at_s'])}" for m, n in log.outcomes.items() if n["status"] != "ok"]
-    inputs = f"{data.input_word}s"
+    inputs = f"{data.device.input_word}s"
     caption = f"Free runs from the log's first sample under its measured {inputs}; nothing is fed back."
     caption += f" {'; '.join(gone)}." if gone else ""
     return _timeline(data, log, wells, "models", "Measured against models", caption, panels)
@@ -179,7 +182,7 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     others = tuple(Line(m, m, t, run["q"]) for m, run in log.predictions.items() if m != headline)
     lines = [Line("measured", "measured", t, measured, wide=True), *others]
     below = [_inputs(data, log, low=True)]
-    caption = f"Free run from the first sample under the measured {data.input_word}s; {FIT}."
+    caption = f"Free run from the first sample under the measured {data.device.input_word}s; {FIT}."
     bands: tuple[Band, ...] = ()
     limits = _limits([measured])
     if headline in log.predictions:
@@ -197,8 +200,8 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             limits, clipped = _with_tubes(limits, bands)
             off, _ = _with_tubes(off, about)
             caption += ", which reaches beyond the axis." if clipped else "."
-        below.insert(0, Panel("error", data.displacement, (error,), bands=about, y_limits=off, low=True))
-    panels = [Panel("q", data.displacement, tuple(lines), bands=bands, y_limits=limits), *below]
+        below.insert(0, Panel("error", data.device.displacement.symbol, (error,), bands=about, y_limits=off, low=True))
+    panels = [Panel("q", data.device.displacement.symbol, tuple(lines), bands=bands, y_limits=limits), *below]
     figure = _timeline(data, log, wells, "overlay", "Measured against the model", caption, panels)
     return replace(figure, hidden=tuple(line.label for line in others))
 
@@ -234,7 +237,7 @@ def _tubes(predicted: Mapping[str, FloatArray], model: str) -> Iterator[Band]:
 
 def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.kinematics["t"]
-    unit = signal_units(data.displacement)
+    unit = signal_units(data.device.displacement.symbol)
     panels = []
     for name, measured in measured_signals(log).items():
         lines = [
@@ -272,7 +275,9 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
 
     panels = [panel("autocorrelation", residual.correlation, residual.band)]
     for k, (values, half) in enumerate(zip(residual.with_inputs, residual.input_bands, strict=True), start=1):
-        panels.append(panel(f"correlation with v{k}{'²' if data.squared else ''}", values, float(half)))
+        panels.append(
+            panel(f"correlation with v{k}{'²' if (data.device.action == 'squared') else ''}", values, float(half))
+        )
     colour = "rings with the device" if rings else "fades as slowly as the device settles"
     caption = (
         f"{log.title.capitalize()}: {100 * residual.outside:.0f} % of the correlations with inputs lie outside their "
@@ -288,7 +293,7 @@ def _spectrum(data: RunData, log: LogData, model: str, residual: Residual) -> Fi
         Line(f"residual of {model}", model, residual.frequency, residual.density),
     )
     caption = f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing."
-    unit = f"{data.displacement}²/Hz"
+    unit = f"{data.device.displacement.symbol}²/Hz"
     panel = Panel("power spectral density", unit, lines, log=True)
     title = "Residual analysis: spectrum"
     return Figure("residual-spectrum", title, caption, "frequency", "Hz", (panel,), x_log=True, half=True)

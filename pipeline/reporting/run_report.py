@@ -8,7 +8,7 @@ from typing import Any
 from ..diagnostics.facts.datasheet import Datasheet
 from ..diagnostics.facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
 from ..diagnostics.facts.run_data import WHY, RunData, judged_log
-from ..diagnostics.rows import CheckRow, beside, remarks
+from ..diagnostics.rows import CheckRow, beside
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
 from ..units.quantity import short
@@ -66,7 +66,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
             charts[kind if kind in charts else ""].append(_chart(figure, models))
     rows = sheet_rows(sheet)
     context = {
-        "name": data.name,
+        "name": data.prototype.name,
         "subtitle": _subtitle(data),
         "headline": sheet.headline,
         "verdict": verdict(sheet.checks),
@@ -120,7 +120,7 @@ def _log_checks(data: RunData) -> dict[str, Any]:
     """What the check of the logs against the settings found, side by side."""
     rows = [CheckRow(**row) for row in data.log_checks]
     header, table = beside(rows)
-    return {"header": header, "rows": table, "remarks": remarks(rows)}
+    return {"header": header, "rows": table, "remarks": [row.remark for row in rows if row.state == "note"]}
 
 
 def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
@@ -206,7 +206,7 @@ def _model(data: RunData, name: str) -> Described:
     # Deviations are the coordinates of the fit; what they mean stands among the calibrated quantities.
     hidden = {"deviations"} if data.why_chosen else {"deviations", WHY}
     facts = {key: value for key, value in data.descriptions.get(name, {}).items() if key not in hidden}
-    return described(name, facts, data.displacement, mass_known=data.mass_known)
+    return described(name, facts, data.device.displacement.symbol, mass_known=data.device.known_mass is not None)
 
 
 def _provenance(data: RunData) -> dict[str, Any]:

@@ -6,11 +6,12 @@ no measurement.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ..numerics.arrays import FloatArray
+from ..settings.prototype import Gate
+from .findings import Finding, Number, refusal
 from .missing import Missing
 from .signal_quality import SignalQuality, examine_signal
 from .spectrum import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
@@ -20,49 +21,16 @@ MOST_MISSING = 0.1
 """Share of a signal that may be missing."""
 MOST_REPEATED = 0.05
 """Share of the time stamps that may repeat the one before."""
-_GATES = (
-    (
-        "masked", 0.5, "of the rows are masked (gaps, rails, spikes, lost target)",
-        "record without gaps and within the sensor's range",
-    ),
-    ("missing", MOST_MISSING, "of the samples are not finite", "repair the recorder"),
-    ("repeated", MOST_REPEATED, "of the time stamps repeat the one before",
-     "repair the clock, or where its stamps are too coarse leave `time` out and set [ingest] sample_rate"),
-    ("dropped", 0.2, "of the samples are missing one by one", "record slower"),
-    ("jitter", 0.3, "of the time step is its jitter (RMS)", "record by a hardware clock"),
-    (
-        "rails", 0.05, "of the samples of q stay at its extremes",
-        "what lay beyond was not measured: widen the sensor's range, or name another channel as q; if the device rests "
-        'there, set [ingest] rails = "keep"',
-    ),
-    ("hum", 0.05, "of the range of q is hum of {hum:g} Hz", "shield the sensor"),
-)  # fmt: skip
-"""Name, largest share, what it is the share of, and what to do."""
-_ON_CHANGE = "; an input ({}) that was recorded only when it changed takes `on_change = true` in [channels]"
+_MOST: dict[Gate, float] = {
+    "masked": 0.5, "missing": MOST_MISSING, "repeated": MOST_REPEATED, "dropped": 0.2, "jitter": 0.3, "rails": 0.05,
+    "hum": 0.05,
+}  # fmt: skip
+"""Largest share by gate."""
 COARSEST_STEP = 3.0
 """Steps of a log in sample intervals of the settings: beyond, most uniform samples would be made up."""
 
 UNTOLD_STEP = 1.2
 """The same, up to which there is no remark."""
-
-
-@dataclass(frozen=True)
-class Finding:
-    """Something that speaks against the data.
-
-    Attributes
-    ----------
-    gate : str
-        The name under which the settings can accept it.
-    text : str
-        What it is, with the number and its bound.
-    advice : str
-        What to do about it.
-    """
-
-    gate: str
-    text: str
-    advice: str
 
 
 def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequence[str] = ()) -> list[Finding]:
@@ -95,36 +63,36 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequen
         "rails": 0.0 if q.constant else q.low_rail + q.high_rail,
         "hum": hum.amplitude / span if hum is not None and span > 0.0 else 0.0,
     }
+    notes = {
+        "masked": {name: Number(1.0) for name in few},
+        "hum": {"frequency": Number(hum.frequency if hum else 0.0, "Hz")},
+    }
     return [
-        Finding(
-            gate,
-            f"{100.0 * shares[gate]:.3g} % {what.format(hum=hum and hum.frequency)} (at most {100.0 * most:g} %)",
-            advice + (_ON_CHANGE if gate == "masked" and few else "").format(", ".join(few)),
-        )
-        for gate, most, what, advice in _GATES
+        refusal(gate, f"{gate}_share", {"share": Number(shares[gate]), "most": Number(most), **notes.get(gate, {})})
+        for gate, most in _MOST.items()
         if shares[gate] > most
     ]
 
 
 def missing_findings(beside: Mapping[str, Missing]) -> list[Finding]:
     """Which signals beside the displacement are missing for too much of it."""
-    findings = []
-    for name, lacks in beside.items():
-        if lacks.share > MOST_MISSING:
-            what = f"{name} is missing for {100.0 * lacks.share:.3g} % of the log (at most {100.0 * MOST_MISSING:g} %)"
-            advice = "repair the recorder, or cut the log where the signal ends"
-            findings.append(Finding("missing", what, advice + (_ON_CHANGE.format(name) if lacks.not_finite else "")))
-    return findings
+    most = Number(MOST_MISSING)
+    return [
+        refusal(
+            "missing",
+            "signal_missing",
+            {"share": Number(lacks.share), "most": most, "not_finite": Number(lacks.not_finite)},
+            name,
+        )
+        for name, lacks in beside.items()
+        if lacks.share > MOST_MISSING
+    ]
 
 
 def coarse_inputs(steps: Mapping[str, float], interval: float) -> list[Finding]:
     """Inputs whose own steps [s] are longer than `COARSEST_STEP` sample intervals [s]."""
     return [
-        Finding(
-            "rate",
-            f"{name} has one sample every {step:.4g} s, but [ingest] sample_interval is {interval:g} s",
-            "record it as finely as q, or set a sample_interval as long" + _ON_CHANGE.format(name),
-        )
+        refusal("rate", "coarse_input", {"step": Number(step, "s"), "interval": Number(interval, "s")}, name)
         for name, step in steps.items()
         if step > COARSEST_STEP * interval
     ]
@@ -161,26 +129,21 @@ def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -
     A log is too coarse where its unit of time is wrong, and too fine where decimation leaves little of its motion.
     """
     if _unshown(time, q, sample_interval, q.band.half, LOST_PER_PERIOD):
-        return [
-            Finding(
-                "rate",
-                f"half of the power of q lies above {q.band.half:.3g} Hz, which decimation to [ingest] "
-                f"sample_interval = {sample_interval:g} s takes away",
-                f"set sample_interval = {advised_interval(q.band.most, time.step):g}, or correct the unit of time",
-            )
-        ]
+        numbers = {
+            "half": Number(q.band.half, "Hz"),
+            "interval": Number(sample_interval, "s"),
+            "advised": Number(advised_interval(q.band.most, time.step), "s"),
+        }
+        return [refusal("rate", "fast_motion", numbers)]
     if time.step <= COARSEST_STEP * sample_interval:
         return []
-    lasts = time.stop - time.start
-    return [
-        Finding(
-            "rate",
-            f"one sample every {time.step:.4g} s for {lasts:.6g} s, by the settings, but [ingest] sample_interval is "
-            f"{sample_interval:g} s (at most {COARSEST_STEP:g} intervals a sample)",
-            "correct the unit of time in [channels] (ms is not s) or the sample_rate (in Hz), or set a sample_interval "
-            "as long as the log's step",
-        )
-    ]
+    numbers = {
+        "step": Number(time.step, "s"),
+        "lasts": Number(time.stop - time.start, "s"),
+        "interval": Number(sample_interval, "s"),
+        "most": Number(COARSEST_STEP),
+    }
+    return [refusal("rate", "coarse_log", numbers)]
 
 
 # Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides; and those of

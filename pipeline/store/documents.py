@@ -43,7 +43,7 @@ def _kinds() -> dict[str, type[BaseModel]]:
     )  # fmt: skip
     check = kind(
         log=str, what=str, found=str, limit=str, state=(str, "ok"), gate=(str | None, None), advice=(str, ""),
-        more=(str, ""), values=(dict[str, float], {}),
+        more=(str, ""), values=(dict[str, float], {}), code=(str, ""),
     )  # fmt: skip
     finding = kind(about=str, grade=str, name=str, statement=str, advice=str)
     score = kind(

@@ -12,9 +12,9 @@ from ..store.lock import run_lock
 from ..store.manifest import MANIFEST
 from ..system.isolation import next_ready, preload
 from ..system.package import full_name
-from .failures import forget_failure
 from .fleet import write_fleet
 from .members import Member, Shard
+from .progress import forget_failure
 from .worker import Outcome, Program, Worker
 
 

@@ -16,8 +16,8 @@ from ..store.outputs import note_written
 from ..store.run_folder import RunFolder
 from ..store.schemas import FLEET
 from ..store.schemas import FLEET_FACTS as FLEET_FACT_TABLE
-from .failures import failure
 from .members import FLEET_CSV, FLEET_FACTS, FLEET_FILES, FLEET_REPORT, FLEET_TABLE, Member
+from .progress import failure
 from .report_data import load_datasheet, load_scores
 from .worker import Outcome
 

@@ -31,7 +31,7 @@ from .si_log import read_si
 from .stage_check import examine
 
 if TYPE_CHECKING:
-    from ..diagnostics.rows import CheckRow
+    from ..signals.findings import Finding
 
 
 LEAST_SWITCHES = 5
@@ -250,7 +250,7 @@ def _supposed(inspection: Inspection) -> Prototype:
         raise InputError(f"the channels are not clear; {settings}") from error
 
 
-def check(place: Path, observer: Observer) -> "tuple[Prototype, list[CheckRow]]":
+def check(place: Path, observer: Observer) -> "tuple[Prototype, list[Finding]]":
     """Look at the logs of a settings file, or again at those that a run folder holds.
 
     Raises

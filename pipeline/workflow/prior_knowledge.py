@@ -1,8 +1,13 @@
-"""What settings name beside the logs: curves that were measured on a test stand (fig. 14), and siblings."""
+"""Files that settings name beside the logs: curves from a test stand (fig. 14), and the prior from other joints.
+
+Stage `ingest` writes both into the run, in SI units.
+"""
 
 import csv
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,12 +20,16 @@ from ..fitting.population import NormalPopulation
 from ..numerics.arrays import FloatArray
 from ..settings.prototype import Prototype
 from ..store import layout
-from ..store.run_folder import RunFolder
+from ..store.columns import Column
+from ..store.run_folder import RunFolder, Written
+from ..store.schemas import Schema
 from ..store.tables import Table
 from ..store.trees import read_tree
 from ..system.plain_files import LARGEST_SETTINGS, read_plain
 from ..units.units import curve_units, to_si
+from .engine import Task
 
+ALGORITHM = "1"
 MOST_ROWS = 100_000
 MEANINGS = {
     "F": "restoring force, positive where it pulls to the left",
@@ -190,3 +199,57 @@ def prior_knowledge_in(settings_file: Path, prototype: Prototype, parameters: Jo
         None if curves is None else read_measured_curves(layout.source(curves, settings_file), device(prototype)),
         None if siblings is None else taught(read_siblings(layout.source(siblings, settings_file)), parameters),
     )
+
+
+def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
+    """A task for each file that the settings name."""
+    curves = [
+        _curves_task(prototype, layout.source(name, prototype_file), artifact)
+        for name, artifact in named_curves(prototype)
+    ]
+    siblings = prototype.plant.siblings
+    return curves if siblings is None else [*curves, _siblings_task(layout.source(siblings, prototype_file))]
+
+
+def _curves_task(prototype: Prototype, path: Path, artifact: str) -> Task:
+    return Task(
+        stage="ingest",
+        title="measured curves" if artifact == layout.CURVES else "known curves",
+        algorithm=ALGORITHM,
+        settings={"displacement": device(prototype).displacement.symbol},
+        inputs=(),
+        sources={path.name: path},
+        named_in="compare.curves" if artifact == layout.CURVES else "plant.curves",
+        outputs=(artifact,),
+        work=partial(_write_curves, path=path, plant=device(prototype), artifact=artifact),
+    )
+
+
+def _write_curves(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mapping[str, Written]:
+    columns = read_measured_curves(path, plant)
+    units = column_units(plant)
+    schema = Schema(
+        "curves",
+        tuple(Column(name, "", units[name][0], MEANINGS.get(name, "displacement of the joint")) for name in columns),
+    )
+    return {artifact: run.write_table(artifact, schema, columns, {"source": path.name})}
+
+
+def _siblings_task(path: Path) -> Task:
+    return Task(
+        stage="ingest",
+        title="siblings",
+        algorithm=ALGORITHM,
+        settings={},
+        inputs=(),
+        sources={path.name: path},
+        named_in="plant.siblings",
+        outputs=(layout.SIBLINGS,),
+        work=partial(_write_siblings, path=path),
+    )
+
+
+def _write_siblings(run: RunFolder, *, path: Path) -> Mapping[str, Written]:
+    from ..models.hybrid.siblings import column
+
+    return {layout.SIBLINGS: run.write_tree(layout.SIBLINGS, read_siblings(path), {"source": path.name}, column)}

@@ -1,20 +1,28 @@
-"""How far a batch is: what its run folders show while its processes, here or elsewhere, go on."""
+"""State of a batch: what its run folders show while its processes, here or elsewhere, go on, and why runs failed.
+
+For a prototype that failed there is a text file with what its process printed, until it does well.
+"""
 
 import os
+import re
 import stat
 from collections import Counter
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from ..errors import DebistError, InputError
 from ..store import layout
-from ..store.atomic import reading
+from ..store.atomic import reading, write_text
 from ..store.lock import HOLDER, LOCK, is_held
 from ..store.manifest import MANIFEST, load_manifest
-from .failures import failed_names, failure
+from ..system.plain_files import read_plain
+from .members import FAILED
 
+_LARGEST = 1 << 20
+_HEAD = re.compile(r"exit code (-?\d{1,10}): ([^\n]*)")
 State = Literal["done", "running", "failed", "stopped"]
 STATES: dict[State, str] = {
     "done": "has its scores",
@@ -104,3 +112,54 @@ def _time(path: Path) -> datetime | None:
         return datetime.fromtimestamp(path.stat().st_mtime, UTC)
     except OSError:
         return None
+
+
+class Failure(NamedTuple):
+    """How a prototype failed: exit code, reason in one line, and when [s since the epoch]."""
+
+    exit_code: int
+    reason: str
+    time: float
+
+
+def failure_file(output: Path, name: str) -> Path:
+    """Where the failure of a prototype is kept."""
+    return output / FAILED / f"{name}.txt"
+
+
+def keep_failure(output: Path, name: str, exit_code: int, reason: str, printed: str) -> None:
+    """Write down how a prototype failed, with what its process printed."""
+    head = f"exit code {exit_code}: {' '.join(reason.split())}\n"
+    write_text(failure_file(output, name), f"{head}\n{printed}", within=output)
+
+
+def forget_failure(output: Path, name: str) -> None:
+    """Remove it: the prototype is run again, or is up to date."""
+    with suppress(OSError):
+        failure_file(output, name).unlink(missing_ok=True)
+
+
+def failure(output: Path, name: str) -> Failure | None:
+    """How a prototype failed last; None where it did not, or where something was written into its run since."""
+    path = failure_file(output, name)
+    try:
+        text = read_plain(path, _LARGEST).decode("utf-8", "replace")
+        time = path.stat().st_mtime
+    except OSError:
+        return None
+    head = _HEAD.match(text)
+    if head is None or _changed(output / name) > time:
+        return None
+    return Failure(int(head[1]), head[2], time)
+
+
+def failed_names(output: Path) -> list[str]:
+    """The prototypes whose failure is kept."""
+    return sorted(path.stem for path in (output / FAILED).glob("*.txt"))
+
+
+def _changed(run: Path) -> float:
+    """When the manifest of a run was written [s since the epoch]; 0 where there is none."""
+    with suppress(OSError):
+        return (run / MANIFEST).stat().st_mtime
+    return 0.0

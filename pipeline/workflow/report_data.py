@@ -1,4 +1,4 @@
-"""What a report needs, read from a run folder; what an older or a partial run lacks is left out."""
+"""Contents of a run for its report and for the lines of a command; what an older or partial run lacks is left out."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -19,11 +19,11 @@ from ..store import layout, schemas
 from ..store.columns import StudyName
 from ..store.documents import read_document
 from ..store.run_folder import RunFolder, in_snapshot
-from ..system.names import log_title
+from ..system.names import log_title, true_name
 from ..units.units import ALPHA_UNIT
 from .engine import TIMES
 from .prior_knowledge import shown_siblings
-from .run_models import CHOICE, identified_models
+from .run_models import CHOICE, IDENTIFIED, identified_models
 
 
 def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> RunData:
@@ -32,12 +32,8 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
     loaded, unreadable = _models(run, prototype, models)
     rows = run.read_records(layout.SCORES)
     return RunData(
-        name=prototype.name,
-        displacement=plant.displacement.symbol,
-        voltage=plant.inputs[0].symbol,
-        squared=prototype.plant.inputs == "squared",
-        mass_known=prototype.plant.mass is not None,
-        centres=prototype.identify.basis_functions,
+        prototype=prototype,
+        device=plant,
         logs=tuple(_log(run, models, *log) for log in layout.logs(prototype)),
         models=loaded,
         descriptions={name: _description(run, prototype, name) | unreadable.get(name, {}) for name in models},
@@ -46,12 +42,10 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         accepted=_accepted(run, prototype),
         log_checks=_log_checks(run),
         choice=run.record(layout.MODELS).notes.get(CHOICE),
-        rails_kept=prototype.ingest.rails == "keep",
         studies=tuple(read_study(run, name, plant) for name in studies),
         measured_curves=measured_curves(run, prototype),
         siblings=shown_siblings(run, prototype),
         instruments=_instruments(run),
-        log_parts={(role, log): part for role, log, part in layout.log_parts(prototype)},
     )
 
 
@@ -218,3 +212,57 @@ def load_datasheet(root: Path) -> dict[str, Any]:
         It is damaged.
     """
     return in_snapshot(root, lambda run: read_document(run, layout.DATASHEET))
+
+
+def ingested(run: RunFolder) -> list[dict[str, Any]]:
+    """Of each log the rows of its uniform record, their interval [s], how many are masked, and its gaps in time."""
+    results = []
+    for role, log, path in layout.logs(run.prototype):
+        notes = run.record(layout.signals(role, log)).notes
+        results.append(
+            {
+                "log": log_title(role, true_name(path)),
+                "rows": notes["rows"],
+                "masked_rows": notes["masked_rows"],
+                "interval_s": notes["interval"],
+                "gaps": notes["gaps_in_time"],
+            }
+        )
+    return results
+
+
+def differentiated(run: RunFolder) -> list[dict[str, Any]]:
+    """Of each log the method, and of each of its stretches α and the noise, in units that the settings have α in."""
+    unit = ALPHA_UNIT[device(run.prototype).displacement.symbol][0]
+    results = []
+    for role, log, path in layout.logs(run.prototype):
+        notes = run.record(layout.kinematics(role, log)).notes
+        of_velocity = notes["of"] == "velocity"
+        regularised = notes["method"] == "tvregdiff"
+        results.append(
+            {
+                "log": log_title(role, true_name(path)),
+                "method": notes["method"],
+                "of": notes["of"],
+                "alphas": [stretch["alpha"] for stretch in notes["stretches"]] if regularised else [],
+                "alpha_unit": f"{unit}·s^{notes['order'] - of_velocity}" if regularised else "",
+                "noises": [stretch["noise_std"] for stretch in notes["stretches"]],
+                "noise_unit": f"{unit}/s" if of_velocity else unit,
+            }
+        )
+    return results
+
+
+def identified(run: RunFolder) -> list[dict[str, Any]]:
+    """Of each identified model its processor time [s], whether it is the headline, and why where "auto" chose it."""
+    notes = run.record(layout.MODELS).notes
+    choice = notes.get(CHOICE, {})
+    return [
+        {
+            "model": model,
+            "headline": k == 0,
+            "fit_s": notes[model].get(TIMES, {}).get("fit_s"),
+            "reason": choice["reason"] if model == choice.get("chosen") else "",
+        }
+        for k, model in enumerate(notes[IDENTIFIED])
+    ]

@@ -18,8 +18,8 @@ from ..rig_logs.source import rates_beside, stated_rate
 from ..settings.logs import Channel, LogColumn
 from ..settings.prototype import Prototype
 from ..signals.columns import Signal, chunks, column, equal, finite, held, one_sign, scaled, select, sparse
+from ..signals.findings import Number, refusal
 from ..signals.missing import code_remarks, codes_in, masked
-from ..signals.quality_gates import Finding
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import span
 from ..signals.timebase import nominal_step, unwrapped
@@ -368,11 +368,9 @@ def _contradicted_rates(recording: "Recording", channel: str, time: FloatArray, 
     stated = " and ".join(f"{name} states {rate:.6g} Hz" for name, rate in rates.items())
     if prototype.ingest.sample_rate is None:
         return [f"in the log {stated}, but by its time it has {own:.6g} samples per second: is the unit of time right?"]
-    finding = Finding(
-        "rate",
-        f"in the log {stated}, but [ingest] sample_rate is {prototype.ingest.sample_rate:g} Hz",
-        "correct sample_rate, or where the log means another rate keep it",
-    )
+    numbers = {name: Number(rate, "Hz") for name, rate in rates.items()}
+    numbers["settings"] = Number(prototype.ingest.sample_rate, "Hz")
+    finding = refusal("rate", "other_rate", numbers)
     return judge(f"{recording.path}", [finding], prototype.quality)
 
 

@@ -21,10 +21,10 @@ from .engine import Task
 
 if TYPE_CHECKING:
     from ..diagnostics.declared import Declared
-    from ..diagnostics.rows import CheckRow
     from ..diagnostics.weak_form import LogSignals
+    from ..signals.findings import Finding
 
-ALGORITHM = "26"
+ALGORITHM = "27"
 
 
 def tasks(prototype: Prototype) -> list[Task]:
@@ -51,17 +51,17 @@ def tasks(prototype: Prototype) -> list[Task]:
 
 
 def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
-    from ..diagnostics.rows import remarks
+    from ..diagnostics.rows import check_rows, remarks
 
-    rows = examine(run, prototype)
-    accepted = verdict(rows, prototype)
-    document = {"rows": [asdict(row) for row in rows], "accepted": accepted}
-    notes: dict[str, Any] = {"warnings": [*remarks(rows), *accepted], "accepted": accepted}
+    findings = examine(run, prototype)
+    accepted = verdict(findings, prototype)
+    document = {"rows": [asdict(row) for row in check_rows(findings)], "accepted": accepted}
+    notes: dict[str, Any] = {"warnings": [*remarks(findings), *accepted], "accepted": accepted}
     text = json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     return {layout.CHECK: run.write_text(layout.CHECK, text, notes)}
 
 
-def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
+def examine(run: RunFolder, prototype: Prototype) -> "list[Finding]":
     """Look at the ingested logs of a run; nothing is written.
 
     Raises
@@ -70,18 +70,21 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
         A validation log holds a recording that a training log holds too.
     """
     from ..diagnostics.check import check_logs
-    from ..diagnostics.copies import shared_recordings, shared_rows
+    from ..diagnostics.copies import shared_findings, shared_recordings
+    from ..diagnostics.log_sentences import shared_spans
 
     logs, stated = signals(run, prototype)
     shared = shared_recordings(logs)
     named = layout.logs(prototype)
-    for i, k, span in shared:
+    twice = shared_findings(logs, shared)
+    for (i, k, _), finding in zip(shared, twice, strict=True):
         if named[i][0] != named[k][0]:
+            spans = shared_spans(finding)
             raise InputError(
                 f"logs.validation: {named[k][2]!r} holds the recording of the training log {named[i][2]!r}: "
-                f"{span.spans}; validate on a recording of its own, or cut what both hold"
+                f"{spans}; validate on a recording of its own, or cut what both hold"
             )
-    return [*check_logs(logs, stated), *shared_rows(logs, shared)]
+    return [*check_logs(logs, stated), *twice]
 
 
 def signals(run: RunFolder, prototype: Prototype) -> "tuple[list[LogSignals], Declared]":
@@ -119,7 +122,7 @@ def declared(prototype: Prototype) -> "Declared":
     )
 
 
-def verdict(rows: "list[CheckRow]", prototype: Prototype) -> list[str]:
+def verdict(findings: "list[Finding]", prototype: Prototype) -> list[str]:
     """What the settings accept of what would make the model wrong.
 
     Raises
@@ -127,6 +130,6 @@ def verdict(rows: "list[CheckRow]", prototype: Prototype) -> list[str]:
     DataRefusedError
         Something is not accepted.
     """
-    from ..diagnostics.rows import findings
+    from ..diagnostics.check import refusing
 
-    return judge(prototype.name, findings(rows), prototype.quality)
+    return judge(prototype.name, refusing(findings), prototype.quality)

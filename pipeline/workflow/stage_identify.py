@@ -18,8 +18,8 @@ from ..models.kind import HEADLINE, StoredModel, Training, kind
 from ..models.model_file import columns_of, declaration
 from ..settings.models import AUTO, ENTRIES
 from ..settings.prototype import FILM, Prototype, TrainingGate
+from ..signals.findings import Finding
 from ..signals.log import Log
-from ..signals.quality_gates import Finding
 from ..store import layout
 from ..store.run_folder import RunFolder, Written
 from ..system.progress import OnProgress, silent

@@ -26,7 +26,7 @@ from .engine import Task
 from .si_log import SiLog, part_of_log, read_si
 
 if TYPE_CHECKING:
-    from ..signals.quality_gates import Finding
+    from ..signals.findings import Finding
     from ..signals.signal_quality import SignalQuality
     from ..signals.stretches import TimeRows
     from ..signals.timebase import TimeQuality
@@ -117,6 +117,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     DataRefusedError
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
+    from ..diagnostics.sentences import sentences
     from ..signals.quality_gates import log_findings, rate_findings, rate_remarks
     from ..signals.timebase import examine, nominal_step
     from ..signals.uniform_record import Resampling, inputs_unknown, survey
@@ -152,7 +153,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     cut = ends / masked.interval
     findings += log_findings(clock, quality, (masked.masked_rows + cut) / (masked.rows + cut), few)
     if settings.rails == "keep":
-        warnings += [f"q: {finding.text}; kept ([ingest] rails)" for finding in findings if finding.gate == "rails"]
+        kept = [sentences(finding)[0] for finding in findings if finding.gate == "rails"]
+        warnings += [f"q: {text}; kept ([ingest] rails)" for text in kept]
         findings = [finding for finding in findings if finding.gate != "rails"]
     accepted = judge(where, findings, prototype.quality)
     notes = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}

@@ -64,13 +64,13 @@ def instrument_rows(
     stated : mapping of (role, name) to Corrections
         What already corrects each of them.
     """
-    from ..diagnostics.instruments import SIGNIFICANCE, Instruments, ObservedModel
+    from ..diagnostics.instruments import SIGNIFICANCE, InstrumentTest, ObservedModel
 
     if not isinstance(model, ObservedModel):
         return []
     parts = {name: fitted_parts(log) for name, log in logs.items()}
     trained = [log for log in logs if log[0] == "train"]
-    instruments = Instruments(model, [parts[log] for log in trained])
+    instruments = InstrumentTest(model, [parts[log] for log in trained])
     rows = []
     for log in logs:
         if log in trained and len(trained) == 1:

@@ -19,9 +19,9 @@ from ..models.analytical.statics import RotationMap, rotation_map
 from ..models.base import DynamicModel, FreeRun, HasTubes, predictor
 from ..models.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
 from ..models.kind import model_from_tree
+from ..models.tubes import Tubes
 from ..numerics.arrays import FloatArray
 from ..scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
-from ..scoring.tubes import Tubes
 from ..scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes, wells_of
 from ..settings.prototype import Prototype
 from ..signals.log import Log

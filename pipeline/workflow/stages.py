@@ -11,6 +11,7 @@ from ..settings.prototype import Prototype
 from ..store import layout
 from ..store.run_folder import RunFolder
 from ..system.names import Typeface
+from . import prior_knowledge as side_files
 from . import stage_check as check
 from . import stage_compare as compare
 from . import stage_differentiate as differentiate
@@ -19,7 +20,6 @@ from . import stage_ingest as ingest
 from . import stage_instruments as instruments
 from . import stage_report as report
 from . import stage_scores as scores
-from . import stage_side_files as side_files
 from . import stage_validate as validate
 from .engine import After, Task
 from .run_models import identified_models, made_control

@@ -1,16 +1,21 @@
-"""A batch by a table: a row for each prototype, its name, logs and the settings that differ from a base."""
+"""Settings files that a batch writes: one for each row of a table, or each with a prior from other joints."""
 
+import copy
 import csv
+import tomllib
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from ..errors import InputError
-from ..settings.file import read_document
+from ..settings.file import read_document, toml_text
+from ..settings.prototype import parse_prototype
+from ..store.atomic import write_text
 from ..system.names import slug
-from ..system.plain_files import read_plain
-from .variants import anchored, toml_value, with_values, write_settings
+from ..system.plain_files import LARGEST_SETTINGS, read_plain
+from .prior_knowledge import read_siblings
 
 _ENDINGS = (".csv", ".tsv", ".xlsx")
 _LARGEST = 1 << 26
@@ -18,6 +23,15 @@ _MOST_ROWS = 100_000
 _SHORT = {"train": "logs.train", "validation": "logs.validation"}
 """Headings that stand for keys of the settings."""
 _BASE = "base.toml"
+_PATHS = (
+    ("logs", "train"),
+    ("logs", "validation"),
+    ("plant", "parameters"),
+    ("plant", "curves"),
+    ("plant", "siblings"),
+    ("compare", "curves"),
+)
+"""Keys with paths that are relative to the settings file."""
 
 
 def is_table(place: Path) -> bool:
@@ -158,3 +172,78 @@ def _workbook_rows(table: Path) -> Iterator[list[Any]]:
         yield from load_workbook(table).get_sheet_by_index(0).to_python(skip_empty_area=False)
     except (OSError, zipfile.BadZipFile, CalamineError) as error:
         raise InputError(f"{table}: cannot be read as a workbook: {error}") from None
+
+
+def with_siblings(prototypes: Sequence[Path], siblings: Path, folder: Path) -> list[Path]:
+    """The prototypes with `siblings` in their settings, which are written into `folder`.
+
+    One whose settings cannot be read stays as it is, and fails alone.
+
+    Raises
+    ------
+    InputError
+        There is no such file, or it is not a file of siblings.
+    """
+    read_siblings(siblings)
+    changed = []
+    for path in prototypes:
+        try:
+            document = anchored(read_document(path), path.resolve().parent)
+            document = with_values(document, {"plant.siblings": str(siblings.resolve())})
+            name = parse_prototype(document, str(path)).folder
+            changed.append(write_settings(folder, name, document))
+        except InputError:
+            changed.append(path)
+    return changed
+
+
+def write_settings(folder: Path, stem: str, document: Mapping[str, Any]) -> Path:
+    """Write settings as ``STEM.toml`` into a folder, and return the file."""
+    path = folder / f"{stem}.toml"
+    text = toml_text(document)
+    with suppress(OSError):
+        if read_plain(path, LARGEST_SETTINGS) == text.encode():  # its time stamp means a change to workflow engines
+            return path
+    write_text(path, text, within=folder.parent)
+    return path
+
+
+def toml_value(text: str) -> Any:
+    """A value as TOML has it, or the text itself."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except (tomllib.TOMLDecodeError, KeyError):
+        return text
+
+
+def with_values(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    """A copy of settings with some values, by dotted keys."""
+    changed = copy.deepcopy(document)
+    for key, value in values.items():
+        *sections, last = key.split(".")
+        table = changed
+        for section in sections:
+            table = table.setdefault(section, {})
+            if not isinstance(table, dict):
+                raise InputError(f"{key}: {section!r} is no section of the settings")
+        table[last] = value
+    return changed
+
+
+def anchored(document: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Settings whose paths are absolute."""
+    for section, key in _PATHS:
+        table = document.get(section, {})
+        value = table.get(key) if isinstance(table, dict) else None
+        if isinstance(value, list):
+            table[key] = [_anchored_log(log, folder) for log in value]
+        elif isinstance(value, str) and Path(value).suffix:
+            table[key] = str(folder / value)
+    return document
+
+
+def _anchored_log(log: Any, folder: Path) -> Any:
+    if isinstance(log, str):
+        return str(folder / log)
+    named = isinstance(log, dict) and isinstance(log.get("file"), str)
+    return {**log, "file": str(folder / log["file"])} if named else log

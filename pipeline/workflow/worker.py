@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..errors import RunLockedError
 from ..system.isolation import Isolated, Send, death, largest_memory
-from .failures import failure_file, keep_failure
+from .progress import failure_file, keep_failure
 
 Program = Callable[[list[str]], object]
 

@@ -12,10 +12,9 @@ from cli import app
 from pipeline.errors import InputError
 from pipeline.store.lock import run_lock
 from pipeline.store.manifest import MANIFEST
-from pipeline.workflow.failures import failure, keep_failure
 from pipeline.workflow.fleet import collect_batch
 from pipeline.workflow.members import Member, Shard
-from pipeline.workflow.progress import fleet_progress
+from pipeline.workflow.progress import failure, fleet_progress, keep_failure
 
 RUNNER = CliRunner()
 NAMES = [f"P{number}" for number in range(60)]

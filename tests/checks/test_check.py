@@ -6,11 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.diagnostics.check import check_logs
+from pipeline.diagnostics.check import check_logs, refusing
 from pipeline.diagnostics.declared import Declared
-from pipeline.diagnostics.rows import CheckRow, findings
+from pipeline.diagnostics.rows import check_rows
+from pipeline.diagnostics.sentences import sentences
 from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.findings import Finding
 from tests.prototypes import motion
 
 RATE, DURATION = 1000.0, 37.5
@@ -26,13 +28,17 @@ def pair() -> list[LogSignals]:
     return logs
 
 
-def _remarkable(rows: list[CheckRow]) -> dict[str, str]:
-    """State of every row that asks for a look."""
-    return {row.what: row.state for row in rows if row.state in ("note", "wrong")}
+def _remarkable(findings: list[Finding]) -> dict[tuple[str, str], str]:
+    """Severity of every finding that asks for a look, by code and subject."""
+    return {(each.code, each.subject): each.severity for each in findings if each.severity in ("fair", "poor")}
 
 
-def _gates(rows: list[CheckRow]) -> set[str]:
-    return {finding.gate for finding in findings(rows)}
+def _codes(findings: list[Finding]) -> set[str]:
+    return {code for code, _ in _remarkable(findings)}
+
+
+def _gates(findings: list[Finding]) -> set[str | None]:
+    return {finding.gate for finding in refusing(findings)}
 
 
 def _late(log: LogSignals, samples: int) -> LogSignals:
@@ -49,38 +55,40 @@ def _q(change: Callable[[FloatArray], FloatArray]) -> Callable[[LogSignals], Log
 
 
 def test_honest_logs_pass_without_a_remark(pair: list[LogSignals]) -> None:
-    rows = check_logs(pair, JOINT)
-    assert {row.state for row in rows} == {"ok"}, [row for row in rows if row.state != "ok"]
-    assert not [row for row in rows if "±" in row.found]
+    findings = check_logs(pair, JOINT)
+    assert {finding.severity for finding in findings} == {"good"}, _remarkable(findings)
+    assert not [row for row in check_rows(findings) if "±" in row.found]
 
 
 @pytest.mark.parametrize(
-    ("spoilt", "what", "gate"),
+    ("spoilt", "code", "subject", "gate"),
     [
-        (_v(lambda v: v[:, ::-1]), "push of v1", "sides"),
-        (_q(lambda q: -q), "push of v2", "sides"),
-        (_v(lambda v: 1e-3 * v), "coupling with 41.0 g", "scale"),
-        (_q(lambda q: 1e3 * q), "range of q", "scale"),
-        (_v(lambda v: 1e3 * v), "range of v2", "scale"),
-        (_q(lambda q: 0.0 * q + 5e-6), "range of q", "scale"),
-        (_v(lambda v: v * [1.0, 2.0]), "coupling of v1 over v2", None),
-        (lambda log: _late(log, 60), "answer of q", None),
-        (_q(lambda q: q - 0.04), "rests", None),
-        (_q(lambda q: np.round(q / 1e-3) * 1e-3), "resolution of q", None),
-        (_v(lambda v: v + np.array([0.0, 150.0])), "rest level of v2", None),
-        (_v(lambda v: 1.5 * v), "largest field", None),
-        (_v(lambda v: v * [1.0, 0.0]), "push of v2", None),
-        (_v(lambda v: np.hstack([v[:, :1], np.sqrt(v.max() ** 2 - v[:, :1] ** 2)])), "v2 beside v1", None),
-        (lambda log: replace(log, held=5), "values of q held", None),
+        (_v(lambda v: v[:, ::-1]), "side", "v1", "sides"),
+        (_q(lambda q: -q), "side", "v2", "sides"),
+        (_v(lambda v: 1e-3 * v), "coupling", "stated", "scale"),
+        (_q(lambda q: 1e3 * q), "range", "q", "scale"),
+        (_v(lambda v: 1e3 * v), "range", "v2", "scale"),
+        (_q(lambda q: 0.0 * q + 5e-6), "still", "q", "scale"),
+        (_v(lambda v: v * [1.0, 2.0]), "coupling_ratio", "", None),
+        (lambda log: _late(log, 60), "late_answer", "q", None),
+        (_q(lambda q: q - 0.04), "rests", "q", None),
+        (_q(lambda q: np.round(q / 1e-3) * 1e-3), "resolution", "q", None),
+        (_v(lambda v: v + np.array([0.0, 150.0])), "rest_level", "v2", None),
+        (_v(lambda v: 1.5 * v), "field", "", None),
+        (_v(lambda v: v * [1.0, 0.0]), "never_on", "v2", None),
+        (_v(lambda v: np.hstack([v[:, :1], np.sqrt(v.max() ** 2 - v[:, :1] ** 2)])), "correlated", "", None),
+        (lambda log: replace(log, held=5), "held", "q", None),
     ],
 )  # fmt: skip
-def test_a_mistake_is_caught_by_its_row(pair: list[LogSignals], spoilt, what: str, gate: str | None) -> None:
-    resolution = 1e-3 if what == "resolution of q" else None
+def test_a_mistake_is_caught_by_its_finding(
+    pair: list[LogSignals], spoilt, code: str, subject: str, gate: str | None
+) -> None:
+    resolution = 1e-3 if code == "resolution" else None
     logs = [replace(spoilt(log), resolution=resolution) for log in pair]
-    rows = check_logs(logs, JOINT)
-    assert _remarkable(rows).get(what) == ("note" if gate is None else "wrong"), _remarkable(rows)
-    assert _gates(rows) == ({gate} if gate else set())
-    assert all(row.advice for row in rows if row.state in ("note", "wrong"))
+    findings = check_logs(logs, JOINT)
+    assert _remarkable(findings).get((code, subject)) == ("fair" if gate is None else "poor"), _remarkable(findings)
+    assert _gates(findings) == ({gate} if gate else set())
+    assert all(sentences(finding)[1] for finding in findings if finding.severity in ("fair", "poor"))
 
 
 @pytest.mark.parametrize(
@@ -91,10 +99,9 @@ def test_a_mistake_is_caught_by_its_row(pair: list[LogSignals], spoilt, what: st
     ],
 )  # fmt: skip
 def test_units_of_the_settings_are_told_by_the_order_of_magnitude(pair, declared, gate) -> None:
-    rows = check_logs(pair[:1], replace(JOINT, **declared))
-    assert _gates(rows) == gate
-    noted = {row.what for row in rows if "unit" in row.advice}
-    assert noted == ({"largest field"} if "mass" not in declared else {"coupling with 41.0 kg"} if gate else set())
+    findings = check_logs(pair[:1], replace(JOINT, **declared))
+    assert _gates(findings) == gate
+    assert _codes(findings) == ({"field_units"} if "mass" not in declared else {"coupling"} if gate else set())
 
 
 @pytest.mark.parametrize("slower", [0.25, 4.0])
@@ -106,26 +113,27 @@ def test_a_smaller_or_larger_joint_passes(pair: list[LogSignals], slower: float)
 
 @pytest.mark.parametrize("samples", [35, 60, 120])
 def test_a_late_answer_has_its_size_and_refuses_nothing(pair: list[LogSignals], samples: int) -> None:
-    (row,) = (row for row in check_logs([_late(pair[0], samples)], JOINT) if row.what == "answer of q")
-    assert (row.state, row.gate) == ("note", None)
-    assert row.values["late_s"] == pytest.approx(1e-3 * samples, abs=0.011)
+    (late,) = (each for each in check_logs([_late(pair[0], samples)], JOINT) if each.code == "late_answer")
+    assert (late.severity, late.gate) == ("fair", None)
+    assert late.numbers["late"].value == pytest.approx(1e-3 * samples, abs=0.011)
     device = replace(JOINT, squared=False)  # whose answer may depend on frequency
-    assert "answer of q" not in _remarkable(check_logs([_late(pair[0], samples)], device))
+    assert "late_answer" not in _codes(check_logs([_late(pair[0], samples)], device))
 
 
 def test_an_input_that_is_not_named_shows_by_starts_from_rest(pair: list[LogSignals]) -> None:
     for side in (0, 1):
         logs = [replace(log, v=np.ascontiguousarray(log.v[:, [side]])) for log in pair]
-        rows = check_logs(logs, replace(JOINT, inputs=("V",)))
-        assert any(row.values["starts"] >= 2 for row in rows if row.what == "leaves rest though no input changes")
+        found = [each for each in check_logs(logs, replace(JOINT, inputs=("V",))) if each.code == "undriven_starts"]
+        assert any(each.numbers["starts"].value >= 2 for each in found)
 
 
 def test_a_command_has_no_noise_and_a_measurement_has_its_own(pair: list[LogSignals]) -> None:
     measured = replace(pair[0], v=pair[0].v + np.random.default_rng(1).normal(0.0, 4.0, pair[0].v.shape))
     for log, noise in ((pair[0], None), (measured, 4.0)):
-        (row,) = (row for row in check_logs([log], JOINT) if row.what == "noise of v1")
-        assert row.values.get("noise_V") == (None if noise is None else pytest.approx(noise, rel=0.1))
-        assert ("a command" in row.found) == (noise is None)
+        codes = ("command", "input_noise")
+        (found,) = (each for each in check_logs([log], JOINT) if each.subject == "v1" and each.code in codes)
+        assert found.code == codes[noise is not None]
+        assert noise is None or found.numbers["noise"].value == pytest.approx(noise, rel=0.1)
 
 
 @pytest.mark.parametrize("law", [np.square, np.positive, lambda u: u * np.abs(u)], ids=["squared", "linear", "monitor"])
@@ -141,10 +149,10 @@ def test_the_law_of_an_input_of_both_signs_is_told(law: Callable[[FloatArray], F
     log = LogSignals("training log", h * np.arange(u.size), 0.1 * x, u[:, None], h)
     for squared in (True, False):
         one = Declared(squared=squared, displacement="m", inputs=("A",), mass=None, sample_interval=0.01)
-        (row,) = (row for row in check_logs([log], one) if row.what == "left by the law")
+        (found,) = (each for each in check_logs([log], one) if "left_by_linear" in each.numbers)
         right = law is (np.square if squared else np.positive)
-        assert row.state == ("ok" if right else "note")
-        assert ('part = "positive"' in row.advice) == (law not in (np.square, np.positive))
+        assert found.severity == ("good" if right else "fair")
+        assert found.code == ("law" if law in (np.square, np.positive) else "signed_monitor")
 
 
 def test_a_ring_down_over_the_barrier_is_no_unnamed_input() -> None:
@@ -154,7 +162,7 @@ def test_a_ring_down_over_the_barrier_is_no_unnamed_input() -> None:
     ringing = 3.5 * np.exp(-since) * np.cos(2.0 * np.pi * 2.9 * since)
     v = np.column_stack([np.where((since > 4.7) & (side == sign), 3e3, 0.0) for sign in (-1.0, 1.0)])
     log = LogSignals("train/light", t, 0.01 * side * (1.0 + ringing), v, 1.0 / RATE)
-    assert "leaves rest though no input changes" not in _remarkable(check_logs([log], JOINT))
+    assert "undriven_starts" not in _codes(check_logs([log], JOINT))
 
 
 @pytest.mark.parametrize(("kept", "found"), [(True, ["wrapped"]), (False, [])])
@@ -165,7 +173,7 @@ def test_an_angle_that_is_kept_within_a_turn_is_refused(kept: bool, found: list[
     v = np.abs(np.sin(0.7 * t))[:, None]
     log = LogSignals("train/a", t, (q + np.pi) % (2.0 * np.pi) - np.pi, v, 1e-3)
     one = Declared(squared=True, displacement="rad", inputs=("V",), mass=None, sample_interval=0.01)
-    assert [row.gate for row in check_logs([log], one) if row.what == "jumps of the angle"] == found
+    assert [each.gate for each in check_logs([log], one) if each.code == "wrapped"] == found
 
 
 def test_what_is_no_joint_is_not_judged_as_one(pair: list[LogSignals]) -> None:
@@ -177,7 +185,7 @@ def test_what_is_no_joint_is_not_judged_as_one(pair: list[LogSignals]) -> None:
     ):
         rows = check_logs(logs, declared)
         assert not _gates(rows)
-        assert not {"answer of q", "rest level of v1", "largest field"} & set(_remarkable(rows))
+        assert not {"late_answer", "rest_level", "field", "field_units"} & _codes(rows)
 
 
 def test_gaps_silence_weak_and_short_logs_are_no_findings(pair: list[LogSignals]) -> None:

@@ -8,11 +8,11 @@ import pytest
 from pipeline.diagnostics.check import check_logs
 from pipeline.diagnostics.copies import shared_recordings, sketch
 from pipeline.diagnostics.declared import Declared
-from pipeline.diagnostics.rows import CheckRow
 from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.rig_logs.remarks import remarks_on
+from pipeline.signals.findings import Finding
 from pipeline.signals.quality_gates import saturation
 from pipeline.signals.signal_quality import examine_signal
 from tests.double_well import DoubleWell
@@ -38,8 +38,8 @@ def _in_turn(seconds: float, clock: float, seed: int) -> FloatArray:
     return 3000.0 * np.column_stack([on, 1 - on]) * (t > 1.0)[:, None]
 
 
-def _remarkable(rows: list[CheckRow]) -> list[str]:
-    return [row.sentence for row in rows if row.state in ("note", "wrong")]
+def _remarkable(findings: list[Finding]) -> list[str]:
+    return [finding.code for finding in findings if finding.severity in ("fair", "poor")]
 
 
 @pytest.mark.parametrize("charging", [0.0, 0.04])
@@ -47,7 +47,7 @@ def _remarkable(rows: list[CheckRow]) -> list[str]:
 def test_two_sides_that_are_on_in_turn_are_not_told_apart(charging: float, clock: float) -> None:
     """Their difference is all that such a log shows: neither side, nor law."""
     log = _run(_in_turn(30.0, clock, 1), "train/a", charging)
-    assert not [row for row in _remarkable(check_logs([log], JOINT)) if "answer of q" not in row]
+    assert set(_remarkable(check_logs([log], JOINT))) <= {"late_answer"}
 
 
 @pytest.mark.parametrize("frequency", [0.25, 0.5])
@@ -63,15 +63,15 @@ def test_slow_triangles_show_no_delay(frequency: float) -> None:
 def test_an_input_that_one_log_does_not_show_is_named_rightly_if_another_shows_it() -> None:
     first = _run(motion(30.0, RATE, 35)[2], "train/a")
     v = first.v * np.where(first.t < 2.5, 1.0, 0.12)[:, None]  # then small pulses in one well
-    rows = check_logs([first, _run(v * [1.0, 0.0], "train/b")], JOINT)
-    assert not [row for row in rows if row.what.startswith("push") and row.state == "note"]
+    findings = check_logs([first, _run(v * [1.0, 0.0], "train/b")], JOINT)
+    assert [each.severity for each in findings if each.code == "never_on"] == ["unseen"]
 
 
 def test_noise_of_a_monitor_is_no_field_above_the_limit() -> None:
     log = _run(motion(20.0, RATE, 35)[2], "train/a")
     noisy = replace(log, v=log.v + np.random.default_rng(1).normal(0.0, 15.0, log.v.shape))
     assert np.abs(noisy.v).max() > 1.02 * 3000.0
-    assert [row.state for row in check_logs([noisy], JOINT) if row.what == "largest field"] == ["ok"]
+    assert [each.severity for each in check_logs([noisy], JOINT) if each.code == "field"] == ["good"]
 
 
 @pytest.mark.parametrize(("noise", "step"), [(2e-6, 0.0), (0.5e-6, 5e-6), (0.4e-6, 0.1e-6)])

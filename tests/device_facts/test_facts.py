@@ -13,6 +13,7 @@ from pipeline.diagnostics.facts.model_quality import model_checks
 from pipeline.diagnostics.facts.phase_plane import basins
 from pipeline.diagnostics.facts.run_data import LogData
 from pipeline.scoring.wells import NoWells, Wells, snaps
+from pipeline.units.units import SiUnit
 from tests.reporting.synthetic import (
     DAMPING,
     MASS,
@@ -186,8 +187,9 @@ def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> Non
     ],
 )
 def test_an_energy_is_a_force_times_what_q_is(displacement: str, mass_known: bool, force: str, energy: str) -> None:
-    data = replace(run_data(), displacement=displacement, mass_known=mass_known)
-    assert (data.curve_units["F"], data.energy_unit) == (force, energy)
+    plant = replace(run_data().device, displacement=SiUnit(1.0, displacement), known_mass=0.04 if mass_known else None)
+    data = replace(run_data(), device=plant)
+    assert (plant.curve_units["F"], plant.energy_unit) == (force, energy)
     units = {fact.key: fact.unit for fact in make_datasheet(data).facts}
     assert units["barrier_left"] == energy
     assert units["stiffness_left"] == (f"{force}/{displacement}" if mass_known else "1/s²")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.device.parameters import NOMINAL
-from pipeline.diagnostics.instruments import SIGNIFICANCE, Instruments, Reading
+from pipeline.diagnostics.instruments import SIGNIFICANCE, InstrumentTest, Reading
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import NAMES as DEVIATIONS
 from pipeline.models.hybrid.parameters import static_slope_ratio
@@ -54,11 +54,11 @@ def model(logs: list[Log]) -> HybridModel:
 
 
 @pytest.fixture(scope="module")
-def instruments(model: HybridModel, logs: list[Log]) -> Instruments:
-    return Instruments(model, [[logs[0]]])
+def instruments(model: HybridModel, logs: list[Log]) -> InstrumentTest:
+    return InstrumentTest(model, [[logs[0]]])
 
 
-def _beyond(reading: Reading, instruments: Instruments) -> dict[str, float]:
+def _beyond(reading: Reading, instruments: InstrumentTest) -> dict[str, float]:
     rows = zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True)
     return {q.name: x for q, x, error in rows if abs(x) > max(SIGNIFICANCE * error, q.limit)}
 
@@ -73,7 +73,7 @@ PLANTED = {
 
 
 @pytest.mark.parametrize("name", PLANTED)
-def test_planted_errors_come_back(name: str, instruments: Instruments, logs: list[Log]) -> None:
+def test_planted_errors_come_back(name: str, instruments: InstrumentTest, logs: list[Log]) -> None:
     errors, wanted = PLANTED[name]
     reading = instruments.of([corrected(logs[1], errors)])
     found = _beyond(reading, instruments)
@@ -82,13 +82,13 @@ def test_planted_errors_come_back(name: str, instruments: Instruments, logs: lis
     assert reading.status == "measured"
 
 
-def test_corrections_undo_the_errors(instruments: Instruments, logs: list[Log]) -> None:
+def test_corrections_undo_the_errors(instruments: InstrumentTest, logs: list[Log]) -> None:
     wrong = corrected(logs[1], Corrections((1.05, 1.0), 3e-4, 0.99, 4e-3, 1.005))
     by = instruments.of([wrong]).corrections
     assert _beyond(instruments.of([corrected(wrong, by)]), instruments) == {}
 
 
-def test_exchanged_inputs_and_a_mirrored_q_are_named(instruments: Instruments, logs: list[Log]) -> None:
+def test_exchanged_inputs_and_a_mirrored_q_are_named(instruments: InstrumentTest, logs: list[Log]) -> None:
     assert instruments.of([exchanged(logs[1])]).exchange == "inputs"
     assert instruments.of([mirrored(logs[1])]).exchange == "sign"
     assert instruments.of([logs[1]]).exchange == "none"
@@ -96,25 +96,25 @@ def test_exchanged_inputs_and_a_mirrored_q_are_named(instruments: Instruments, l
 
 def test_of_two_training_logs_each_is_the_reference_of_the_other(model: HybridModel, logs: list[Log]) -> None:
     wrong = corrected(logs[1], Corrections((0.97, 1.0)))
-    instruments = Instruments(model, [[logs[0]], [wrong]])
+    instruments = InstrumentTest(model, [[logs[0]], [wrong]])
     first, second = (instruments.of_training(number).estimate[0] for number in (0, 1))
     assert second == pytest.approx(-0.03, rel=0.1)
     assert first == pytest.approx(0.03, rel=0.1)
 
 
-def test_a_log_of_another_device_is_recognised(instruments: Instruments) -> None:
+def test_a_log_of_another_device_is_recognised(instruments: InstrumentTest) -> None:
     other = _joint(**{"log E": 0.5, "left.log Y": -0.5})
     assert instruments.of([_log(other, 2)]).status == "another device"
 
 
 def test_a_model_that_no_run_follows_measures_nothing(model: HybridModel, logs: list[Log]) -> None:
     far = replace(model, theta=np.full(len(model.theta), 7.0))
-    reading = Instruments(far, [[logs[0]]]).of([logs[1]])
+    reading = InstrumentTest(far, [[logs[0]]]).of([logs[1]])
     assert reading.status == "not measured"
     assert np.isnan(reading.estimate).all()
 
 
-def test_derivatives_by_corrections_do_not_depend_on_their_step(instruments: Instruments, logs: list[Log]) -> None:
+def test_derivatives_by_corrections_do_not_depend_on_their_step(instruments: InstrumentTest, logs: list[Log]) -> None:
     whole = instruments._linearised([logs[1]], np.zeros(6))
     assert whole is not None
     for k in range(6):

@@ -10,7 +10,8 @@ from functools import cache
 import numpy as np
 
 from pipeline.diagnostics.check import check_logs
-from pipeline.diagnostics.copies import shared_recordings, shared_rows
+from pipeline.diagnostics.copies import shared_findings, shared_recordings
+from pipeline.diagnostics.sentences import sentences
 from pipeline.errors import DebistError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import parse_prototype
@@ -73,10 +74,10 @@ def told(logs: Sequence[Log], plant: dict | None = None, **tables: dict) -> list
             notes = {**found.notes, "raw_step": found.raw_step}
             seen.append(log_signals(f"log {number}", record_columns(record, tuple(signals.beside)), notes))
         stated = declared(prototype)
-        rows = [*check_logs(seen, stated), *shared_rows(seen, shared_recordings(seen))]
+        found_of_all = [*check_logs(seen, stated), *shared_findings(seen, shared_recordings(seen))]
     except DebistError as error:
         return [*said, str(error)]
-    return said + [f"{row.sentence}: {row.advice}" for row in rows if row.state in ("note", "wrong")]
+    return said + [": ".join(sentences(one)) for one in found_of_all if one.severity in ("fair", "poor")]
 
 
 def _signal(

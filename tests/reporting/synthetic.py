@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device.device import device
 from pipeline.diagnostics.facts.datasheet import Datasheet, make_datasheet
 from pipeline.diagnostics.facts.run_data import LogData, RunData
 from pipeline.fitting.regression import basis_values
@@ -15,11 +16,20 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.run_report import figures_of
+from pipeline.settings.prototype import Prototype
 
 WELL, MASS, STIFFNESS, DAMPING, PUSH = 0.012, 0.04, 12.0, 0.12, 3e-9  # m, kg, N/m at the wells, N s/m, N/V²
 SPREAD = 0.02  # of all curves together, as posterior
 HOSTILE = "$\\frac{1}{$ <script>window.pwned=1</script> \" ' --> </script>"
 INTERVAL = 0.01
+PROTOTYPE = Prototype.model_validate(
+    {
+        "name": "P1",
+        "logs": {"train": ["train-1.csv"], "validation": ["other.csv"]},
+        "channels": {name: {"channel": name, "unit": unit} for name, unit in (("q", "m"), ("v1", "V"), ("v2", "V"))},
+        "plant": {"mass": {"value": MASS, "unit": "kg"}},
+    }
+)
 
 
 @cache
@@ -100,12 +110,8 @@ def run_data() -> RunData:
     """Two logs, a headline model with a posterior, and a baseline that diverges."""
     logs = (log_data("train", "train-1", 0), log_data("validation", "other", 1, gap=True))
     return RunData(
-        name="P1" + HOSTILE,
-        displacement="m",
-        voltage="V",
-        squared=True,
-        mass_known=True,
-        centres=10,
+        prototype=PROTOTYPE.model_copy(update={"name": "P1" + HOSTILE}),
+        device=device(PROTOTYPE),
         logs=logs,
         models={"rbf": double_well()},
         descriptions={

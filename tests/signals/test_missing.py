@@ -41,7 +41,8 @@ def test_a_time_base_of_its_own_that_begins_late_and_ends_early() -> None:
     assert found.after == pytest.approx(T[-1] - stamps[-1])
     assert found.not_finite == 0
     (refused,) = missing_findings({"v2": found})
-    assert f"v2 is missing for {100.0 * found.share:.3g} % of the log" in refused.text
+    assert (refused.code, refused.subject) == ("signal_missing", "v2")
+    assert refused.numbers["share"].value == found.share
 
 
 def test_no_sample_at_all_is_refused() -> None:

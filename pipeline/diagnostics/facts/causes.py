@@ -8,8 +8,8 @@ import numpy as np
 
 from ...numerics.arrays import FloatArray
 from ...scoring.wells import NoWells, Wells, snaps
+from ...signals.findings import Finding, Number
 from ...system.names import log_title
-from ..findings import Finding, Number
 from .grades import THRESHOLDS
 from .run_data import LogData, RunData
 
@@ -26,7 +26,7 @@ def instrument_findings(data: RunData, model: str) -> list[Finding]:
     logs = dict.fromkeys((row["role"], row["log"]) for row in rows)
     trained = [log for log in logs if log[0] == "train"]
     if len(trained) == 2:  # each is compared with the other: neither is the wrong one by that
-        findings += _disagreements(rows, trained[0], log_title(*trained[1]), data.displacement)
+        findings += _disagreements(rows, trained[0], log_title(*trained[1]), data.device.displacement.symbol)
         logs = dict.fromkeys(log for log in logs if log not in trained)
     for log in logs:
         of_log = [row for row in rows if (row["role"], row["log"]) == log]
@@ -37,7 +37,7 @@ def instrument_findings(data: RunData, model: str) -> list[Finding]:
             continue
         if of_log[0]["exchanged"] != "none":
             findings.append(Finding("exchanged", "poor", title, of_log[0]["exchanged"]))
-        findings += [_instrument(row, title, data.displacement) for row in of_log if row["beyond"]]
+        findings += [_instrument(row, title, data.device.displacement.symbol) for row in of_log if row["beyond"]]
     return findings
 
 

@@ -7,10 +7,10 @@ import numpy as np
 from ...fitting.coverage import coverage
 from ...numerics.arrays import FloatArray, sample_interval
 from ...scoring.wells import NoWells, Wells, snaps
+from ...signals.findings import Finding, Number
 from ...signals.log import voltages
 from ...signals.noise import below_resolution, noise_std, rounding
 from ...signals.signal_quality import examine_signal
-from ..findings import Finding, Number
 from ..sentences import MASKS
 from .grades import Check, graded, of_finding
 from .run_data import LogData, RunData
@@ -33,17 +33,17 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     checks.append(_masked_check(data))
     span, noise, rails = _signal_numbers(data)
     checks.append(_noise_check(data, span, noise))
-    if data.rails_kept and rails > 0.0:  # the user has said what they are
+    if data.prototype.ingest.rails == "keep" and rails > 0.0:  # the user has said what they are
         checks.append(of_finding("data", Finding("rails", "good", subject="kept", numbers={"value": Number(rails)})))
     else:
         checks.append(graded("data", "rails", rails))
     train = data.role("train")
     if isinstance(wells, NoWells):
-        if data.joint:  # another device need not have two
+        if data.device.joint:  # another device need not have two
             checks.append(of_finding("data", Finding("no_wells", "fair", subject=wells.reason)))
     else:
         count = sum(len(snaps(log.kinematics["q"], wells)) for log in train)
-        checks.append(graded("data", "switches", count, subject="joint" if data.joint else ""))
+        checks.append(graded("data", "switches", count, subject="joint" if data.device.joint else ""))
     checks += _coverage_checks(data)
     return checks + _extrapolation_checks(data)
 
@@ -94,7 +94,7 @@ def _coverage_checks(data: RunData) -> list[Check]:
     inner = centre_visits(data)[1][1:-1]
     if inner.size == 0:
         return []
-    subject = "joint" if data.joint else ""
+    subject = "joint" if data.device.joint else ""
     numbers = {"centres": Number(inner.size)}
     return [graded("data", "coverage", float(inner.min()), subject=subject, numbers=numbers)]
 
@@ -103,16 +103,16 @@ def _noise_check(data: RunData, span: float, noise: float) -> Check:
     """Noise over the range of q [both m or rad], or where the sensor's steps hide it, what these round off."""
     steps = max(log.record_notes.get("resolution") or 0.0 for log in data.logs)
     if below_resolution(noise, steps):
-        sizes = {"steps": Number(steps, data.displacement), "share": Number(steps / span)}
+        sizes = {"steps": Number(steps, data.device.displacement.symbol), "share": Number(steps / span)}
         return graded("data", "noise", rounding(steps) / span, subject="steps", numbers=sizes)
-    return graded("data", "noise", noise / span, numbers={"noise": Number(noise, data.displacement)})
+    return graded("data", "noise", noise / span, numbers={"noise": Number(noise, data.device.displacement.symbol)})
 
 
 def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
     """Centres over the training range [m or rad], and the training samples nearest to each, both (centres,)."""
     q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
     q = q[np.isfinite(q)]
-    places = np.linspace(q.min(), q.max(), data.centres)
+    places = np.linspace(q.min(), q.max(), data.prototype.identify.basis_functions)
     return places, coverage(places, [q], [np.zeros((q.size, 0))]).visits.astype(np.float64)
 
 

@@ -10,9 +10,9 @@ from ...models.base import DynamicModel
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90
 from ...scoring.wells import NoWells, Wells
+from ...signals.findings import Finding, Number
 from ...signals.log import voltages
 from ...store.columns import FACT_COLUMNS, STABLE
-from ..findings import Finding, Number
 from .characteristics import (
     COVERAGE,
     Curves,
@@ -199,7 +199,7 @@ def make_datasheet(data: RunData) -> Datasheet:
     wells = wells_of_run(data)
     records = [(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs]
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
-    rests = rest_facts(records, wells, hum, joint=data.joint)
+    rests = rest_facts(records, wells, hum, joint=data.device.joint)
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
@@ -208,10 +208,10 @@ def make_datasheet(data: RunData) -> Datasheet:
     if source is not None:
         values, limits, in_draws = _by_model(data, curves[source], draws.get(source, []))
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
-        believed = believed_wells(wells, source, stable, joint=data.joint)
+        believed = believed_wells(wells, source, stable, joint=data.device.joint)
         if believed is not wells:
             wells = believed
-            rests = rest_facts(records, believed, hum, joint=data.joint)
+            rests = rest_facts(records, believed, hum, joint=data.device.joint)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, in_draws, rests, wells, events)
@@ -221,7 +221,7 @@ def make_datasheet(data: RunData) -> Datasheet:
         *model_checks(data, headline, _rest_errors(events, values, rests, wells), wells),
         *fact_checks(facts),
     )
-    return Datasheet(data.name, source, headline, facts, checks, wells, rests, curves, draws)
+    return Datasheet(data.prototype.name, source, headline, facts, checks, wells, rests, curves, draws)
 
 
 def _by_model(
@@ -231,8 +231,8 @@ def _by_model(
 
     Stable states have neither interval nor share: a draw may have another number of them than the curves.
     """
-    values = device_facts(curves, joint=data.joint)
-    drawn = [device_facts(draw, joint=data.joint) for draw in draws]
+    values = device_facts(curves, joint=data.device.joint)
+    drawn = [device_facts(draw, joint=data.device.joint) for draw in draws]
     limits = intervals(values, drawn) if draws else {}
     compared = {key for key in values if not key.startswith(STABLE)}
     in_draws = {key: share for key, share in shares(values, drawn).items() if key in compared}
@@ -283,7 +283,7 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
     if model is None or not logs:
         return {}
     runs = [(log.kinematics["t"], log.predictions[model]["q"], voltages(log.kinematics)) for log in logs]
-    events = _measured(rest_facts(runs, wells, joint=data.joint), wells)
+    events = _measured(rest_facts(runs, wells, joint=data.device.joint), wells)
     return {key: float(np.mean(values)) for key, values in events.items()}
 
 
@@ -301,8 +301,14 @@ def _facts(
     measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
     if "rest" in measured and _scattered(measured["rest"], [log.kinematics["q"] for log in data.logs]):
         del measured["rest"]
-    stiffness = f"{data.curve_units['F']}/{data.displacement}" if data.mass_known else "1/s²"
-    units = {"{q}": data.displacement, "{v}": data.voltage, "{U}": data.energy_unit, "{k}": stiffness}
+    of_mass = data.device.known_mass is not None
+    stiffness = f"{data.device.curve_units['F']}/{data.device.displacement.symbol}" if of_mass else "1/s²"
+    units = {
+        "{q}": data.device.displacement.symbol,
+        "{v}": data.device.inputs[0].symbol,
+        "{U}": data.device.energy_unit,
+        "{k}": stiffness,
+    }
     facts = []
     for key, title, unit in _listed(values):
         events = measured.get(key)

@@ -5,11 +5,10 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal
 
-from ..findings import SEVERITIES, Finding, Number, Severity
+from ...signals.findings import SEVERITIES, Finding, Number, Severity
 from ..sentences import sentences
 
 Grade = Severity
-GRADES = SEVERITIES
 
 
 @dataclass(frozen=True)
@@ -85,7 +84,7 @@ def of_finding(about: Literal["data", "model"], finding: Finding) -> Check:
 
 def overall(checks: Iterable[Check]) -> Grade:
     """The worst grade of all."""
-    return max((check.grade for check in checks), key=GRADES.index, default="good")
+    return max((check.grade for check in checks), key=SEVERITIES.index, default="good")
 
 
 def graded(

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from ...scoring.wells import NoWells, Wells
+from ...signals.findings import Finding, Number
 from ...system.names import ROLE_WORDS, log_title
 from ...units.units import HORIZONS
-from ..findings import Finding, Number
 from .causes import causes, instrument_findings
 from .grades import THRESHOLDS, Check, graded, of_finding
 from .run_data import RunData
@@ -57,7 +57,7 @@ def model_checks(
 
 
 def _no_validation(data: RunData) -> Check:
-    return of_finding("model", Finding("validation", "fair", subject=f"{data.input_word}s"))
+    return of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s"))
 
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:

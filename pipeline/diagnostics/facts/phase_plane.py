@@ -130,9 +130,9 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
     Unless the device is the joint, whose pulses have rests, NaN also where an input only crosses zero.
     """
-    largest = np.max([peaks(voltages(other.kinematics), joint=data.joint) for other in data.logs], axis=0)
+    largest = np.max([peaks(voltages(other.kinematics), joint=data.device.joint) for other in data.logs], axis=0)
     free = np.all(np.abs(voltages(log.kinematics)) <= UNFORCED * largest, axis=1)
-    for rows in () if data.joint else runs_of(free):
+    for rows in () if data.device.joint else runs_of(free):
         still = np.all(np.ptp(voltages(log.kinematics)[rows], axis=0) <= UNFORCED * largest)
         free[rows] = still and rows.stop - rows.start >= LEAST_UNFORCED
     return np.where(free, log.kinematics["q"], np.nan), np.where(free, log.kinematics["qdot"], np.nan)

@@ -6,15 +6,15 @@ from typing import Any
 
 import numpy as np
 
+from ...device.device import Device
 from ...fitting.population import NormalPopulation
 from ...models.base import DynamicModel
 from ...numerics.arrays import sample_interval
 from ...scoring.wells import NoWells, Wells, wells_of
-from ...settings.logs import LogPart
+from ...settings.prototype import Prototype
 from ...signals.log import log_of
 from ...store.columns import StudyName
 from ...system.names import log_title, true_name
-from ...units.units import curve_units, of_joint
 
 Columns = Mapping[str, Any]
 WHY = "chosen because"
@@ -80,16 +80,11 @@ class RunData:
 
     Attributes
     ----------
-    name : str
-        The prototype's.
-    displacement, voltage : str
-        SI units of q and of the inputs.
-    squared : bool
-        Whether the inputs act with their squares, as voltages on a dielectric do.
-    mass_known : bool
-        Whether curves are in newtons, or per unit mass.
-    centres : int
-        Basis functions of each curve that the settings ask for; where the device was seen is counted by them.
+    prototype : Prototype
+        The settings.
+    device : Device
+        Units, law of the inputs and mass, by the settings.
+    logs : tuple of LogData
     models : mapping of str to DynamicModel
         In the order of the settings; the first is the headline.
     descriptions : mapping of str to mapping
@@ -107,12 +102,8 @@ class RunData:
         Rows of `debist check` as its JSON has them; none in a run of before they were made.
     instruments : sequence of mapping
         Rows of ``instruments.parquet``; none in a run without it.
-    log_parts : mapping of (role, name) to LogPart
-        What the settings state of each log.
     siblings : NormalPopulation or None
         What `[plant] siblings` names, as the run holds it.
-    rails_kept : bool
-        Whether the settings say that the device rests where q is at the ends of its range.
     control : mapping of str to mapping
         What `debist control` made of the present model, by title.
     provenance : mapping
@@ -120,12 +111,8 @@ class RunData:
         ``prototype_file``, ``folder`` of the run as seen from there.
     """
 
-    name: str
-    displacement: str
-    voltage: str
-    squared: bool
-    mass_known: bool
-    centres: int
+    prototype: Prototype
+    device: Device
     logs: tuple[LogData, ...]
     models: Mapping[str, DynamicModel]
     descriptions: Mapping[str, Mapping[str, Any]]
@@ -136,10 +123,8 @@ class RunData:
     accepted: tuple[str, ...] = ()
     log_checks: tuple[Mapping[str, Any], ...] = ()
     instruments: tuple[Mapping[str, Any], ...] = ()
-    log_parts: Mapping[tuple[str, str], LogPart] = field(default_factory=dict)
     control: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     choice: Mapping[str, Any] | None = None
-    rails_kept: bool = False
     siblings: NormalPopulation | None = None
 
     @property
@@ -148,32 +133,10 @@ class RunData:
         return tuple(name for name in ("v1", "v2") if name in self.logs[0].kinematics)
 
     @property
-    def joint(self) -> bool:
-        """Whether it can be the bistable joint."""
-        return of_joint(self.displacement, [self.voltage] * len(self.inputs), squared=self.squared)
-
-    @property
-    def input_word(self) -> str:
-        """What an input is called: a voltage only where it is one."""
-        return "voltage" if self.voltage == "V" else "input"
-
-    @property
     def why_chosen(self) -> str:
         """Why "auto" chose the headline; empty where it had no choice, as the joint's equations hold for no other."""
         choice = self.choice or {}
-        return str(choice.get("reason") or "") if self.joint or choice.get("held_out_error") else ""
-
-    @property
-    def curve_units(self) -> dict[str, str]:
-        """SI units of characteristic curves; per unit mass where no mass is given."""
-        return curve_units(self.displacement, self.voltage, squared=self.squared, mass_known=self.mass_known)
-
-    @property
-    def energy_unit(self) -> str:
-        """SI unit of its integral over q."""
-        if self.mass_known:
-            return "J"
-        return "J/kg" if self.displacement == "m" else f"{self.displacement}²/s²"
+        return str(choice.get("reason") or "") if self.device.joint or choice.get("held_out_error") else ""
 
     @property
     def model_names(self) -> tuple[str, ...]:
@@ -190,7 +153,7 @@ class RunData:
 
 def wells_of_run(data: RunData) -> Wells | NoWells:
     """The wells in the data of all logs."""
-    return wells_of([log_of(log.kinematics) for log in data.logs], joint=data.joint)
+    return wells_of([log_of(log.kinematics) for log in data.logs], joint=data.device.joint)
 
 
 def judged_log(data: RunData) -> LogData:

@@ -11,7 +11,7 @@ from ...models.base import DynamicModel, HasCurveDraws, HasCurves
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90
 from ...signals.log import Log
-from ..instruments import Instruments
+from ..instruments import InstrumentTest
 from .calibrated import calibrated
 
 ALARM = 0.05
@@ -118,14 +118,14 @@ def facts_of(
             yield RunFact(key, title, quantity.unit, quantity.value, _error(quantity.low, quantity.high))
 
 
-def instrument_facts(instruments: Instruments, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
+def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
     """What the instruments of a later run read, beside those of the first run, by the first run's model.
 
     Nothing where the device has changed so that no instrument explains it: that is for the facts to show.
 
     Parameters
     ----------
-    instruments : Instruments
+    instruments : InstrumentTest
         Of the first run.
     parts : sequence of Log
         The parts of all training logs of the later run.

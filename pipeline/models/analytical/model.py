@@ -5,32 +5,19 @@ from functools import partial
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, Field, TypeAdapter
+from pydantic import Field
 
-from ...device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
+from ...device.parameters import QUANTITIES, VECTOR_NAMES, JointParameters
 from ...errors import InputError
 from ...numerics.arrays import FloatArray
 from ...numerics.stiff import STATES
 from ...signals.log import Log
 from ..base import FreeRun, checked
 from ..kind import Kind, Training
-from ..model_file import JointValues, ModelFile
+from ..model_file import JointSet, ModelFile
 from .full_order import rest_state, simulate
 from .reduced_order import CURVES, reduce_joint
 from .windows import voltage_knots
-
-
-def _set_of(values: Any) -> Any:
-    """The parameter set of its values by name."""
-    if isinstance(values, JointParameters):
-        return values
-    try:
-        return NOMINAL.with_values(_VALUES.validate_python(values, strict=True))
-    except InputError as error:
-        raise ValueError(str(error)) from error
-
-
-_VALUES: TypeAdapter[dict[str, float]] = TypeAdapter(JointValues)
 
 
 class AnalyticalModel(ModelFile):
@@ -41,7 +28,7 @@ class AnalyticalModel(ModelFile):
     """Name of the model."""
     tolerance: Annotated[float, Field(ge=1e-8, le=0.1)] = 1e-4
     """Local error of the integrator, relative to the usual size of each state."""
-    parameters: Annotated[JointParameters, BeforeValidator(_set_of)]
+    parameters: JointSet
     """The designer's set for `analytical`, the fitted one for `analytical-calibrated`."""
 
     @property
@@ -90,10 +77,6 @@ class AnalyticalModel(ModelFile):
             "tolerance": self.tolerance,
             "parameters": values,
         } | self.diagnostics
-
-    def to_tree(self) -> dict[str, Any]:
-        """The model as a dictionary: parameters in SI by name, and how they came about."""
-        return super().to_tree() | {"parameters": {name: self.parameters.value(name) for name in VECTOR_NAMES}}
 
 
 def calibrate_analytical(data: Sequence[Log], start: JointParameters) -> AnalyticalModel:

@@ -17,8 +17,8 @@ from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.inputs import MOST_SAMPLES
 from ...signals.log import Log, operating_range, within
+from ..free_runs import scale_on
 from ..kind import Kind, Training, fitted_samples
-from ..tube_scales import scale_on
 from . import parameters as condensed_parameters
 from .kernels import CURVES
 from .model import HybridModel

@@ -4,7 +4,7 @@ Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.hy
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Annotated, Any, ClassVar, Self
 
@@ -12,17 +12,15 @@ import numpy as np
 from pydantic import Field, model_validator
 from scipy.interpolate import CubicSpline
 
-from ...device.parameters import NOMINAL, VECTOR_NAMES
 from ...errors import CorruptArtifactError
 from ...fitting.posterior import first_order_curves, posterior_draws
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
-from ...scoring.tubes import NO_TUBES, TubeScale
 from ...signals.decimation_kernel import filtered_samples
 from ...signals.log import Log
 from ..base import FreeRun, checked
-from ..model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table, Unit
-from ..tube_scales import TubePart
+from ..model_file import JointSet, ModelFile, Positive, Real, Sizes, Table, Unit, tree_of
+from ..tubes import NO_TUBES, TubeScale
 from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
@@ -41,25 +39,13 @@ on 84 logs of 28 simulated joints had a Brier score of 0.0046 without a bound (4
 
 _FARTHEST = 300.0
 """Largest magnitude of an entry of theta [widths]; exponentials of more overflow."""
-_Size = Annotated[float, Field(ge=1e-3, le=1e3)]
-
-
-class _Similarity(FilePart):
-    """Size of the device over that of the parameter set."""
-
-    length: _Size
-    time: _Size
-    voltage: _Size
-    mass: _Size
-    origin: Annotated[Real, Unit("m")]
-    """Reading of the laser that corresponds to q = 0 of the parameter set."""
 
 
 class _File(ModelFile):
     """The file of the model."""
 
     sizes: ClassVar[Sizes] = {"P": (1, 5000), "R": (1, 5000), "B": (1, 5000), "C": (1, 10_000), "S": (1, 5000)}
-    parameters: JointValues
+    parameters: JointSet
     basis: Annotated[FloatArray, Table("3", -1e3, 1e3), Unit("{q}")]
     """First centre, distance of the centres and width σ of the Gaussians of the corrections."""
     centres: Annotated[int, Field(ge=0, le=200)]
@@ -68,8 +54,8 @@ class _File(ModelFile):
     """Largest voltage of the training logs; held above twice that."""
     slope_ratio: Real
     """Slope of the beam at rest over q/l, from which the search for a rest starts."""
-    similarity: _Similarity
-    tube: TubePart
+    similarity: Similarity
+    tube: TubeScale
     constants: str
     """Names of the constants of the equations, in order."""
     deviations: str
@@ -265,15 +251,14 @@ class HybridModel:
 
     def to_tree(self) -> dict[str, Any]:
         """The model as a dictionary of arrays, numbers and texts."""
-        p = self.joint.parameters
         return {
-            "parameters": {name: p.value(name) for name in VECTOR_NAMES},
+            "parameters": tree_of(self.joint.parameters),
             "basis": self.joint.basis,
             "centres": self.joint.centres,
             "largest_voltage_V": self.joint.largest_voltage,
             "slope_ratio": self.joint.slope_ratio,
-            "similarity": self.joint.similarity.to_json(),
-            "tube": asdict(self.tube),
+            "similarity": tree_of(self.joint.similarity),
+            "tube": tree_of(self.tube),
             "constants": " | ".join(CONSTANTS),
             "deviations": " | ".join(condensed_parameters.NAMES),
             "prior_std": condensed_parameters.PRIOR_STD,
@@ -296,8 +281,8 @@ class HybridModel:
         """
         file = _File.read(tree, "hybrid", "identify")
         joint = CondensedJoint(
-            NOMINAL.with_values(file.parameters), file.basis, file.centres, file.largest_voltage_V, file.slope_ratio,
-            Similarity(**dict(file.similarity)),
+            file.parameters, file.basis, file.centres, file.largest_voltage_V, file.slope_ratio,
+            file.similarity,
         )  # fmt: skip
         current = file.deviations == " | ".join(condensed_parameters.NAMES) and file.constants == " | ".join(CONSTANTS)
         current = current and np.array_equal(file.prior_std, condensed_parameters.PRIOR_STD)
@@ -306,7 +291,7 @@ class HybridModel:
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )
         spreads = file.spread, file.band_spread, file.curve_spread
-        return cls(joint, file.theta, *spreads, file.diagnostics, file.tube.scale())
+        return cls(joint, file.theta, *spreads, file.diagnostics, file.tube)
 
     def _simulate(self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray) -> FloatArray:
         """Free runs of several θ (None: the fit's) from one state, shape (2,), or of one from several, shape (B, 2).

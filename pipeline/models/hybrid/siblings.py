@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from ...device.parameters import NOMINAL, VECTOR_NAMES, JointParameters
+from ...device.parameters import JointParameters
 from ...errors import CorruptArtifactError, DataRefusedError, InputError
 from ...fitting.population import (
     Information,
@@ -18,7 +18,7 @@ from ...fitting.population import (
     without_each,
 )
 from ...numerics.arrays import FloatArray
-from ..model_file import JointValues, ModelFile, Sizes, Table, Unit, column_of
+from ..model_file import JointSet, ModelFile, Sizes, Table, Unit, column_of, tree_of
 from .identify import NOISE_INFLATION
 from .model import HybridModel
 from .parameters import DEVIATIONS, NAMES, PRIOR_STD
@@ -49,7 +49,7 @@ class SiblingsFile(ModelFile):
     """The file of what siblings teach."""
 
     sizes: ClassVar[Sizes] = {"P": (1, 5000)}
-    parameters: JointValues
+    parameters: JointSet
     deviations: str
     """Names of the deviations."""
     prior_std: Annotated[FloatArray, Table("P"), Unit("SI")]
@@ -205,7 +205,7 @@ def _quantities(population: NormalPopulation, prior: NormalPopulation) -> tuple[
 def to_tree(learnt: Learnt, parameters: JointParameters, origins: Mapping[str, str]) -> dict[str, Any]:
     """What is filed; `origins` has the content hash of each sibling's model."""
     return {
-        "parameters": {name: parameters.value(name) for name in VECTOR_NAMES},
+        "parameters": tree_of(parameters),
         "deviations": " | ".join(NAMES),
         "prior_std": PRIOR_STD,
         "mean": learnt.population.mean,
@@ -230,4 +230,4 @@ def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulatio
             "the siblings are of another version of debist, or no covariance; run `debist fleet learn` again"
         )
     names = str(file.diagnostics.get("siblings", "")).split(" | ")
-    return NOMINAL.with_values(file.parameters), NormalPopulation(file.mean, file.covariance), names
+    return file.parameters, NormalPopulation(file.mean, file.covariance), names

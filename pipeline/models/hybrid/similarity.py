@@ -4,15 +4,19 @@ Equal equations in other units describe devices of other sizes: with lengths × 
 every constant of the equations is multiplied by d^i a^j b^k c^l, its dimension being kg^i m^j s^k V^l.
 """
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import replace
 from functools import cached_property
+from typing import Annotated
 
 import numpy as np
+from pydantic import Field
+from pydantic.dataclasses import dataclass
 
 from ...generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOP_ELEMENTS, TIP_CONSTANTS
 from ...numerics.arrays import FloatArray
 from ...signals.log import Log
 from ...units.units import POWERS
+from ..model_file import STORED, Real, Unit
 
 _UNITS = {
     "l": "m", "bending": "J", "bending_loss": "N·m·s", "mass": "kg", "cross": "kg·m", "inertia": "kg·m²",
@@ -41,23 +45,19 @@ _WEIGHTS = np.array(
 """Units of the weights of the corrections, rows as in `pipeline.models.hybrid.kernels`."""
 
 
-@dataclass(frozen=True)
+_Size = Annotated[float, Field(ge=1e-3, le=1e3)]
+
+
+@dataclass(frozen=True, config=STORED)
 class Similarity:
-    """A device in units of a parameter set's joint.
+    """Size of the device over that of the parameter set."""
 
-    Attributes
-    ----------
-    length, time, voltage, mass : float
-        The device's over the set's.
-    origin : float
-        Reading [m] that corresponds to q = 0 of the set.
-    """
-
-    length: float = 1.0
-    time: float = 1.0
-    voltage: float = 1.0
-    mass: float = 1.0
-    origin: float = 0.0
+    length: _Size = 1.0
+    time: _Size = 1.0
+    voltage: _Size = 1.0
+    mass: _Size = 1.0
+    origin: Annotated[Real, Unit("m")] = 0.0
+    """Reading of the laser that corresponds to q = 0 of the parameter set."""
 
     @property
     def _units(self) -> FloatArray:
@@ -89,10 +89,6 @@ class Similarity:
             past=None if record.past is None else record.past / self.voltage,
             velocity=None if record.velocity is None else record.velocity / speed,
         )
-
-    def to_json(self) -> dict[str, float]:
-        """The factors by name."""
-        return asdict(self)
 
 
 SAME = Similarity()

@@ -21,8 +21,8 @@ from ...numerics.metrics import NORMAL_90, rms
 from ...settings.models import RBF_TIME_LIMIT
 from ...signals.log import Log, operating_range
 from ...system.progress import OnProgress, silent
+from ..free_runs import scale_on
 from ..kind import Kind, KnownCurves, Training
-from ..tube_scales import scale_on
 from .candidates import (
     Candidate,
     RbfChoice,

@@ -1,155 +1,56 @@
 """The data-driven joint as a model: RBF curves, hidden relaxing elements, friction, identified from logs alone."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass, field
-from typing import Annotated, Any, ClassVar, Self
+from dataclasses import field
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
-from pydantic import Field, model_validator
+from pydantic.dataclasses import dataclass
 
 from ...errors import CorruptArtifactError
 from ...fitting.posterior import first_order_curves, posterior_draws
-from ...fitting.regression import InputLaw
 from ...generated.terms import CONFINED_FORCE, STOP_FORCE
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
-from ...scoring.tubes import NO_TUBES, TubeScale
 from ...signals.log import Log
 from ..base import FreeRun, checked
-from ..model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table, Unit
-from ..tube_scales import TubePart
+from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, read_part, tree_of
+from ..tubes import NO_TUBES, TubeScale
 from .coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
 from .problem import JointProblem, steps_per_sample
-from .structure import ForceShape, Hold, JointScales, JointStructure
+from .structure import JointStructure
 
 PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
 SEED = 20251  # of the posterior draws: the same model gives the same draws
 
 
-_MOST_ELEMENTS = 16
-_USUAL = JointStructure()
-"""Values of entries that files of older models lack."""
-
-
-class _Structure(FilePart):
-    """An element of the structure, see `pipeline.models.rbf.structure`."""
-
-    sizes: ClassVar[Sizes] = {"L": (0, _MOST_ELEMENTS)}
-    basis_functions: Annotated[int, Field(ge=2, le=200)]
-    """Gaussians of each curve."""
-    smoothing: Annotated[float, Field(ge=1e-3, le=1e3)]
-    """Smoothing factor σ_n: the width over the distance of the centres."""
-    rates: Annotated[FloatArray, Table("L", 0.0)]
-    """Relaxation rates to start from, over the frequency scale."""
-    shape_elements: Annotated[int, Field(ge=0, le=_MOST_ELEMENTS)]
-    """Hidden shapes."""
-    slips: Annotated[int, Field(ge=0, le=_MOST_ELEMENTS)]
-    """States of Dahl friction."""
-    force: ForceShape = _USUAL.force
-    hold: Hold = _USUAL.hold
-    arc: bool = _USUAL.arc
-    drag: bool = _USUAL.drag
-    stops: bool = _USUAL.stops
-    input_lag: bool = _USUAL.input_lag
-    effect_lags: bool = _USUAL.effect_lags
-    turning_arm: bool = _USUAL.turning_arm
-    constant_damping: bool = _USUAL.constant_damping
-    constant_gain: bool = _USUAL.constant_gain
-    rest_at_zero: bool = _USUAL.rest_at_zero
-    input_delay: bool = _USUAL.input_delay
-    bent_input: bool = _USUAL.bent_input
-    dead_zone: bool = _USUAL.dead_zone
-    overdamped: bool = _USUAL.overdamped
-
-    @model_validator(mode="after")
-    def _elements(self) -> Self:
-        if self.shape_elements > len(self.rates):
-            raise ValueError(f"{self.shape_elements} shape elements among {len(self.rates)} elements")
-        return self
-
-
-class _Scales(FilePart):
-    """Scales of the variables."""
-
-    middle: Annotated[Real, Unit("{q}")]
-    """Middle of the range of q."""
-    half: Annotated[Positive, Unit("{q}")]
-    """Half of the range of q."""
-    volts: Annotated[Positive, Unit("{v}")]
-    """Largest input of the training logs."""
-    stiffness: Annotated[Positive, Unit("1/s²")]
-    """RMS acceleration over half the range of q."""
-    speed: Annotated[Real, Field(ge=0.0), Unit("1/s")] = 0.0
-    """RMS velocity over half the range of q."""
-
-
-class _Layout(FilePart):
-    """Structure, scales and signs."""
-
-    sizes: ClassVar[Sizes] = {"K": (1, MOST_INPUTS)}
-    structure: _Structure
-    scales: _Scales
-    law: InputLaw
-    """Whether inputs act squared or linear."""
-    signs: Annotated[IntArray, Table("K", -1, 1, whole=True)]
-    """Direction in which each input pushes; 0 if it may change."""
-
-    def layout(self) -> ParameterLayout:
-        structure = JointStructure(**dict(self.structure) | {"rates": tuple(self.structure.rates.tolist())})
-        return ParameterLayout(structure, JointScales(**dict(self.scales)), self.law, tuple(self.signs.tolist()))
-
-
-class _File(ModelFile):
-    """The file of the model."""
+@dataclass(frozen=True, config=STORED)
+class RbfModel:
+    """An identified data-driven joint (equation of motion: `pipeline.models.rbf.dynamics`), and its file."""
 
     sizes: ClassVar[Sizes] = {"P": (1, 20_000), "R": (1, 20_000), "B": (1, 20_000)}
-    parameters: _Layout
+    parameters: ParameterLayout
+    """Structure, scales and signs."""
     theta: Annotated[FloatArray, Table("P")]
     """Fitted parameters in units of the scales."""
     spread: Annotated[FloatArray, Table("P R")]
     """Factor S, a row for each entry of theta, of the covariance S Sᵀ of theta, from which outcomes are drawn."""
     band_spread: Annotated[FloatArray, Table("P B")]
     """Factor S, a row for each entry of theta, of the covariance S Sᵀ of theta, as the training data show it."""
-    mass_kg: Annotated[Positive, Unit("{m}")]
+    mass_kg: Annotated[Positive, Unit("{m}")] = 1.0
     """Moving mass or inertia; 1 if it is unknown, and curves are then per unit mass."""
-    tube: TubePart = TubePart()
-
-
-@dataclass(frozen=True)
-class RbfModel:
-    """An identified data-driven joint (equation of motion: `pipeline.models.rbf.dynamics`).
-
-    Attributes
-    ----------
-    parameters : ParameterLayout
-        Structure, scales and the order of θ.
-    theta : FloatArray, shape (P,)
-        The parameter vector.
-    spread : FloatArray, shape (P, P)
-        Factor S of the posterior covariance S Sᵀ of θ, which outcomes of pulses are drawn from.
-    band_spread : FloatArray, shape (P, R)
-        Factor of the covariance that the bands of the curves come from (`pipeline.fitting.posterior.robust_spread`).
-    mass : float
-        Moving mass [kg] (inertia [kg m²] for an angle); 1 if unknown, curves are then per unit mass.
-    diagnostics : dict
-        How the fit went.
-    tube : TubeScale
-        Scale of the tubes about free runs.
-    """
-
-    file: ClassVar[type[ModelFile]] = _File
-    parameters: ParameterLayout
-    theta: FloatArray
-    spread: FloatArray
-    band_spread: FloatArray
-    mass: float = 1.0
-    diagnostics: dict[str, Any] = field(default_factory=dict)
+    diagnostics: Facts = field(default_factory=dict)
     tube: TubeScale = NO_TUBES
 
     name = "rbf"
+
+    @property
+    def mass(self) -> float:
+        """Moving mass [kg], as other models name it."""
+        return self.mass_kg
 
     @property
     def fine_voltages(self) -> bool:
@@ -256,7 +157,7 @@ class RbfModel:
             "drag_1_per_m": c.drag / p.scales.half,
             "end_stops_m": (p.scales.middle + p.scales.half * c.stops[:2]).tolist(),
             "slip_length_m": (c.slip_length * p.scales.half).tolist(),
-            "mass_kg": self.mass,
+            "mass_kg": self.mass_kg,
             "inputs": p.law,
             "parameters": len(self.theta),
             **self.diagnostics,
@@ -264,15 +165,7 @@ class RbfModel:
 
     def to_tree(self) -> dict[str, Any]:
         """The model as a dictionary of arrays, numbers and texts."""
-        return {
-            "parameters": self.parameters.to_tree(),
-            "theta": self.theta,
-            "spread": self.spread,
-            "band_spread": self.band_spread,
-            "mass_kg": self.mass,
-            "tube": asdict(self.tube),
-            "diagnostics": dict(self.diagnostics),
-        }
+        return tree_of(self)
 
     @classmethod
     def from_tree(cls, tree: dict[str, Any]) -> "RbfModel":
@@ -281,19 +174,17 @@ class RbfModel:
         Raises
         ------
         CorruptArtifactError
-            An entry is missing, of another kind or shape, or beyond its range.
+            An entry is missing, of another type or shape, or beyond its range.
         """
-        file = _File.read(tree, "rbf", "identify")
-        parameters = file.parameters.layout()
+        model = read_part(cls, tree, "rbf", "identify")
+        parameters = model.parameters
         with np.errstate(all="ignore"):
-            finite = file.theta.size == parameters.count and all(
-                np.isfinite(values).all() for values in parameters.coefficients(file.theta)
+            finite = model.theta.size == parameters.count and all(
+                np.isfinite(values).all() for values in parameters.coefficients(model.theta)
             )
         if not finite:
             raise CorruptArtifactError("theta of the model rbf does not fit its structure; run `debist identify` again")
-        return cls(
-            parameters, file.theta, file.spread, file.band_spread, file.mass_kg, file.diagnostics, file.tube.scale()
-        )
+        return model
 
     def _run(
         self, theta: FloatArray, t: FloatArray, v: FloatArray, coupling: Coupling, start: tuple[float, float]
@@ -332,12 +223,12 @@ class RbfModel:
             rates[:, i] += curves[:, p.rows[f"relaxation{i}"]]
         damping = curves[:, DAMPING] + np.where(rates > s.frequency, couplings**2 / rates, 0.0).sum(axis=1)
         gains = curves[:, INPUT : INPUT + inputs]
-        result = {"F": -self.mass * s.half * curves[:, FORCE], "d": self.mass * damping}
+        result = {"F": -self.mass_kg * s.half * curves[:, FORCE], "d": self.mass_kg * damping}
         for k in range(inputs):
             if p.law == "squared":
-                result[f"dC{k + 1}_dq"] = 2.0 * self.mass * s.half / s.volts**2 * gains[:, k]
+                result[f"dC{k + 1}_dq"] = 2.0 * self.mass_kg * s.half / s.volts**2 * gains[:, k]
             else:
-                result[f"g{k + 1}"] = self.mass * s.half / s.volts * gains[:, k]
+                result[f"g{k + 1}"] = self.mass_kg * s.half / s.volts * gains[:, k]
         return result
 
 

@@ -5,15 +5,17 @@ confining cubic, rates, friction, inertia), so every parameter vector is a passi
 estimation needs no constraints.
 """
 
-from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Annotated
 
 import numpy as np
+from pydantic import BeforeValidator, Field
+from pydantic.dataclasses import dataclass
 
 from ...fitting.regression import InputLaw
 from ...generated.terms import BENT, PAST_ZONE
 from ...numerics.arrays import FloatArray
+from ..model_file import MOST_INPUTS, STORED, Unit, listed
 from .coefficients import (
     ARC,
     CENTRE,
@@ -40,28 +42,25 @@ SLIP_FLOOR = 2e-3
 """Shortest Dahl length, as a share of half the range: shorter ones are a spring too stiff for the integration step."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, config=STORED)
 class ParameterLayout:
-    """The parameter vector of one structure.
-
-    Attributes
-    ----------
-    structure : JointStructure
-    scales : JointScales
-    law : {"squared", "linear"}
-    signs : tuple of int
-        Sign of each input's gain where it cannot change (squared inputs), 0 where the gain is free.
-    """
+    """The parameter vector of one structure."""
 
     structure: JointStructure
     scales: JointScales
     law: InputLaw
-    signs: tuple[int, ...]
-    centres: FloatArray = field(init=False, compare=False)
+    """Whether inputs act squared or linear."""
+    signs: Annotated[
+        tuple[Annotated[int, Field(ge=-1, le=1)], ...],
+        BeforeValidator(listed), Field(min_length=1, max_length=MOST_INPUTS), Unit("1"),
+    ]  # fmt: skip
+    """Direction in which each input pushes; 0 if it may change."""
 
-    def __post_init__(self) -> None:
+    @cached_property
+    def centres(self) -> FloatArray:
+        """Centres of the dimensionless Gaussians."""
         ends = 1.0 + OVERHANG
-        object.__setattr__(self, "centres", np.linspace(-ends, ends, self.structure.basis_functions))
+        return np.linspace(-ends, ends, self.structure.basis_functions)
 
     @property
     def units(self) -> JointScales:
@@ -304,15 +303,6 @@ class ParameterLayout:
             return np.zeros(u.shape[1])
         acting, _, _ = self._effect(np.zeros((1, u.shape[1])), theta)
         return np.ascontiguousarray(acting[0])
-
-    def to_tree(self) -> dict[str, Any]:
-        """Structure and scales as plain values."""
-        return {
-            "structure": self.structure.to_tree(),
-            "scales": dict(vars(self.scales)),
-            "law": self.law,
-            "signs": np.array(self.signs, dtype=np.int64),
-        }
 
 
 def kind_of(block: str) -> str:

@@ -3,14 +3,17 @@
 The input path leads from measured inputs to those at every half step: hold between samples, delay, lag, square.
 """
 
-from dataclasses import dataclass, replace
-from typing import Any, Literal
+from dataclasses import replace
+from typing import Annotated, Literal, Self
 
 import numpy as np
+from pydantic import BeforeValidator, Field, model_validator
+from pydantic.dataclasses import dataclass
 from scipy.interpolate import CubicSpline
 
 from ...numerics.arrays import FloatArray
 from ...numerics.linear_filters import first_order_lag
+from ..model_file import STORED, Positive, Real, Unit, listed
 
 Hold = Literal["linear", "zero", "cubic", "record"]
 """Course of an input between samples: on lines, held (a converter's zero-order hold), on a cubic spline, or as the
@@ -24,97 +27,88 @@ ForceShape = Literal["curve", "polynomial", "offset"]
 """Restoring force: polynomial and Gaussians, the polynomial alone, or a constant (a free mass)."""
 
 
-@dataclass(frozen=True)
+_MOST_ELEMENTS = 16
+_Elements = Annotated[int, Field(ge=0, le=_MOST_ELEMENTS)]
+
+
+@dataclass(frozen=True, config=STORED)
 class JointStructure:
-    """Terms of the data-driven joint.
+    """Terms of the data-driven joint; the text below a field is its line of help in the file."""
 
-    Attributes
-    ----------
-    basis_functions : int
-        Gaussians M per curve.
-    smoothing : float
-        σ_n.
-    rates : tuple of float
-        Relaxation rates of the L hidden elements to start from, in units of the joint's own frequency scale.
-    shape_elements : int
-        The first so many elements are hidden shapes (the slope of the tip, the beam's interior): their rates depend on
-        the displacement, and the inputs pull at them.
-    slips : int
-        Dahl friction states.
-    arc : bool
-        Whether the inertia may vary with the displacement (a tip on an arc).
-    input_lag : bool
-        Whether the inputs act through a first-order lag (a propeller, a slow drive).
-    effect_lags : bool
-        Whether that lag follows what the inputs do, as heat or pressure follows a power, instead of the inputs.
-    drag : bool
-        Whether a fluid's drag acts, by the square of the speed.
-    stops : bool
-        Whether the motion may meet two end stops.
-    turning_arm : bool
-        Whether q is the angle of an arm on which weight acts: sin q and cos q instead of x and x² in the basis.
-    force : {"curve", "polynomial", "offset"}
-        Shape of the restoring force.
-    constant_damping, constant_gain : bool
-        Whether d and the g_k are numbers instead of curves.
-    hold : {"linear", "zero", "cubic", "record"}
-        The inputs between samples.
-    rest_at_zero : bool
-        Whether hidden states start as after a long rest without inputs, instead of under the first ones.
-    input_delay : bool
-        Whether the inputs act later than they were measured by a constant time.
-    bent_input : bool
-        Whether the inputs act by a curve of their own, steeper or flatter at zero than a line.
-    dead_zone : bool
-        Whether small inputs do nothing.
-    overdamped : bool
-        Whether damping is expected to hold the motion so much that inertia hardly matters (a soft actuator, a level, a
-        temperature). The equation is the same; its start and its scales are of the velocity, not the acceleration.
-    """
-
-    basis_functions: int = 12
-    smoothing: float = 1.0
-    rates: tuple[float, ...] = (0.15, 1.5)
-    shape_elements: int = 1
-    slips: int = 1
+    basis_functions: Annotated[int, Field(ge=2, le=200)] = 12
+    """Gaussians of each curve."""
+    smoothing: Annotated[float, Field(ge=1e-3, le=1e3)] = 1.0
+    """Smoothing factor σ_n: the width over the distance of the centres."""
+    rates: Annotated[
+        tuple[Annotated[float, Field(ge=0.0)], ...],
+        BeforeValidator(listed),
+        Field(max_length=_MOST_ELEMENTS),
+        Unit("1"),
+    ] = (0.15, 1.5)
+    """Relaxation rates of the hidden elements to start from, over the frequency scale."""
+    shape_elements: _Elements = 1
+    """Hidden shapes: the first so many elements (the slope of the tip, the beam's interior), whose rates depend on the
+    displacement, and at which the inputs pull."""
+    slips: _Elements = 1
+    """States of Dahl friction."""
     arc: bool = True
+    """Whether the inertia may vary with the displacement (a tip on an arc)."""
     drag: bool = False
+    """Whether a fluid's drag acts, by the square of the speed."""
     stops: bool = False
+    """Whether the motion may meet two end stops."""
     input_lag: bool = False
+    """Whether the inputs act through a first-order lag (a propeller, a slow drive)."""
     effect_lags: bool = False
+    """Whether that lag follows what the inputs do, as heat or pressure follows a power, instead of the inputs."""
     turning_arm: bool = False
+    """Whether q is the angle of an arm on which weight acts: sin q and cos q instead of x and x² in the basis."""
     force: ForceShape = "curve"
+    """Shape of the restoring force."""
     constant_damping: bool = False
+    """Whether the damping is a number instead of a curve."""
     constant_gain: bool = False
+    """Whether the input gains are numbers instead of curves."""
     hold: Hold = "linear"
+    """Course of the inputs between samples."""
     rest_at_zero: bool = False
+    """Whether hidden states start as after a long rest without inputs, instead of under the first ones."""
     input_delay: bool = False
+    """Whether the inputs act later than they were measured by a constant time."""
     bent_input: bool = False
+    """Whether the inputs act by a curve of their own, steeper or flatter at zero than a line."""
     dead_zone: bool = False
+    """Whether small inputs do nothing."""
     overdamped: bool = False
+    """Whether damping is expected to hold the motion so much that inertia hardly matters (a soft actuator, a level, a
+    temperature); the equation is the same, its start and its scales are of the velocity."""
+
+    @model_validator(mode="after")
+    def _elements(self) -> Self:
+        if self.shape_elements > len(self.rates):
+            raise ValueError(f"{self.shape_elements} shape elements among {len(self.rates)} elements")
+        return self
 
     @property
     def remembers_inputs(self) -> bool:
         """Whether a hidden state depends on what the inputs were before the first sample."""
         return self.input_lag or self.shape_elements > 0
 
-    def to_tree(self) -> dict[str, Any]:
-        """Plain values."""
-        return {**vars(self), "rates": np.array(self.rates)}
 
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, config=STORED)
 class JointScales:
-    """Units of the dimensionless joint.
+    """Units of the dimensionless joint."""
 
-    Middle and half range of q, largest |v|, RMS of q̈ [1/s²] and of q̇ [1/s] over half the range.
-    """
-
-    middle: float
-    half: float
-    volts: float
-    stiffness: float
-    speed: float = 0.0
+    middle: Annotated[Real, Unit("{q}")]
+    """Middle of the range of q."""
+    half: Annotated[Positive, Unit("{q}")]
+    """Half of the range of q."""
+    volts: Annotated[Positive, Unit("{v}")]
+    """Largest input of the training logs."""
+    stiffness: Annotated[Positive, Unit("1/s²")]
+    """RMS acceleration over half the range of q."""
+    speed: Annotated[Real, Field(ge=0.0), Unit("1/s")] = 0.0
+    """RMS velocity over half the range of q."""
 
     @property
     def frequency(self) -> float:

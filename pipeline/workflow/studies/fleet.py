@@ -10,7 +10,7 @@ import numpy as np
 
 from ...device.device import device
 from ...diagnostics.facts.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
-from ...diagnostics.instruments import Instruments, ObservedModel
+from ...diagnostics.instruments import InstrumentTest, ObservedModel
 from ...errors import DataRefusedError, DebistError, InputError
 from ...models.base import DynamicModel
 from ...models.hybrid.model import HybridModel
@@ -139,7 +139,7 @@ def series_of(roots: Sequence[Path], at: str | None) -> Series:
     of_runs = [list(facts_of(r.sheet, r.model, between, r.gain_unit)) for r in runs]
     first = runs[0]
     if isinstance(first.model, ObservedModel):
-        instruments = Instruments(first.model, first.training)
+        instruments = InstrumentTest(first.model, first.training)
         for run, own in zip(runs[1:], of_runs[1:], strict=True):
             own += instrument_facts(instruments, [part for parts in run.training for part in parts], run.displacement)
     facts = facts_over_time(ascending, of_runs)

@@ -9,7 +9,7 @@ from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped
 from pipeline.models.rbf.structure import JointScales, JointStructure
-from pipeline.scoring.tubes import tubes
+from pipeline.models.tubes import tubes
 from pipeline.signals.differentiate import differentiate
 from pipeline.signals.log import Log
 

@@ -1,11 +1,13 @@
-"""The finding: what was measured of a log or a model, as a code with numbers; `sentences` puts it into words."""
+"""The finding: what was measured of a log or a model, as a code with numbers; `diagnostics.sentences` words it."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-Severity = Literal["good", "fair", "poor"]
-SEVERITIES: tuple[Severity, ...] = ("good", "fair", "poor")
+from ..settings.prototype import Gate
+
+Severity = Literal["unseen", "good", "fair", "poor"]
+SEVERITIES: tuple[Severity, ...] = ("unseen", "good", "fair", "poor")
 
 
 @dataclass(frozen=True)
@@ -26,12 +28,15 @@ class Finding:
     code : str
         Which finding it is, in snake case, as tests and users of the datasheet compare it.
     severity : Severity
+        Unseen: the data do not show it.
     log : str
         The log as tables show it (`names.log_title`); empty where it is of the whole run.
     subject : str
         The channel, model or fact that it is about, for instance ``v1``; may be empty.
     numbers : mapping of str to Number
         What was measured, by name.
+    gate : Gate or None
+        The name under which the settings accept it, where it refuses the data.
     """
 
     code: str
@@ -39,8 +44,17 @@ class Finding:
     log: str = ""
     subject: str = ""
     numbers: Mapping[str, Number] = field(default_factory=dict)
+    gate: Gate | None = None
 
 
-def worst(findings: Iterable[Finding]) -> Severity:
-    """The worst severity; good where there is no finding."""
-    return max((finding.severity for finding in findings), key=SEVERITIES.index, default="good")
+def refusal(gate: Gate, code: str, numbers: Mapping[str, Number] | None = None, subject: str = "") -> Finding:
+    """A finding that refuses the data.
+
+    Parameters
+    ----------
+    gate : Gate
+        The name under which the settings accept it.
+    code, numbers, subject : str, mapping of str to Number, str
+        As in `Finding`.
+    """
+    return Finding(code, "poor", subject=subject, numbers=numbers or {}, gate=gate)

@@ -17,10 +17,14 @@ Draws that end in another well are no part of s. Where they are more than `OPEN`
 """
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
+from pydantic import Field
+from pydantic import dataclasses as stored
 
 from ..numerics.arrays import BoolArray, FloatArray
+from .model_file import STORED, Unit
 
 COVERAGE = 0.9
 """Probability with which a sample of another log lies in the tubes."""
@@ -32,26 +36,22 @@ OPEN = 0.05
 """Share of the draws in another well from which on they have a tube of their own."""
 
 
-@dataclass(frozen=True)
+_NotNegative = Annotated[float, Field(ge=0.0, le=1e6)]
+
+
+@stored.dataclass(frozen=True, config=STORED)
 class TubeScale:
-    """Scale of a model's tubes.
+    """Scale of a model's tubes, also in its file; with a factor of zero the model has no tubes."""
 
-    Attributes
-    ----------
-    factor : float
-        κ.
-    floor : float
-        s₀ [m or rad].
-    apart : float
-        Distance [m or rad] from which on a draw counts as being in another well.
-    """
-
-    factor: float
-    floor: float
-    apart: float
+    factor: _NotNegative = 0.0
+    """Half width of the tubes over the spread of the draws."""
+    floor: Annotated[_NotNegative, Unit("{q}")] = 0.0
+    """Least spread: the error on the training data."""
+    apart: Annotated[_NotNegative, Unit("{q}")] = 0.0
+    """Distance from which on a draw is in another well."""
 
 
-NO_TUBES = TubeScale(0.0, 0.0, 0.0)
+NO_TUBES = TubeScale()
 """Scale of a model that has no tubes."""
 
 

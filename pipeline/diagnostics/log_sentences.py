@@ -1,0 +1,401 @@
+"""The sentences of findings on logs: a row of the table for each, and what refuses a log."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ..signals.findings import Finding
+from ..signals.noise import below_resolution
+from ..units.quantity import quantity, scale, short, significant
+from . import limits
+
+_SIDES = ("right (+)", "left (−)")
+_ON_CHANGE = "; an input ({}) that was recorded only when it changed takes `on_change = true` in [channels]"
+SHARES = {
+    "masked": (
+        "of the rows are masked (gaps, rails, spikes, lost target)",
+        "record without gaps and within the sensor's range",
+    ),
+    "missing": ("of the samples are not finite", "repair the recorder"),
+    "repeated": (
+        "of the time stamps repeat the one before",
+        "repair the clock, or where its stamps are too coarse leave `time` out and set [ingest] sample_rate",
+    ),
+    "dropped": ("of the samples are missing one by one", "record slower"),
+    "jitter": ("of the time step is its jitter (RMS)", "record by a hardware clock"),
+    "rails": (
+        "of the samples of q stay at its extremes",
+        "what lay beyond was not measured: widen the sensor's range, or name another channel as q; if the device rests "
+        'there, set [ingest] rails = "keep"',
+    ),
+    "hum": ("of the range of q is hum of {:g} Hz", "shield the sensor"),
+}
+"""What a log has too much of, by gate, and what to do."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A finding in the table of the check: what was looked at, what was found, what it may be, what to do, and numbers
+    beside it.
+    """
+
+    what: str
+    found: str
+    limit: str = ""
+    advice: str = ""
+    more: str = ""
+
+
+def row(finding: Finding) -> Row:
+    """The row of a finding of the check; advice is of no meaning where it is good or unseen."""
+    return ROWS[finding.code](finding)
+
+
+def _value(finding: Finding, name: str) -> float:
+    return finding.numbers[name].value
+
+
+def _shown(finding: Finding, name: str) -> str:
+    return quantity(_value(finding, name), finding.numbers[name].unit)
+
+
+def _short(finding: Finding, name: str) -> str:
+    """A round number with its unit."""
+    number = finding.numbers[name]
+    shown, factor = scale(number.unit, number.value)
+    return f"{short(number.value * factor)} {shown}"
+
+
+def _times(ratio: float) -> str:
+    """How many times as large, in words."""
+    return f"{significant(ratio, 2)} times" if ratio >= 1.0 else f"1/{significant(1.0 / ratio, 2)}"
+
+
+def _range(finding: Finding) -> Row:
+    name = finding.subject
+    limit = f"{_short(finding, 'least')} … {_short(finding, 'most')}" if "most" in finding.numbers else ""
+    advice = ""
+    if finding.code == "still":
+        advice = "q does not move: name the channel of its sensor, and see whether that has its target"
+    elif "times" in finding.numbers:
+        times = _times(_value(finding, "times"))
+        advice = f"check the unit of {name} in [channels]: its numbers look {times} as large as a joint's"
+    return Row(f"range of {name}", _shown(finding, "range"), limit, advice)
+
+
+def _resolution(finding: Finding) -> Row:
+    noise = f"noise {_shown(finding, 'noise')}" if "noise" in finding.numbers else ""
+    if "resolution" not in finding.numbers:
+        return Row("resolution of q", "no steps", more=noise)
+    if noise and below_resolution(_value(finding, "noise"), _value(finding, "resolution")):
+        noise = "noise below that"
+    advice = "velocities come in steps: use the sensor's finer range, or average before recording"
+    return Row("resolution of q", _shown(finding, "resolution"), f"≤ {_short(finding, 'most')}", advice, noise)
+
+
+def _held(finding: Finding) -> Row:
+    advice = (
+        f"q has new values at {_shown(finding, 'rate')} only, late by half of that: record it as its sensor delivers "
+        "it, or set [ingest] sample_interval no finer"
+    )
+    return Row("values of q held", f"for {_value(finding, 'held'):.0f} samples", advice=advice)
+
+
+def _drift(finding: Finding) -> Row:
+    advice = (
+        f"the places of rest move by {_shown(finding, 'moved')} over the log: let the sensor warm up, fix its mount, "
+        "or take the drift off q"
+    )
+    return Row("drift of the rests", _shown(finding, "drift"), advice=advice)
+
+
+def _undriven_starts(finding: Finding) -> Row:
+    found = f"{_value(finding, 'starts'):.0f}, the first at {_value(finding, 'first'):.4g} s"
+    missing = "find out what does"
+    if _value(finding, "inputs") == 1:
+        missing = "name the second input as v2 (in [channels], or as an argument)"
+    advice = f"what moves q there is not among the inputs: {missing}"
+    return Row("leaves rest though no input changes", found, advice=advice)
+
+
+def _wrapped(finding: Finding) -> Row:
+    advice = "unwrap it before it is logged or read (numpy.unwrap, MATLAB's unwrap): a turn is no motion of the device"
+    found = f"{_value(finding, 'jumps'):.0f} by {_short(finding, 'turn')}"
+    return Row("jumps of the angle", found, "none", advice)
+
+
+def _rests(finding: Finding) -> Row:
+    found = f"{_shown(finding, 'left')}, {_shown(finding, 'right')}"
+    if finding.severity == "good":
+        return Row("rests", found)
+    unit = finding.numbers["left"].unit
+    middle = quantity(-0.5 * (_value(finding, "left") + _value(finding, "right")), unit)
+    advice = (
+        "both wells are on one side of zero, where a joint, its parameter set and its mirror plane have the middle: "
+        f"zero the sensor, or give `offset` in [channels] q (about {middle})"
+    )
+    return Row("rests", found, "left < 0 < right", advice)
+
+
+def _unseen_push(finding: Finding) -> Row:
+    """Of an input whose force a log does not show."""
+    name = finding.subject
+    found = {"idle_input": "nothing but noise", "never_on": "never on", "hardly_changes": "hardly ever changes"}
+    advice = "name the channel that drives the device, or leave it out for a device with one input"
+    if finding.code == "idle_input":
+        advice = f"where no training log drives {name}, leave it out of [channels]: nothing is known of its gain"
+    return Row(f"push of {name}", found[finding.code], advice=advice)
+
+
+def _push(finding: Finding) -> Row:
+    what = f"push of {finding.subject}"
+    if finding.code == "unsure_push":
+        return Row(what, "not sure")
+    side = _SIDES[0] if _value(finding, "push") > 0.0 else _SIDES[1]
+    if finding.code == "push":
+        return Row(what, side)
+    advice = (
+        "v1 is the left membrane and pushes q to the right, v2 to the left: swap v1 and v2 in [channels], or give q "
+        "scale = -1 there; only if this device is wired the other way round, accept it"
+    )
+    return Row(what, side, _SIDES[0] if finding.subject == "v1" else _SIDES[1], advice)
+
+
+def _input_noise(finding: Finding) -> Row:
+    what = f"noise of {finding.subject}"
+    if finding.code == "command":
+        return Row(what, "none: a command?", more="a measurement has noise; an amplifier need not follow a command")
+    return Row(what, _shown(finding, "noise"))
+
+
+def _late_answer(finding: Finding) -> Row:
+    number = finding.numbers["late"]
+    shown, factor = scale("s", number.value)
+    later = number.value > 0.0
+    advice = "q moves before its inputs: start both recorders by one trigger"
+    if later:
+        advice = (
+            "start both recorders by one trigger; if the sensor of q averages over a window, give that as `average` in "
+            "[channels] q; if the inputs do act late (a filter, a slow drive, electrodes that charge slowly), hybrid "
+            'estimates by how much, and rbf with drive = "lag" or "delay" in [identify.structure]'
+        )
+    found = f"about {short(abs(number.value) * factor)} {shown} {'late' if later else 'early'}"
+    return Row("answer of q", found, f"± {_short(finding, 'most')}", advice)
+
+
+def _coupling(finding: Finding) -> Row:
+    ratio = _value(finding, "ratio")
+    most = _value(finding, "most")
+    mass = _value(finding, "mass")
+    what = f"coupling if of {1e3 * mass:g} g"
+    advice = "check the units of the channels"
+    if finding.subject == "stated":
+        what = f"coupling with {quantity(1e3 * mass, 'g') if mass < 1.0 else f'{significant(mass)} kg'}"
+        advice = "check the unit of plant.mass, then those of the channels"
+    found = f"{significant(ratio, 2)} × as drawn"
+    advice = f"that is {_times(ratio)} the coupling of the joint as drawn: {advice}"
+    return Row(what, found, f"{1.0 / most:.2g} … {most:g}", advice)
+
+
+def _coupling_ratio(finding: Finding) -> Row:
+    ratio = _value(finding, "ratio")
+    off = max(ratio, 1.0 / ratio)
+    advice = (
+        f"voltages wrong by {significant(off**0.5, 2)} on one side do that: check the unit and `scale` of both "
+        "channels, and the ratio of both probes"
+    )
+    most = f"{_value(finding, 'most'):g}"
+    return Row("coupling of v1 over v2", significant(ratio, 2), f"1/{most} … {most}", advice)
+
+
+def _correlated(finding: Finding) -> Row:
+    advice = (
+        "v1 and v2 go together all the time, so what each does cannot be told apart: drive them apart, or leave v2 out"
+    )
+    found = f"correlation {_value(finding, 'correlation'):.4f}"
+    return Row("v2 beside v1", found, f"< {_value(finding, 'most'):g}", advice)
+
+
+def _field(finding: Finding) -> Row:
+    film = _shown(finding, "film")
+    limit = _value(finding, "limit")
+    advice = f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
+    if finding.code == "field_units":
+        advice = f"check the units of plant.film_thickness ({film}) and plant.field_limit ({quantity(limit, 'V/m')})"
+    most = f"≤ {significant(1e-6 * limit)} (+{100.0 * (limits.FIELD - 1.0):.0f} %) V/µm"
+    return Row("largest field", f"{significant(1e-6 * _value(finding, 'field'))} V/µm", most, advice)
+
+
+def _rest_level(finding: Finding) -> Row:
+    name = finding.subject
+    level = finding.numbers["level"]
+    advice = (
+        f"{name} never returns to zero: if its drive was off at some time, that is the probe's error; add "
+        f"{quantity(-level.value, level.unit)} to its `offset` in [channels]"
+    )
+    return Row(f"rest level of {name}", _shown(finding, "level"), f"≤ {_short(finding, 'most')}", advice)
+
+
+def _law(finding: Finding) -> Row:
+    other = finding.subject
+    own = "linear" if other == "squared" else "squared"
+    share = {name: significant(100.0 * number.value, 2) for name, number in finding.numbers.items()}
+    found = f"{share[f'left_by_{own}']} % ({other} {share[f'left_by_{other}']} %)"
+    advice = f'they explain more so: set inputs = "{other}" (in [plant], or as an argument)'
+    if finding.code == "signed_monitor":
+        found += f", two membranes {share['left_by_membranes']} %"
+        advice = (
+            'it looks like the signed monitor of two membranes: give it to v1 with part = "positive" and to v2 with '
+            'part = "negative", and set inputs = "squared" in [plant]'
+        )
+    return Row("left by the law", found, advice=advice)
+
+
+def _shared_recording(finding: Finding) -> Row:
+    advice = "what both hold counts twice in fits and scores: leave one of them out, or cut it"
+    return Row(f"shared with {finding.subject}", shared_spans(finding), "none", advice)
+
+
+def shared_spans(finding: Finding) -> str:
+    """The spans that two logs share, that in the log of the finding first."""
+    own, other = (
+        f"{_value(finding, f'{log}start'):.4g} to {_value(finding, f'{log}stop'):.4g} s" for log in ("", "other_")
+    )
+    return f"{own} is {other} of it" if own != other else own
+
+
+ROWS: dict[str, Callable[[Finding], Row]] = {
+    "range": _range,
+    "still": _range,
+    "resolution": _resolution,
+    "sampling_rate": lambda finding: Row("sampling rate", _shown(finding, "rate")),
+    "held": _held,
+    "drift": _drift,
+    "undriven_starts": _undriven_starts,
+    "wrapped": _wrapped,
+    "rests": _rests,
+    "no_rests": lambda finding: Row("rests", finding.subject),
+    "idle_input": _unseen_push,
+    "never_on": _unseen_push,
+    "hardly_changes": _unseen_push,
+    "unsure_push": _push,
+    "push": _push,
+    "side": _push,
+    "command": _input_noise,
+    "input_noise": _input_noise,
+    "late_answer": _late_answer,
+    "coupling": _coupling,
+    "coupling_ratio": _coupling_ratio,
+    "correlated": _correlated,
+    "field": _field,
+    "field_units": _field,
+    "rest_level": _rest_level,
+    "law": _law,
+    "signed_monitor": _law,
+    "shared_recording": _shared_recording,
+}
+"""Rows of the check by code."""
+
+
+def of_row(finding: Finding) -> tuple[str, str]:
+    """Log, numbers and limit of a finding of the check in one line, and what to do."""
+    made = row(finding)
+    return line(finding.log, made.what, made.found, made.more, made.limit), made.advice
+
+
+def line(log: str, what: str, found: str, more: str, limit: str) -> str:
+    """Log, numbers and limit in one line."""
+    numbers = "; ".join(filter(None, (found, more)))
+    return f"{log}: {what}: {numbers}" + (f" (limit: {limit})" if limit else "")
+
+
+def _share(finding: Finding) -> tuple[str, str]:
+    what, advice = SHARES[str(finding.gate)]
+    if finding.gate == "hum":
+        what = what.format(_value(finding, "frequency"))
+    share = 100.0 * _value(finding, "share")
+    few = [name for name in finding.numbers if name.startswith("v")]
+    text = f"{share:.3g} % {what} (at most {100.0 * _value(finding, 'most'):g} %)"
+    return text, advice + (_ON_CHANGE.format(", ".join(few)) if few else "")
+
+
+def _signal_missing(finding: Finding) -> tuple[str, str]:
+    name = finding.subject
+    share = 100.0 * _value(finding, "share")
+    text = f"{name} is missing for {share:.3g} % of the log (at most {100.0 * _value(finding, 'most'):g} %)"
+    advice = "repair the recorder, or cut the log where the signal ends"
+    return text, advice + (_ON_CHANGE.format(name) if _value(finding, "not_finite") else "")
+
+
+def _coarse_input(finding: Finding) -> tuple[str, str]:
+    name = finding.subject
+    interval = _value(finding, "interval")
+    text = f"{name} has one sample every {_value(finding, 'step'):.4g} s, but [ingest] sample_interval is "
+    advice = "record it as finely as q, or set a sample_interval as long" + _ON_CHANGE.format(name)
+    return f"{text}{interval:g} s", advice
+
+
+def _fast_motion(finding: Finding) -> tuple[str, str]:
+    half = _value(finding, "half")
+    interval = _value(finding, "interval")
+    text = f"half of the power of q lies above {half:.3g} Hz, which decimation to [ingest] sample_interval = "
+    advice = f"set sample_interval = {_value(finding, 'advised'):g}, or correct the unit of time"
+    return f"{text}{interval:g} s takes away", advice
+
+
+def _coarse_log(finding: Finding) -> tuple[str, str]:
+    step = _value(finding, "step")
+    lasts = _value(finding, "lasts")
+    text = f"one sample every {step:.4g} s for {lasts:.6g} s, by the settings, but [ingest] sample_interval is "
+    text += f"{_value(finding, 'interval'):g} s (at most {_value(finding, 'most'):g} intervals a sample)"
+    advice = "correct the unit of time in [channels] (ms is not s) or the sample_rate (in Hz), or set a sample_interval"
+    return text, f"{advice} as long as the log's step"
+
+
+def _other_rate(finding: Finding) -> tuple[str, str]:
+    stated = [f"{name} states {number.value:.6g} Hz" for name, number in finding.numbers.items() if name != "settings"]
+    text = f"in the log {' and '.join(stated)}, but [ingest] sample_rate is {_value(finding, 'settings'):g} Hz"
+    return text, "correct sample_rate, or where the log means another rate keep it"
+
+
+def _idle(finding: Finding) -> tuple[str, str]:
+    text = "the displacement shows nothing but noise: no excitation"
+    return text, "drive the device through its whole stroke"
+
+
+def _undriven(finding: Finding) -> tuple[str, str]:
+    text = f"input {finding.subject} never changes by more than its noise: nothing is known of its gain"
+    return text, f"drive it, or leave it out of [channels] ({finding.subject})"
+
+
+def _visits(finding: Finding) -> tuple[str, str]:
+    visits = f"{_value(finding, 'visits'):.0f} of at least {_value(finding, 'least'):.0f} training samples"
+    text = f"the basis centre at q = {_shown(finding, 'place')} has {visits}"
+    return text, f"excite that place, or set fewer than {_value(finding, 'centres'):.0f} [identify] basis_functions"
+
+
+def _rank(finding: Finding) -> tuple[str, str]:
+    condition = f"condition number {_value(finding, 'condition'):.3g} (at most {_value(finding, 'most'):g})"
+    text = f"the regressor's columns cannot be told apart: {condition}, {_value(finding, 'silent'):.0f} zero"
+    return text, "vary the inputs independently"
+
+
+def _one_well(finding: Finding) -> tuple[str, str]:
+    text = "only one well is visited: of the other half of every curve the data say nothing"
+    return text, "add pulses that snap the joint to the other side (`debist rig excite`)"
+
+
+CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {
+    **dict.fromkeys(ROWS, of_row),
+    **dict.fromkeys([f"{gate}_share" for gate in SHARES], _share),
+    "signal_missing": _signal_missing,
+    "coarse_input": _coarse_input,
+    "fast_motion": _fast_motion,
+    "coarse_log": _coarse_log,
+    "other_rate": _other_rate,
+    "idle": _idle,
+    "undriven": _undriven,
+    "visits": _visits,
+    "rank": _rank,
+    "one_well": _one_well,
+}
+"""By code."""
