@@ -10,7 +10,7 @@ from ..device.device import device
 from ..device.parameter_sets import parameter_values
 from ..device.parameters import JointParameters
 from ..models.kind import kind
-from ..models.model_file import columns_of, declaration
+from ..models.model_file import columns_of
 from ..settings.models import ENTRIES
 from ..settings.prototype import FILM, Prototype
 from ..store import layout
@@ -49,5 +49,5 @@ def _write_fit(
     model = kind(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    columns = columns_of(device(prototype), {name: declaration(model)})
+    columns = columns_of(device(prototype), {name: type(model)})
     return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, columns)}

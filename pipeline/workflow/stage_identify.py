@@ -15,7 +15,7 @@ from ..diagnostics.gates import accepted_settings, judge
 from ..diagnostics.sentences import not_converged
 from ..errors import DataRefusedError
 from ..models.kind import HEADLINE, StoredModel, Training, kind
-from ..models.model_file import columns_of, declaration
+from ..models.model_file import columns_of
 from ..settings.models import AUTO, ENTRIES
 from ..settings.prototype import FILM, Prototype, TrainingGate
 from ..signals.findings import Finding
@@ -82,7 +82,7 @@ def _identify(
     }
     if CHOICE in notes:
         tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
-    columns = columns_of(plant, {name: declaration(model) for name, model in models.items()})
+    columns = columns_of(plant, {name: type(model) for name, model in models.items()})
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}
 
 
