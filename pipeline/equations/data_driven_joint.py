@@ -126,7 +126,7 @@ def past_zone(drive: Any, zone: Any) -> Expression:
 
 
 def clipped(x: Any, low: Any, high: Any) -> Expression:
-    """X within [low, high]."""
+    """The value x within [low, high]."""
     return ca.fmin(high, ca.fmax(low, x))
 
 
@@ -186,7 +186,7 @@ def lagged_rates(q: Any, q_dot: Any, z: Any, curves: Any, push: Any, lag: Any) -
 
 
 def polynomial_variables(q: Any, q_dot: Any, scales: Any) -> Expression:
-    """Q and q̇ over their scales, and tanh(q̇/w): factors of monomials; w is the last of the scales.
+    """Factors of monomials: q and q̇ over their scales, and tanh(q̇/w); w is the last of the scales.
 
     Models of a turning arm have sin q and cos q beside them.
     """

@@ -10,18 +10,17 @@ from functools import cached_property
 
 import numpy as np
 
+from ..device.device import Device
 from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..scoring.wells import NoWells, Wells, find_wells, snaps
 from ..settings.models import CENTRES, SMOOTHING
 from ..signals.findings import Finding, Number, refusal
-from ..signals.noise import is_idle, noise_level
+from ..signals.noise import REACH, is_idle, noise_level
 from .coverage import ACTING, Coverage, coverage
 from .information import Conditioning, ScaledRegressor, conditioning
 from .regression import InputLaw, input_signal
 
-_INTERMEDIATE = (0.15, 0.85)
-"""Shares of the largest value between which an input is neither off nor full."""
 _POWER_SHARE = 0.95
 _SHORTEST = 64
 _WINDOW = 8.0
@@ -30,12 +29,8 @@ _RINGING_ABOVE = 4
 _RINGING_BELOW = 0.8
 """Line of the spectrum and share of the Nyquist frequency between which a peak is the device's: below it is the
 excitation's, above it is noise or folded over."""
-_PEAK = 0.05
 _BAND = 0.1
-_BESIDE = (0.5, 1.5)
-"""Half widths of a peak and of the bands beside it, and their places, shares of the peak's frequency."""
-_MOST_BESIDE = 0.45
-"""Power in the bands beside a peak, of that at the peak."""
+"""Half width of a peak, and of the bands half its frequency beside it, as a share of its frequency."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +50,8 @@ class Excitation:
     largest : FloatArray, shape (K,)
         Largest magnitude of each input.
     intermediate : FloatArray, shape (K,)
-        Share of an input's acting time in which it is between 15 and 85 % of its largest value.
+        Share of an input's acting time in which it is as far from its largest value as from zero, a tenth of it at
+        least.
     together : float
         Share of the time in which two inputs act at once; 0 for one input.
     conditioning : Conditioning
@@ -172,8 +168,7 @@ def _switches(q: FloatArray, wells: Wells | NoWells) -> tuple[int, int]:
 
 
 def _intermediate(magnitude: FloatArray, largest: FloatArray, acting: BoolArray) -> FloatArray:
-    low, high = _INTERMEDIATE
-    between = (magnitude > low * largest) & (magnitude < high * largest) & acting
+    between = (magnitude < (1.0 - ACTING) * largest) & acting
     share: FloatArray = between.sum(axis=0) / np.maximum(acting.sum(axis=0), 1)
     return share
 
@@ -209,21 +204,16 @@ def _ringing(q: FloatArray, interval: float) -> float | None:
     if peak in (_RINGING_ABOVE, last):  # the spectrum falls, or rises, all along
         return None
     ratio = frequency / frequency[peak]
-    low = _BESIDE[0]
-    high = min(_BESIDE[1], float(ratio[-1]) - _BAND)
-    most, *beside = (
-        power[np.abs(ratio - place) <= max(width, float(ratio[1]))].mean()
-        for place, width in ((1.0, _PEAK), (low, _BAND), (high, _BAND))
-    )
-    return float(frequency[peak]) if np.mean(beside) < _MOST_BESIDE * most else None
+    width = max(_BAND, float(ratio[1]))
+    places = (1.0, 0.5, min(1.5, float(ratio[-1]) - _BAND))
+    most, *beside = (power[np.abs(ratio - place) <= width].mean() for place in places)
+    return float(frequency[peak]) if np.mean(beside) < 0.5 * most else None
 
 
 LEAST_VISITS = 3
 """Samples nearest to a basis centre, below which its weight is the ridge's choice."""
 LARGEST_CONDITION = 1e4
 """Of the regressor on unit-norm columns: beyond it, an error of 0.01 % in the data is one of 100 % in some weight."""
-CERTAINLY = 6.0
-"""Student's t beyond which an input that looks like noise moves the device."""
 
 
 def excitation_findings(
@@ -232,12 +222,10 @@ def excitation_findings(
     segment: IntArray,
     interval: float,
     *,
-    inputs: InputLaw,
+    plant: Device,
     basis_functions: int,
     smoothing: float,
     bistable: bool,
-    joint: bool,
-    displacement: str = "m",
 ) -> list[Finding]:
     """Objections to a model from these training data.
 
@@ -251,14 +239,12 @@ def excitation_findings(
         Number of the gap-free stretch, different for each log; negative where masked.
     interval : float
         Sample interval [s].
-    inputs : {"squared", "linear"}
-        How the inputs act.
+    plant : Device
+        Law of its inputs, unit of its displacement, and whether it can be the bistable joint.
     basis_functions, smoothing : int, float
         M and σ_n of the curves that are to be identified.
-    bistable, joint : bool
-        Whether the device is known to have two wells, and whether it can be the bistable joint.
-    displacement : str
-        SI unit of q.
+    bistable : bool
+        Whether the device is known to have two wells.
 
     Raises
     ------
@@ -272,17 +258,18 @@ def excitation_findings(
     valid = (segment >= 0) & np.isfinite(q)
     if not valid.any() or _idle(q[valid]):
         return [refusal("idle", "idle")]
-    acting = input_signal(v, inputs)
+    acting = input_signal(v, plant.action)
     undriven = [k for k in range(v.shape[1]) if _idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
     findings = [refusal("undriven", "undriven", subject=f"v{k + 1}") for k in undriven]
     try:
         excitation = examine_excitation(
             q, v, segment, interval,
-            inputs=inputs, basis_functions=basis_functions, smoothing=smoothing, joint=joint,
+            inputs=plant.action, basis_functions=basis_functions, smoothing=smoothing, joint=plant.joint,
         )  # fmt: skip
     except InputError as error:
         raise DataRefusedError(str(error)) from error
-    return findings + _of_places(excitation, basis_functions, displacement, conditioned=not undriven, bistable=bistable)
+    unit = plant.displacement.symbol
+    return findings + _of_places(excitation, basis_functions, unit, conditioned=not undriven, bistable=bistable)
 
 
 def _of_places(
@@ -319,7 +306,7 @@ def _idle(samples: FloatArray) -> bool:
 def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
     """Whether an input that looks like noise, as one does that is drawn anew for each sample, moves q all the same.
 
-    The second differences of q are regressed on place, way and input; Student's t of the input decides.
+    The second differences of q are regressed on place, way and input; Student's t of the input decides, beyond `REACH`.
     """
     inner = (segment[:-2] == segment[2:]) & (segment[1:-1] >= 0) & np.isfinite(q[:-2] + q[1:-1] + q[2:])
     way = (q[2:] - q[:-2])[inner]
@@ -329,4 +316,4 @@ def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
     left = [signal - regressors @ (regressors.T @ signal) for signal in (u[1:-1][inner], turn)]
     size = float(np.linalg.norm(left[0]) * np.linalg.norm(left[1]))
     share = float(left[0] @ left[1]) / size if size > 0.0 else 0.0
-    return bool(abs(share) * np.sqrt(len(way)) > CERTAINLY * np.sqrt(1.0 - min(1.0, share * share)))
+    return bool(abs(share) * np.sqrt(len(way)) > REACH * np.sqrt(1.0 - min(1.0, share * share)))

@@ -208,10 +208,8 @@ def _findings(data: list[Log], prototype: Prototype) -> list[Finding]:
         np.concatenate([log.v for log in data]),
         np.concatenate(segments),
         prototype.ingest.sample_interval,
-        inputs=prototype.plant.inputs,
+        plant=device(prototype),
         basis_functions=prototype.identify.basis_functions,
         smoothing=prototype.identify.smoothing,
         bistable=prototype.plant.parameters is not None,
-        joint=device(prototype).joint,
-        displacement=device(prototype).displacement.symbol,
     )
