@@ -32,6 +32,19 @@ def kernel(
     With `width` joints side by side every array holds rows of `width` numbers, one for each joint, but for the inputs
     `common` to all of them. The output named `value`, if any, is a number that is returned. In `single` precision all
     are float32, and twice as many fit into a register.
+
+    Parameters
+    ----------
+    graph : Graph
+        What is computed.
+    width : int
+        Joints side by side.
+    value : str, optional
+        Name of the output, of one entry, that is returned as a number.
+    common : tuple of str
+        Names of the inputs that all joints share.
+    single : bool
+        Whether numbers are float32.
     """
     real, number = (_SINGLE, types.float32) if single else (_REAL, types.float64)
     names = [name for name in [*graph.inputs, *graph.outputs] if name != value]

@@ -58,6 +58,17 @@ def confined_force(x: Any, force: Any, at_ends: Any, low: Any, high: Any) -> Exp
 
     A force that leads away at an end falls from there and has turned back after `FADE`. So no extrapolation has a place
     of rest farther out; one that restores more than this is left as it is.
+
+    Parameters
+    ----------
+    x : expression
+        Displacement, dimensionless.
+    force : expression
+        Restoring force at x by the curve.
+    at_ends : expression, shape (2,)
+        The curve's values at `low` and `high`.
+    low, high : expression
+        Reach of the curve.
     """
     left = at_ends[0] + ca.fmax(0.0, -at_ends[0]) / FADE * (low - x)
     right = at_ends[1] - ca.fmax(0.0, at_ends[1]) / FADE * (x - high)
@@ -93,6 +104,19 @@ def bell(inside: Any, centre: Any, bend: Any) -> Expression:
 def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any, drag: Any) -> Expression:
     """ṗ for F, d in `curves`, the sum of all that pushes, μ = 1 + arc·arm² of a tip that moves on an arc, arm = x − x₀,
     and the drag κ of a fluid.
+
+    Parameters
+    ----------
+    p : expression
+        Velocity ẋ.
+    curves : expression, shape (2,)
+        Restoring force F and damping d at x.
+    push : expression
+        Sum of the forces of inputs, elements, friction and stops.
+    arm, arc : expression
+        x − x₀ and the curvature of the arc.
+    drag : expression
+        κ.
     """
     inertia = 1.0 + arc * arm * arm
     return (curves[0] - (curves[1] + drag * ca.fabs(p)) * p - arc * arm * p * p + push) / inertia
@@ -106,6 +130,17 @@ def element_rate(coupling: Any, p: Any, rate: Any, load: Any) -> Expression:
     a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x). All follow from the energy
     ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint, and the same coupling stands
     in both equations. So no element can create energy.
+
+    Parameters
+    ----------
+    coupling : expression
+        h at x.
+    p : expression
+        Velocity ẋ.
+    rate : expression
+        Rate r of the relaxation.
+    load : expression
+        e.
     """
     return elements.maxwell_rate(coupling * p, rate, load)
 
@@ -181,7 +216,21 @@ def _with_slopes(value: Expression, along: Expression) -> dict[str, Expression]:
 
 
 def lagged_rates(q: Any, q_dot: Any, z: Any, curves: Any, push: Any, lag: Any) -> Expression:
-    """q̈ = −c q − d z + push and ż = (q̇ − z)/T, with c, d in `curves` and Σ g_k u_k in `push`, all over the mass."""
+    """q̈ = −c q − d z + push and ż = (q̇ − z)/T, with c, d in `curves` and Σ g_k u_k in `push`, all over the mass.
+
+    Parameters
+    ----------
+    q, q_dot : expression
+        Displacement [m] and velocity [m/s].
+    z : expression
+        Lagged velocity [m/s].
+    curves : expression, shape (2,)
+        c [1/s²] and d [1/s] at q.
+    push : expression
+        Acceleration by the inputs [m/s²].
+    lag : expression
+        T [s].
+    """
     return ca.vertcat(push - curves[0] * q - curves[1] * z, lag_rate(q_dot, z, lag))
 
 

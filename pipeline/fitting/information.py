@@ -66,6 +66,17 @@ class ScaledRegressor:
     ) -> "ScaledRegressor":
         """The regressor over the range of a motion q, q̇, shape (N,), with the `largest` input on each side, shape (K,).
 
+        Parameters
+        ----------
+        q, qdot : FloatArray, shape (N,)
+            A motion over the operating range [m, m/s].
+        largest : FloatArray, shape (K,)
+            Largest magnitude of each input.
+        basis_functions, smoothing : int, float
+            M and σ_n.
+        inputs : {"squared", "linear"}
+            How the inputs act.
+
         Raises
         ------
         InputError

@@ -151,7 +151,19 @@ def _variance_within(cut: float) -> float:
 def without_each(
     members: Sequence[Information], prior: NormalPopulation, whole: NormalPopulation, shrinkage: Shrinkage | None = None
 ) -> Iterator[NormalPopulation]:
-    """For each member the population of all the others; `whole` is that of all. Cost: `MORE_ROUNDS` steps for each."""
+    """For each member the population of all the others; `whole` is that of all. Cost: `MORE_ROUNDS` steps for each.
+
+    Parameters
+    ----------
+    members : sequence of Information
+        Of N members.
+    prior : NormalPopulation
+        What is believed without them.
+    whole : NormalPopulation
+        The population of all: where the estimation starts.
+    shrinkage : Shrinkage, optional
+        How far the prior counts.
+    """
     for i in range(len(members)):
         others = [*members[:i], *members[i + 1 :]]
         yield estimate_population(others, prior, shrinkage, start=whole, rounds=MORE_ROUNDS)
@@ -172,6 +184,17 @@ def oddity(member: Information, others: NormalPopulation, count: int, entries: S
     The score of one entry of θ, moved alone, over its standard deviation, which Student's t with count − 1 degrees of
     freedom bounds for all these entries together (Bonferroni). With Λ and h of the member and the population
     N(μ, P⁻¹) the score is u = P (Λ + P)⁻¹ (h − Λ μ), and its covariance is G = P − P (Λ + P)⁻¹ P.
+
+    Parameters
+    ----------
+    member : Information
+        What its logs show.
+    others : NormalPopulation
+        The population of the others.
+    count : int
+        How many others there are.
+    entries : sequence of int
+        Places in θ that may be odd.
     """
     inverse = np.linalg.inv(others.covariance)
     turned = np.linalg.solve(member.precision + inverse, inverse).T  # P (Λ + P)⁻¹

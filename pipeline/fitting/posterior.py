@@ -154,6 +154,19 @@ def first_order_curves(
     as wide, and those of data-driven joints of their own class up to twenty times, about a middle that was off the
     truth. Curves whose names are `nonnegative` are cut at zero. Cost: the curves of as many parameter vectors as S has
     rows that are not zero, and one.
+
+    Parameters
+    ----------
+    curves : callable
+        Parameter vector (P,) → curves by name, each of shape (n,).
+    mean : FloatArray, shape (P,)
+        θ.
+    spread : FloatArray, shape (P, R)
+        S.
+    count, seed : int
+        Number of draws, and the seed that repeats them.
+    nonnegative : collection of str
+        Names of curves that are cut at zero.
     """
     best = curves(mean)
     moved = np.flatnonzero(np.any(spread, axis=1))

@@ -127,7 +127,15 @@ class HasDraws(Protocol):
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
-        """Free runs of `count` draws, q of shape (count, N), and the draws."""
+        """Free runs of `count` draws, q of shape (count, N), and the draws.
+
+        Parameters
+        ----------
+        t, v, q0, qdot0
+            As for `DynamicModel.simulate`.
+        count : int
+            Number of draws.
+        """
 
 
 class DrawnModel(DynamicModel, HasDraws, Protocol):

@@ -57,7 +57,21 @@ def begin(system: Any, x: FloatArray, node: int) -> None:
 
 
 def rates(system: Any, x: FloatArray, node: int, dx: FloatArray, acceleration: FloatArray) -> None:
-    """Fill the rates of the state at the half step `node`, and the accelerations without an observer's pull."""
+    """Fill the rates of the state at the half step `node`, and the accelerations without an observer's pull.
+
+    Parameters
+    ----------
+    system : NamedTuple
+        What moves.
+    x : FloatArray, shape (S,)
+        State.
+    node : int
+        Half step.
+    dx : FloatArray, shape (S,)
+        Rates (output).
+    acceleration : FloatArray, shape (W,)
+        Accelerations of the W displacements (output).
+    """
 
 
 def finish(system: Any, x: FloatArray) -> None:
@@ -208,7 +222,23 @@ def bounded_run(
     integrate: Callable[..., int], system: NamedTuple, x: FloatArray, samples: int, steps: int, interval: float,
     bounds: tuple[float, float],
 ) -> tuple[FloatArray, int]:  # fmt: skip
-    """q, q̇, q̈ of a system from x at the samples, (N, 3), NaN from where q leaves the bounds; and valid samples."""
+    """q, q̇, q̈ of a system from x at the samples, (N, 3), NaN from where q leaves the bounds; and valid samples.
+
+    Parameters
+    ----------
+    integrate : callable
+        From `integrator`.
+    system : NamedTuple
+        What moves.
+    x : FloatArray, shape (S,)
+        First state; becomes the last one.
+    samples, steps : int
+        N, and steps in a sample interval.
+    interval : float
+        Sample interval [s].
+    bounds : (float, float)
+        Displacements beyond which the run ends.
+    """
     out = np.full((samples, 3, 1), np.nan)
     valid = integrate(system, x, out, workspace(x), steps, interval / steps, float(bounds[0]), float(bounds[1]))
     return out[:, :, 0], valid

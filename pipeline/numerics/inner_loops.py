@@ -53,6 +53,15 @@ def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray, c
     """Solve with the factors of `factorise` for `count` right-hand sides.
 
     `right` (n · count,), row by row, becomes the solutions.
+
+    Parameters
+    ----------
+    factors, pivots : shapes (n, n) and (n,)
+        From `factorise`.
+    right : FloatArray, shape (n · count,)
+        Right-hand sides, row by row; the solutions (output).
+    count : int
+        How many there are.
     """
     n = factors.shape[0]
     for k in range(n):

@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .arrays import FloatArray, IntArray
-from .compiled import compiled, part
+from .compiled import compiled, inner, part
 from .inner_loops import factorise, solve_factorised
 
 STATES = 11
@@ -143,6 +143,23 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
 
     ``stage_of(system, i, h, work)`` fills `work.right` for the state `work.at` of stage i, and `work.push`; where mass,
     slopes or h are new it calls `factorise_stages`. It returns whether it could.
+
+    Parameters
+    ----------
+    method : Method
+        `RODAS4` or `SDIRK3`.
+    stage_of : callable
+        Fills the right-hand side of a stage, see below.
+    system : NamedTuple
+        What moves.
+    x : FloatArray, shape (STATES · P,)
+        State at the start of the step.
+    h : float
+        Length of the step [s].
+    work : Work
+        Room; `work.y` takes the stages.
+    columns : int
+        P.
     """
     shift = 1.0 / (method.gamma * h)
     for stage in range(len(method.nodes)):
@@ -167,7 +184,7 @@ def _add(weights: FloatArray, stage: int, over: float, y: FloatArray, total: Flo
             total[i] += weight * y[j, i]
 
 
-@compiled(inline="always")
+@inner
 def factorise_stages(shift: float, work: Work) -> bool:
     """Factorise the velocity block of ``shift·I − J``, multiplied by M: q_m and z are eliminated."""
     slopes = work.slopes
@@ -185,9 +202,21 @@ def factorise_stages(shift: float, work: Work) -> bool:
     return bool(factorise(factors, work.pivots))
 
 
-@compiled(inline="always")
+@inner
 def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> None:
-    """Solve ``(shift·I − J) out = right``, with M⁻¹ `push` for the velocities beside, in all columns at once."""
+    """Solve ``(shift·I − J) out = right``, with M⁻¹ `push` for the velocities beside, in all columns at once.
+
+    Parameters
+    ----------
+    shift : float
+        1/(γ h) [1/s].
+    work : Work
+        Factors, mass, slopes and right-hand side.
+    out : FloatArray, shape (STATES · P,)
+        Solution (output).
+    columns : int
+        P.
+    """
     mass = work.mass
     slopes = work.slopes
     right = work.right

@@ -85,7 +85,17 @@ def one_minus_product(p: float, g: float, cosine: float) -> float:
 
 @compiled(inline="always")
 def driving_noise(t: float, p: float, inverse_lam: float, delta: float) -> tuple[float, float]:
-    """Mean mu and variance 1/(lam C) of the change of the difference `t` in a Newton step."""
+    """Mean mu and variance 1/(lam C) of the change of the difference `t` in a Newton step.
+
+    Parameters
+    ----------
+    t, p : float
+        Difference [signal] and its dual variable.
+    inverse_lam : float
+        1/lam [1/signal].
+    delta : float
+        Rounding of the total variation [signal].
+    """
     square = t * t + delta * delta
     inverse = 1.0 / math.sqrt(square)
     g = t * inverse
@@ -109,7 +119,19 @@ def within_bounds(longest: float, p: float, dp: float) -> float:
 
 @compiled
 def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> float:
-    """Objective at ``(y, t) + share (dy, dt)`` less its value ``lam delta`` per difference for a straight line."""
+    """Objective at ``(y, t) + share (dy, dt)`` less its value ``lam delta`` per difference for a straight line.
+
+    Parameters
+    ----------
+    at : Iterate
+        Where the step starts.
+    step : NewtonStep
+        The step.
+    share : float
+        Part of it that is taken.
+    delta : float
+        Rounding of the total variation [signal].
+    """
     b, y, t, _, _, lam = at
     dy, dt, _, _ = step
     variation = 0.0
@@ -128,6 +150,17 @@ def advance(at: Iterate, step: NewtonStep, primal: float, dual: float, delta: fl
     The gap, primal less dual objective, is a sum of squares.  With ``t = r sin a``, ``delta = r cos a`` and
     ``p = sin c`` each term of the variation's gap ``r − p t − delta sqrt(1 − p²)`` is ``r (1 − cos(a − c))``, which
     is half a sum of two squares.  The objective is strongly convex, so ``½‖y − y*‖² ≤ gap``.
+
+    Parameters
+    ----------
+    at : Iterate
+        Data and unknowns; moved (output).
+    step : NewtonStep
+        The step.
+    primal, dual : float
+        Parts of it that are taken.
+    delta : float
+        Rounding of the total variation [signal].
     """
     b, y, t, q, p, lam = at
     dy, dt, dp, _ = step

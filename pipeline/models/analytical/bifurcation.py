@@ -127,7 +127,19 @@ def _residual(family: Family, scale: FloatArray) -> Residual:
 
 
 def branch_through(family: Family, qm: FloatArray, value: float, bounds: tuple[float, float]) -> Branch:
-    """The curve of equilibria through (q_m, λ); its `y` are q_m, its parameters λ."""
+    """The curve of equilibria through (q_m, λ); its `y` are q_m, its parameters λ.
+
+    Parameters
+    ----------
+    family : Family
+        The joints and their loads.
+    qm : FloatArray, shape (4,)
+        Ritz coordinates of an equilibrium.
+    value : float
+        Its λ, in the unit of the family.
+    bounds : (float, float)
+        Range of λ.
+    """
     scale = TYPICAL_SHAPE * length_scales(float(family.at(value)[0][0]))
     residual = _residual(family, scale)
     unit = family.unit

@@ -159,6 +159,19 @@ def search(
 
     SciPy's trust region within bounds (Branch, Coleman & Li 1999, doi:10.1137/S1064827595289108). `tick` is called
     before each step.
+
+    Parameters
+    ----------
+    simulated : SimulatedProblem
+        Residuals and derivatives.
+    x0 : FloatArray, shape (P,)
+        Start in prior widths; it is moved inside the bounds.
+    limit : int
+        Most simulations.
+    tolerance : float
+        Relative fall of the cost at which the search ends.
+    tick : callable
+        Called before each step.
     """
     from scipy.optimize import least_squares
 

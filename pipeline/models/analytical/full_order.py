@@ -12,7 +12,7 @@ from ...device.parameters import JointParameters
 from ...errors import InputError
 from ...generated.analytical_joint import dissipation, motion, motion_slopes, statics
 from ...numerics.arrays import FloatArray, IntArray
-from ...numerics.compiled import compiled, part
+from ...numerics.compiled import compiled, inner
 from ...numerics.inner_loops import copy_into, factorise, solve_factorised
 from ...numerics.stiff import R_S, RODAS4, STATES, Work, advance, factorise_stages, working
 from .statics import TYPICAL_SHAPE, StaticPath, equilibria, hold_tip, length_scales, unactuated_path
@@ -70,6 +70,17 @@ def rest_state(
     qdot0 and the internal states `z` (3,) push it: a first-order slow manifold. Without `z` the Maxwell elements
     have relaxed, as after a long rest.
 
+    Parameters
+    ----------
+    parameters : JointParameters
+        The joint.
+    q0, qdot0 : float
+        Displacement [m] and velocity [m/s] of the tip.
+    v : FloatArray, shape (2,)
+        Voltages [V].
+    z : FloatArray, shape (3,), optional
+        Maxwell strains and friction state.
+
     Raises
     ------
     InputError
@@ -90,6 +101,19 @@ def rest_states(
     """States of rest of many joints, (W, 11), for q0 and qdot0 (W, 2), `v` (W, 2) and `z` (W, 3).
 
     The search for a shape starts from the nearest of `path`.
+
+    Parameters
+    ----------
+    parameters : JointParameters
+        The joint.
+    measured : FloatArray, shape (W, 2)
+        q0 [m] and qdot0 [m/s].
+    v : FloatArray, shape (W, 2)
+        Voltages [V].
+    z : FloatArray, shape (W, 3)
+        Maxwell strains and friction state.
+    path : StaticPath
+        Shapes from which the searches start.
     """
     nearest = np.argmin(np.abs(path.q - measured[:, :1]), axis=1)
     shapes = path.qm[nearest] + path.tangent[nearest] * (measured[:, :1] - path.q[nearest, None])
@@ -242,7 +266,7 @@ class _Motion(NamedTuple):
     pivots: IntArray
 
 
-@part
+@inner
 def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: FloatArray) -> bool:
     """ẋ (11,) of the state x (11,) at `offset` [s] behind the sample, and M (4, 4); False if that is singular."""
     n = s.sample[0]
@@ -259,7 +283,7 @@ def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: Float
     return True
 
 
-@part
+@inner
 def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
     """∂f/∂t by the inputs' rates where the step starts, whose mass matrix has just been factorised."""
     n = s.sample[0]
@@ -276,7 +300,7 @@ def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
     solve_factorised(s.factors, s.pivots, s.f_t[4:8], 1)
 
 
-@compiled(inline="always")
+@inner
 def _rises(t: FloatArray, v: FloatArray, force: FloatArray, sample: int, rise: FloatArray) -> float:
     """Rates of voltages and force behind a sample, filled into `rise` (3,); interval to the next, 0 at the last."""
     if sample == t.size - 1:
@@ -288,7 +312,7 @@ def _rises(t: FloatArray, v: FloatArray, force: FloatArray, sample: int, rise: F
     return float(interval)
 
 
-@compiled(inline="always")
+@inner
 def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
     """ẋ at a stage, with its share of h ∂f/∂t; rates and Jacobian of the first are those of the step's start."""
     if stage == 0:
@@ -301,7 +325,7 @@ def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
     return fine
 
 
-@compiled(inline="always")
+@inner
 def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
     """Stiffly accurate: the last stage completes the solution and is the error estimate; its RMS over the scale."""
     norm = 0.0

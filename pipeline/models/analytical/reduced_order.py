@@ -345,7 +345,19 @@ def friction_state(q: FloatArray, s_c: float) -> FloatArray:
 def pulse_sequence(
     voltage: float = 3000.0, *, pulse: float = 0.5, pause: float = 1.0, count: int = 4, dt: float = 1e-3
 ) -> tuple[FloatArray, FloatArray]:
-    """Times [s] and voltages (N, 2) [V]: left, right, left … pulses of `pulse` [s] with pauses, as in figure 7."""
+    """Times [s] and voltages (N, 2) [V]: left, right, left … pulses of `pulse` [s] with pauses, as in figure 7.
+
+    Parameters
+    ----------
+    voltage : float
+        Of a pulse [V].
+    pulse, pause : float
+        Durations [s].
+    count : int
+        Pulses.
+    dt : float
+        Sample interval [s].
+    """
     period = pulse + pause
     t: FloatArray = dt * np.arange(round(count * period / dt) + 1, dtype=np.float64)
     v = np.zeros((t.size, 2))
@@ -378,7 +390,19 @@ class Motions:
 
 
 def simulate_both(parameters: JointParameters, t: FloatArray, v: FloatArray, *, q0: float | None = None) -> Motions:
-    """Free run of the full-order and the reduced model from rest at q0 [m], or in the left well."""
+    """Free run of the full-order and the reduced model from rest at q0 [m], or in the left well.
+
+    Parameters
+    ----------
+    parameters : JointParameters
+        The joint.
+    t : FloatArray, shape (N,)
+        Uniform times [s].
+    v : FloatArray, shape (N, 2)
+        Voltages [V].
+    q0 : float, optional
+        First displacement [m]; that of the left well if left out.
+    """
     start = q0 if q0 is not None else next(e.q for e in equilibria(parameters, v[0]) if e.stable)
     state = rest_state(parameters, start, 0.0, v[0])
     reduced = reduce_joint(parameters)

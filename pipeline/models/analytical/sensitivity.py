@@ -173,7 +173,23 @@ def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
 def integrate_sensitivities(
     t: FloatArray, system: _Variation, x: FloatArray, work: Work, count: int, out: FloatArray
 ) -> None:
-    """Two steps in every sample interval from x (11 P,); `out` (N, 11 P) takes the derivatives at the samples."""
+    """Two steps in every sample interval from x (11 P,); `out` (N, 11 P) takes the derivatives at the samples.
+
+    Parameters
+    ----------
+    t : FloatArray, shape (N,)
+        Sample times [s].
+    system : _Variation
+        What is tabulated along the solution.
+    x : FloatArray, shape (11 P,)
+        Derivatives of the first state; overwritten.
+    work : Work
+        Room for the steps.
+    count : int
+        P.
+    out : FloatArray, shape (N, 11 P)
+        Derivatives at the samples (output).
+    """
     copy_into(out[0], x)
     for n in range(t.size - 1):
         system.at[0] = 2 * n

@@ -71,6 +71,19 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
     Converges to saddles as well as to minima. A step that moves a coordinate's tip contribution by more than
     50 mm (they cancel to some mm) is shortened, so that a start converges to what is near.
     Cost: one `statics` (0.5 µs) an iteration.
+
+    Parameters
+    ----------
+    qm : FloatArray, shape (4,)
+        Start; the solution (output).
+    v_squared : FloatArray, shape (2,)
+        Squared voltages [V²].
+    force : float
+        External force along q [N].
+    p : FloatArray, shape (41,)
+        Parameter vector.
+    iterations : int
+        Most steps.
     """
     gradient = np.empty(4)
     hessian = np.empty((4, 4))
@@ -113,7 +126,19 @@ def _starts(length: float) -> FloatArray:
 
 
 def equilibrium_at(p: FloatArray, qm: FloatArray, v: FloatArray, force: float = 0.0) -> JointEquilibrium:
-    """Describe the equilibrium at Ritz coordinates that satisfy eq. 15, for the parameter vector `p` (41,)."""
+    """Describe the equilibrium at Ritz coordinates that satisfy eq. 15, for the parameter vector `p` (41,).
+
+    Parameters
+    ----------
+    p : FloatArray, shape (41,)
+        Parameter vector.
+    qm : FloatArray, shape (4,)
+        Ritz coordinates.
+    v : FloatArray, shape (2,)
+        Voltages [V].
+    force : float
+        External force along q [N].
+    """
     gradient = np.empty(4)
     hessian = np.empty((4, 4))
     energy = statics(qm, v**2, p, gradient, hessian)
@@ -205,6 +230,19 @@ def hold_tip(
     q: float, qm: FloatArray, v_squared: FloatArray, p: FloatArray, tangent: FloatArray
 ) -> tuple[float, float, float]:
     """Solve ``∂U/∂q_m = F ∂q/∂q_m, w(l) = q`` by Newton from `qm`, in place.
+
+    Parameters
+    ----------
+    q : float
+        Displacement of the tip [m].
+    qm : FloatArray, shape (4,)
+        Start; the shape (output).
+    v_squared : FloatArray, shape (2,)
+        Squared voltages [V²].
+    p : FloatArray, shape (41,)
+        Parameter vector.
+    tangent : FloatArray, shape (4,)
+        dq_m/dq (output).
 
     Returns
     -------

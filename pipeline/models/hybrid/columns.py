@@ -202,7 +202,23 @@ def propagate(
     path: Path, laws: Laws, stepping: Stepping, columns: Columns,
     starts: SingleArray, stops: SingleArray, displacements: FloatArray,
 ) -> None:  # fmt: skip
-    """Derivatives of q at the samples by all columns, `displacements` (N, columns), from those at the start."""
+    """Derivatives of q at the samples by all columns, `displacements` (N, columns), from those at the start.
+
+    Parameters
+    ----------
+    path : Path
+        The run.
+    laws : Laws
+        Constants and corrections of the joint.
+    stepping : Stepping
+        As in the run.
+    columns : Columns
+        Places of the numbers that act.
+    starts, stops : SingleArray, shapes (blocks, STATES, BATCH) and (blocks, STOPS, BATCH)
+        Derivatives of the first state and of the first stop operators; those at the end (output).
+    displacements : FloatArray, shape (N, blocks · BATCH)
+        Derivatives of q at the samples (output).
+    """
     sources, targets, own, instruments, corrected = columns
     points, slips, squares, by_instruments, pole = path
     (k, weights, basis), (dt, substeps, wall, lead) = laws, stepping
@@ -256,7 +272,9 @@ def propagate(
             _act_by_instruments(by_instruments[:, node], pull, stage_lane, instruments, a, b, drive)
             if centres > 0:
                 _act_by_weights(bells, by_c, stage_lane, centres, corrected, drive)
-        _advance(first, min(first + 2, steps), points, wall, substeps, a, w, drive, starts, stops, displacements)
+        _advance(
+            (first, min(first + 2, steps)), (points, wall, substeps), (a, w, drive), (starts, stops, displacements)
+        )
 
 
 @inner
@@ -266,10 +284,14 @@ def _zeros(count: int) -> SingleArray:
 
 @compiled(inline="always")
 def _advance(
-    first: int, stop: int, points: FloatArray, wall: float, substeps: int, a: SingleArray, w: SingleArray,
-    drive: SingleArray, starts: SingleArray, stops: SingleArray, displacements: FloatArray,
+    between: tuple[int, int], run: tuple[FloatArray, float, int], acting: tuple[SingleArray, SingleArray, SingleArray],
+    moving: tuple[SingleArray, SingleArray, FloatArray],
 ) -> None:  # fmt: skip
-    """All columns from the step `first` to `stop`, at most two later; `starts` and `stops` move."""
+    """All columns from one step to another, at most two later; starts and stops move, displacements are filled."""
+    first, stop = between
+    points, wall, substeps = run
+    a, w, drive = acting
+    starts, stops, displacements = moving
     for step in range(first, stop):
         of_step = a[STEP_STAGES * (step - first) :]
         weights = w[step - first]

@@ -81,6 +81,19 @@ def rest_forces(
     """Forces on (q, τ, β) at rest [N, N·m, J], (3,), and their derivatives by τ and β, (3, 2) row by row; both filled.
 
     Strains have relaxed, creep has caught up, and there is no friction: of x only q, τ, β and the softening are read.
+
+    Parameters
+    ----------
+    x : FloatArray, shape (STATES,)
+        State.
+    u : FloatArray, shape (2,)
+        Squared voltages [V²].
+    c : FloatArray, shape (VALUES,)
+        Corrections at q.
+    p : FloatArray, shape (PREPARED,)
+        Prepared constants.
+    forces, by_shape : FloatArray, shapes (3,) and (6,)
+        Filled.
     """
     _rest_forces((x, u, c, p, forces, by_shape))
 

@@ -408,7 +408,24 @@ def simulate(
 ) -> FloatArray:  # fmt: skip
     """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`.
 
-    `built`: constants and weights of the joints, where they are known already.
+    Parameters
+    ----------
+    joint : CondensedJoint
+        Structure.
+    thetas : FloatArray, shape (B, P)
+        Parameter vectors.
+    inputs : callable
+        Instruments → squared voltages [V²] on the half steps, shape (2 substeps (N − 1) + 1, 2).
+    start : FloatArray, shape (3,) or (B, 3)
+        Reading [m] and its rate [m/s] at the first sample, and the time [s] since the recording began.
+    followed : Followed
+        What an observer follows.
+    stepping : Stepping
+        Steps of the run.
+    every_step : bool
+        Return every Runge-Kutta step.
+    built : (FloatArray, FloatArray), optional
+        Constants (B, len(CONSTANTS)) and weights (B, 9, M) of the joints, where they are known already.
     """
     constants, weights = built or (joint.constants(thetas), joint.weights(thetas))
     seen = [joint.instruments(theta) for theta in thetas]

@@ -52,12 +52,23 @@ def held_shape(
 ) -> tuple[float, float, float]:
     """Stable τ and β [1] of a joint at rest whose tip is held at q [m], and the force [N] on q there.
 
-    `softened` is the share of their softening that has come over the membranes.
-
     The shape follows its own overdamped relaxation from that of slow motions, by implicit Euler steps that double:
     Newton's method in the end. A step is taken only where it goes down in energy (its matrix is positive definite) and
     is short: a buckled beam has unstable equilibria, and others far off that no joint takes. Newton's method alone ends
     in them. Cost: about 20 evaluations of the forces, 2 µs.
+
+    Parameters
+    ----------
+    q : float
+        Displacement of the tip [m].
+    softened : float
+        Share of their softening that has come over the membranes.
+    u : FloatArray, shape (2,)
+        Squared voltages [V²].
+    c : FloatArray, shape (VALUES,)
+        Corrections at q.
+    k, p : FloatArray, shapes (len(CONSTANTS),) and (PREPARED,)
+        Constants [SI], and the prepared ones.
     """
     x = np.zeros(STATES)
     forces = np.empty(3)
@@ -111,8 +122,20 @@ def rest_state(
     """State (STATES,) and stop operators (STOPS,) as after a long rest at q [m] under constant squared voltages u [V²].
 
     The shape has relaxed, Maxwell strains have decayed, creep has caught up, friction balances what is left as far as
-    its capacity goes, and the layers of the beam are free of stress. The membranes have softened for the time `age`
-    [s]. `k` and `p` are the constants and the prepared constants.
+    its capacity goes, and the layers of the beam are free of stress.
+
+    Parameters
+    ----------
+    q : float
+        Displacement of the tip [m].
+    u : FloatArray, shape (2,)
+        Squared voltages [V²].
+    k, p : FloatArray, shapes (len(CONSTANTS),) and (PREPARED,)
+        Constants [SI], and the prepared ones.
+    basis, weights : FloatArray, shapes (3,) and (9, M)
+        Of the corrections.
+    age : float
+        Time [s] for which the membranes have softened.
     """
     z = np.zeros(STOPS)
     c = np.zeros(VALUES)
@@ -160,6 +183,19 @@ def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, s
 
     Runge-Kutta 4 must not let grow what decays at rest, |q| ≤ l/4, without voltage. The longest step is meant for the
     parameter set's joint; these are `slowness` times slower. Cost: 0.6 ms a joint.
+
+    Parameters
+    ----------
+    k : FloatArray, shape (B, len(CONSTANTS)) or (len(CONSTANTS),)
+        Constants of the joints.
+    basis : FloatArray, shape (3,)
+        Of the corrections.
+    weights : FloatArray, shape (B, 9, M) or (9, M)
+        Their weights.
+    dt : float
+        Sample interval [s].
+    slowness : float
+        Time unit of the joints over that of the parameter set.
     """
     many = np.atleast_2d(k)
     loads = weights if weights.ndim == 3 else weights[None]
@@ -225,7 +261,17 @@ def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c:
 
 
 def curves_at(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
-    """The four curves of `static_curves`, shape (4, n)."""
+    """The four curves of `static_curves`, shape (4, n).
+
+    Parameters
+    ----------
+    q : FloatArray, shape (n,)
+        Displacements [m].
+    k, p : FloatArray, shapes (len(CONSTANTS),) and (PREPARED,)
+        Constants [SI] without dry friction, and the prepared ones.
+    basis, weights : FloatArray, shapes (3,) and (9, M)
+        Of the corrections.
+    """
     curves = np.empty((4, len(q)))
     u = np.zeros(2)
     c = np.zeros(VALUES)
@@ -251,6 +297,15 @@ def static_curves(
     q: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Curves at q [m], shape (n,), without voltage.
+
+    Parameters
+    ----------
+    q : FloatArray, shape (n,)
+        Displacements [m].
+    k : FloatArray, shape (len(CONSTANTS),)
+        Constants [SI].
+    basis, weights : FloatArray, shapes (3,) and (9, M)
+        Of the corrections.
 
     Returns
     -------

@@ -99,7 +99,19 @@ class LaggedLaw:
     squared: bool = True
 
     def joint(self, v: FloatArray, parts: int, reach: float | None, u: FloatArray, values: FloatArray) -> LaggedJoint:
-        """The system of a run."""
+        """The system of a run.
+
+        Parameters
+        ----------
+        v : FloatArray, shape (N, K)
+            Voltages [V].
+        parts : int
+            Half steps in a sample interval.
+        reach : float, optional
+            Distance in σ from which a bell is left out; none is if left out.
+        u, values : FloatArray, shapes (K,) and (2 + K,)
+            Room for inputs and curves.
+        """
         return LaggedJoint(
             v, self.squared, parts, None if reach is None else reach**2, np.ascontiguousarray(self.centres),
             np.ascontiguousarray(self.weights), 1.0 / self.width, float(self.lag), u, values,
