@@ -36,9 +36,6 @@ only asymmetric; beyond it the laser's zero is taken to be elsewhere."""
 WELLS_DIFFER = 0.1
 """Share by which frequency and sensitivity of an asymmetric joint's two wells differ; errors below it weigh alike."""
 
-FEWEST = 40
-"""Samples near a well that are needed to tell its frequency."""
-
 
 @dataclass(frozen=True)
 class NoJoint:
@@ -135,14 +132,19 @@ def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotio
         targets.append(record.qddot[near])
     matrix = np.concatenate(rows)
     target = np.concatenate(targets)
-    if len(target) < FEWEST:
+    if len(target) <= matrix.shape[1]:
         return None
     scale = np.maximum(np.abs(matrix).max(axis=0), 1e-300)
     scaled = matrix / scale
     solution = np.linalg.lstsq(scaled, target, rcond=1e-9)[0]
     if solution[1] >= 0.0:
         return None
-    variance = np.mean((target - scaled @ solution) ** 2) * np.diag(np.linalg.pinv(scaled.T @ scaled)) / scale**2
+    variance = (
+        np.sum((target - scaled @ solution) ** 2)
+        / (len(target) - len(solution))
+        * np.diag(np.linalg.pinv(scaled.T @ scaled))
+        / scale**2
+    )
     errors = float(np.sqrt(variance[1])), float(np.sqrt(variance[4:].sum()))
     return _SmallMotion(place, -float(solution[1] / scale[1]), solution[4:] / scale[4:], *errors)
 

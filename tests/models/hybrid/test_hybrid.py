@@ -246,7 +246,7 @@ def test_what_predicts_the_unseen_rest_better_is_taken() -> None:
     assert choice.held_out["rbf"] < 0.001 < 0.01 < choice.held_out["hybrid"]
     assert choice.to_json()["ablation"]["rbf_alone"] == choice.held_out["rbf"]
     length = len(training.records[0].t)
-    assert seen == [round(0.75 * length), round(0.75 * length), length]
+    assert seen == [round(0.75 * length), length]
 
 
 def test_a_network_that_is_not_surely_nearer_does_not_replace_the_equations() -> None:
