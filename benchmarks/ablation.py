@@ -12,7 +12,7 @@ import numpy as np
 
 from pipeline.device.parameter_sets import parameter_set
 from pipeline.models.free_runs import free_run
-from pipeline.models.kind import kind
+from pipeline.models.model_type import model_type
 from pipeline.numerics.metrics import nrmse
 from pipeline.store import layout
 from pipeline.store.run_folder import RunFolder
@@ -34,7 +34,7 @@ def errors(root: Path) -> list[float]:
     found = []
     for name, corrections in VARIANTS:
         identify = prototype.identify.model_copy(update={"corrections": corrections})
-        model = kind(name).fit(training(trained, prototype.model_copy(update={"identify": identify}), parameters))
+        model = model_type(name).fit(training(trained, prototype.model_copy(update={"identify": identify}), parameters))
         runs = [(log.q, free_run(log, model)) for log in logs]
         found.append(max(_error(q, made.q) if made.status == "ok" else np.inf for q, made in runs))
     return found

@@ -18,7 +18,7 @@ import numpy as np  # noqa: E402
 from measure import fits, seconds  # noqa: E402
 
 from pipeline.models.base import HasDraws  # noqa: E402
-from pipeline.models.kind import load_model  # noqa: E402
+from pipeline.models.model_type import load_model  # noqa: E402
 from pipeline.store.tables import read_table  # noqa: E402
 
 

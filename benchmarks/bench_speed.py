@@ -59,7 +59,7 @@ print(seconds(lambda: calibrate(motions, NOMINAL, np.random.default_rng(0), name
 _FREE_RUN = (
     _INSIDE
     + """
-from pipeline.models.kind import load_model
+from pipeline.models.model_type import load_model
 from pipeline.store.tables import read_table
 table = read_table(next(run.glob("validation/*/signals.parquet")))
 model = load_model(run / "model.h5")

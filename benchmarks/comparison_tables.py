@@ -66,7 +66,7 @@ def commands(name: str, runs: Path | str) -> Iterator[list[str]]:
 def page(runs: Path) -> Iterator[str]:
     commit = subprocess.run(["git", "rev-parse", "--short=8", "HEAD"], capture_output=True, text=True, cwd=ROOT).stdout
     yield "# Measured: every model on the example logs\n\nWritten by `python benchmarks/comparison_tables.py -o RUNS` "
-    yield f"({date.today():%-d %B %Y}, commit {commit.strip()}) from:\n\n"
+    yield f"({date.today():%-d %B %Y}, commit {commit.strip()}).\n\n"
     yield "<!-- not run: minutes, and logs that lie elsewhere -->\n```sh\n"
     yield "".join(f"debist {' '.join(c)}\n" for name in EXAMPLES for c in commands(name, "RUNS"))
     yield f"```\n\n{MEANING}\n## Free run, with its 95 % interval\n\n"

@@ -47,7 +47,7 @@ IMPULSES = (1e-3, -1e-3, 3e-3, -3e-3)  # N s
 
 
 Row = tuple[str, float, bool]
-"""Name, number and verdict."""
+"""Name, number and assessment."""
 
 
 @dataclass(frozen=True)

@@ -32,23 +32,23 @@ BINS = np.array([0.0, 0.1, 0.5, SURE, 1.0])
 
 
 def accuracy(runs: Path, names: list[str]) -> None:
-    """Errors of every model by kind of joint, and the processor time of the headline's fit with its choice."""
+    """Errors of every model by kind of joint, and the processor time of the main model's fit with its choice."""
     table = read_table(runs / "fleet.parquet")
     chosen = (table["role"] == "validation") & (table["signal"] == "q")
     numbers = ("joints", "median %", "p90 %", "worst %", "wells %", "diverged")
     print(f"{'':8s}{'model':22s}" + "".join(f"{name:>10s}" for name in numbers))
-    headline = table["headline"].astype(bool)
-    others = sorted(set(table["model"][chosen & ~headline]))
+    main_model = table["headline"].astype(bool)
+    others = sorted(set(table["model"][chosen & ~main_model]))
     for kind in ("same", "foreign", ""):
         of_kind = chosen & np.array([str(n) in names and str(n).startswith(kind) for n in table["prototype"]])
-        _row(table, kind or "all", "headline", np.flatnonzero(of_kind & headline))
+        _row(table, kind or "all", "headline", np.flatnonzero(of_kind & main_model))
         for model in others:
             _row(table, "", model, np.flatnonzero(of_kind & (table["model"] == model)))
     there = set(map(str, table["prototype"][chosen]))
     print("absent:", ", ".join(name for name in names if name not in there) or "none")
     spent = np.array([_fit_time(runs / name) for name in names if name in there])
     print(f"processor time of the fit: median {np.median(spent):.1f} s, longest {spent.max():.1f} s")
-    for at in np.flatnonzero(chosen & headline):
+    for at in np.flatnonzero(chosen & main_model):
         print(f"  {table['prototype'][at]:10s} {table['model'][at]:8s} {100.0 * table['nrmse'][at]:7.2f} %")
 
 
@@ -64,7 +64,7 @@ def _row(table: Table, kind: str, model: str, at: IntArray) -> None:
 
 
 def _fit_time(run: Path) -> float:
-    """Processor time [s] of the headline's fit, with the choice."""
+    """Processor time [s] of the main model's fit, with the choice."""
     notes = RunFolder.open(run).manifest.artifacts["model.h5"].notes
     return float(notes[notes["identified"][0]][TIMES]["fit_s"])
 

@@ -4,7 +4,8 @@ Joints of three physics (`debist rig simulate --kind same|foreign|worn`) and ran
 (`simulated_devices.py`) are simulated; each has one validation log as it was recorded and others with planted errors.
 Counted are planted errors that are beyond their limits and right to 4 standard errors or 15 %, and honest quantities
 that are silent and lie within 2.5 standard errors of the truth. About 90 s of processor time a joint;
-runs in the folder are kept.
+runs in the folder are kept. With `--runs RUN...` the errors are planted in the first validation log of finished runs,
+behind ingest, at 20 s a run and model; each run's log is also given to the model of the run before.
 """
 
 import argparse
@@ -12,7 +13,7 @@ import subprocess
 import sys
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -22,12 +23,19 @@ import pyarrow.parquet as pq
 
 from pipeline.diagnostics.instruments import SIGNIFICANCE
 from pipeline.rig.fleet import Experiment, simulate_prototype
+from pipeline.settings.logs import Role
 from pipeline.settings.prototype import load_prototype
+from pipeline.signals.corrections import Corrections, corrected, exchanged, mirrored
+from pipeline.signals.log import Log
 from pipeline.signals.noise import noise_std
+from pipeline.store import layout
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard
+from pipeline.workflow.logs import load_motion
 from pipeline.workflow.report_data import load_instruments
+from pipeline.workflow.run_models import load_run_model
 from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.stage_instruments import instrument_rows
 from pipeline.workflow.stages import Planned, of_stages, plan
 
 KINDS = ("same", "foreign", "worn")
@@ -52,8 +60,8 @@ class Case:
         Recorded over true time.
     noise : float
         Factor on the noise of q.
-    entry : str
-        What stands beside the file in [logs].
+    seconds : float or None
+        How much of the log is taken; None: all of it.
     """
 
     v1: float = 1.0
@@ -63,7 +71,7 @@ class Case:
     delay: float = 0.0
     clock: float = 1.0
     noise: float = 1.0
-    entry: str = ""
+    seconds: float | None = None
 
     @property
     def truth(self) -> dict[str, float]:
@@ -71,6 +79,20 @@ class Case:
         gains = {"gain_v1": self.v1, "gain_v2": self.v2, "gain_q": self.q, "clock": self.clock}
         errors = {name: gain - 1.0 for name, gain in gains.items()}
         return errors | {"zero_q": self.zero, "delay": self.delay}
+
+    @property
+    def entry(self) -> str:
+        """What stands beside the file in [logs]."""
+        return "" if self.seconds is None else f', stop = "{self.seconds:g} s"'
+
+    def planted_in(self, log: Log, unit: float, rng: np.random.Generator) -> Log:
+        """A log of a run, in SI, with these errors; unit: that of `zero`."""
+        if self.seconds is not None:
+            log = log.part(0, round(self.seconds / log.interval))
+        more = noise_std(log.known_q) * np.sqrt(self.noise**2 - 1.0)
+        noisy = replace(log, q=log.q + more * rng.standard_normal(len(log.q)))
+        gains = (self.v1, self.v2)[: log.v.shape[1]]
+        return corrected(noisy, Corrections(gains, unit * self.zero, self.q, self.delay, self.clock))
 
     def planted(self, table: pa.Table, rng: np.random.Generator) -> pa.Table:
         """The log with these errors."""
@@ -110,8 +132,11 @@ REACH = {
     "v1 −10 %, v2 −10 %": Case(v1=0.9, v2=0.9),
     "30 ms late": Case(delay=0.03),
     "clock 2 % with v1 −5 %": Case(v1=0.95, clock=1.02),
-    **{f"{n} s: as recorded": Case(entry=f', stop = "{n} s"') for n in (5, 8, 20)},
-    **{f"{n} s: v1 +3 %, 2.5 ms late": Case(v1=1.03, delay=2.5e-3, entry=f', stop = "{n} s"') for n in (5, 8, 20)},
+    "v1 +3 %, v2 −3 %": Case(v1=1.03, v2=0.97),
+    "gain of q 3 %, clock 3 %": Case(q=1.03, clock=1.03),
+    "v1 −5 %, 5 ms late": Case(v1=0.95, delay=5e-3),
+    **{f"{n} s: as recorded": Case(seconds=n) for n in (5, 8, 20)},
+    **{f"{n} s: v1 +3 %, 2.5 ms late": Case(v1=1.03, delay=2.5e-3, seconds=n) for n in (5, 8, 20)},
     "ten times the noise: as recorded": Case(noise=10.0),
     "ten times the noise: v1 +3 %, zero 0.1 mm": Case(v1=1.03, zero=0.1, noise=10.0),
 }
@@ -224,22 +249,49 @@ def _run(home: Path, settings: Path, entries: list[str], more: str) -> None:
     bring_up_to_date(run, of_stages(plan(Planned(run, prototype, path)), STAGES), Unheard())
 
 
-def tallies(homes: list[Path], cases: Mapping[str, Case], unit: float) -> Iterator[tuple[str, str, Tally]]:
-    """Main model or rbf, case, and counts over these runs."""
+def of_run(run: Path, other: Path | None, cases: Mapping[str, Case], unit: float) -> list[dict[str, Any]]:
+    """Rows of the cases, planted in the first validation log of a finished run, and of the log of another run."""
+    logs = {log: each for log, each in _logs(run).items() if log[0] == "train"}
+    clean = _first_validation(run)
+    for number, case in enumerate(cases.values()):
+        logs["validation", f"case{number}"] = case.planted_in(clean, unit, np.random.default_rng(number))
+    logs["validation", "mirrored"] = mirrored(clean)
+    logs["validation", "exchanged"] = exchanged(clean)
+    if other is not None:
+        logs["validation", "other"] = _first_validation(other)
+    nothing = dict.fromkeys(logs, Corrections((1.0,) * clean.v.shape[1]))
+    models = dict.fromkeys(row["model"] for row in load_instruments(run))
+    folder = RunFolder.open(run)
+    return [
+        row for name in models for row in instrument_rows(load_run_model(folder, folder.prototype, name), logs, nothing)
+    ]
+
+
+def _logs(run: Path) -> dict[tuple[Role, str], Log]:
+    folder = RunFolder.open(run)
+    prototype = folder.prototype
+    return {(role, log): load_motion(folder, prototype, role, log) for role, log, _ in layout.logs(prototype)}
+
+
+def _first_validation(run: Path) -> Log:
+    return next(each for (role, _), each in _logs(run).items() if role == "validation")
+
+
+def tallies(
+    runs: Mapping[str, list[dict[str, Any]]], cases: Mapping[str, Case], unit: float
+) -> Iterator[tuple[str, str, Tally]]:
+    """Main model or rbf, case, and counts over the rows of these runs."""
     counted: dict[tuple[str, str], Tally] = defaultdict(Tally)
     special: dict[tuple[str, str], list[str]] = defaultdict(list)
-    for home in homes:
-        rows = load_instruments(home / "run")
+    for run, rows in runs.items():
         main = rows[0]["model"]
         for model in dict.fromkeys(row["model"] for row in rows):
             roles = [name for name, of in (("main", main), ("rbf", "rbf")) if model == of]
             own = [row for row in rows if row["model"] == model and row["role"] == "validation"]
             for role in roles:
                 for number, (name, case) in enumerate(cases.items()):
-                    of_log = [
-                        row for row in own if row["log"].startswith(f"case{number}-") or row["log"] == f"case{number}"
-                    ]
-                    counted[role, name].add(of_log, case.truth, unit, f"{home.name} {model}")
+                    of_log = [row for row in own if row["log"].partition("-")[0] == f"case{number}"]
+                    counted[role, name].add(of_log, case.truth, unit, f"{run} {model}")
                 for name in ("mirrored", "exchanged", "other"):
                     of_log = [row for row in own if row["log"] == name]
                     if of_log:
@@ -250,27 +302,39 @@ def tallies(homes: list[Path], cases: Mapping[str, Case], unit: float) -> Iterat
         print(f"{role}: {name}: " + ", ".join(f"{answers.count(a)} {a}" for a in dict.fromkeys(answers)))
 
 
-def show(title: str, homes: list[Path], cases: Mapping[str, Case], unit: float) -> None:
-    print(f"\n{title}: {len(homes)}")
+def show(title: str, runs: Mapping[str, list[dict[str, Any]]], cases: Mapping[str, Case], unit: float) -> None:
+    print(f"\n{title}: {len(runs)}")
     print(
         "| model | log | planted errors found | honest quantities silent | within 2.5 s.e. | largest residual ratio |"
     )
     print("|---|---|---|---|---|---|")
     missed = []
-    for role, name, tally in tallies(homes, cases, unit):
+    for role, name, tally in tallies(runs, cases, unit):
         print(f"| {role} | {name} | {tally.cells} |", flush=True)
-        missed += [f"{name}: {text}" for text in tally.missed if role == "main"]
-    print("missed by the main model:", *(missed or ["none"]), sep="\n  ")
+        missed += [f"{role}: {name}: {text}" for text in tally.missed]
+    print("missed:", *(missed or ["none"]), sep="\n  ")
+
+
+def of_homes(homes: list[Path]) -> dict[str, list[dict[str, Any]]]:
+    """Rows of the runs of these folders."""
+    return {home.name: load_instruments(home / "run") for home in homes}
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("folder", type=Path)
+    parser.add_argument("folder", type=Path, nargs="?")
+    parser.add_argument("--runs", type=Path, nargs="*", default=[])
     parser.add_argument("--joints", type=int, default=4, help="of each physics")
     parser.add_argument("--devices", type=int, default=6)
     parser.add_argument("--seed", type=int, default=930_000)
     given = parser.parse_args()
     cases, last = BARS | REACH, dict[str, Path]()
+    if given.runs:
+        rows = {}
+        for run, before in zip(given.runs, (None, *given.runs), strict=False):
+            rows[str(run)] = of_run(run, before, cases, 1e-3)
+            print(f"{run} done", file=sys.stderr, flush=True)
+        return show("finished runs", rows, cases, 1e-3)
     homes: dict[str, list[Path]] = {kind: [] for kind in KINDS}
     for i in range(given.joints):
         for k, kind in enumerate(KINDS):
@@ -279,9 +343,10 @@ def main() -> None:
             homes[kind].append(home)
             print(f"{home.name} done", file=sys.stderr, flush=True)
     for kind, runs in homes.items():
-        show(f"joints, {kind}", runs, cases, 1e-3)
-    show("all joints", [run for runs in homes.values() for run in runs], cases, 1e-3)
-    show("devices that are no joint", [device(given.folder, n) for n in range(given.devices)], DEVICE, 1e-3)
+        show(f"joints, {kind}", of_homes(runs), cases, 1e-3)
+    show("all joints", of_homes([run for runs in homes.values() for run in runs]), cases, 1e-3)
+    devices = [device(given.folder, n) for n in range(given.devices)]
+    show("devices that are no joint", of_homes(devices), DEVICE, 1e-3)
 
 
 if __name__ == "__main__":

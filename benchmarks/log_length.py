@@ -13,7 +13,7 @@ import numpy as np
 import debist
 from pipeline.errors import DataRefusedError
 from pipeline.models.free_runs import free_run
-from pipeline.models.kind import kind
+from pipeline.models.model_type import model_type
 from pipeline.signals.log import Log
 from pipeline.workflow.logs import load_logs, training
 
@@ -31,7 +31,7 @@ def errors(folder: Path) -> list[float]:
     measured = []
     for length in LENGTHS:
         try:
-            model = kind("hybrid").fit(training([_first(log, length) for log in trained], prototype, None))
+            model = model_type("hybrid").fit(training([_first(log, length) for log in trained], prototype, None))
         except DataRefusedError:
             measured.append(np.inf)
             continue

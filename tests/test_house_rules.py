@@ -61,3 +61,34 @@ def test_the_package_imports_itself_by_relative_imports_alone() -> None:
             modules += [node.module or ""] if isinstance(node, ast.ImportFrom) and not node.level else []
             own = {"pipeline", "debist", "cli"} & {module.partition(".")[0] for module in modules}
             assert not own, f"{path.relative_to(ROOT)}:{node.lineno}"
+
+
+def _functions(body: list[ast.stmt], owner: str = "") -> list[tuple[str, ast.FunctionDef]]:
+    """Public functions and methods of public classes, by their names."""
+    found: list[tuple[str, ast.FunctionDef]] = []
+    for node in body:
+        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+            found.append((owner + node.name, node))
+        elif isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+            found += _functions(node.body, f"{node.name}.")
+    return found
+
+
+def test_public_functions_of_four_parameters_describe_them() -> None:
+    """In a section of their own, or where the function that they are those of is named; options describe themselves."""
+    lacking = []
+    for path in sorted((ROOT / "pipeline").rglob("*.py")):
+        room = path.relative_to(ROOT / "pipeline").parts[0]
+        if room in ("commands", "generated"):
+            continue
+        for name, node in _functions(ast.parse(path.read_text(encoding="utf-8")).body):
+            arguments = node.args
+            given = [each.arg for each in (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs)]
+            text = ast.get_docstring(node) or ""
+            if (
+                len(set(given) - {"self", "cls"}) >= 4
+                and "Parameters\n-----" not in text
+                and "see `pipeline." not in text
+            ):
+                lacking.append(f"{path.relative_to(ROOT)}: {name}")
+    assert not lacking

@@ -40,7 +40,6 @@ _COMMANDS = (
     ("status", "run"),
     ("inspect", "train.csv"),
     ("diff", "run", "run"),
-    ("verify", ".", "--all"),
 )
 
 

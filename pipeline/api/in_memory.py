@@ -18,7 +18,7 @@ from ..diagnostics.weak_form import LogSignals
 from ..errors import DataRefusedError, InputError, warn_user
 from ..models.base import DynamicModel, kind_of, real_numbers
 from ..models.free_runs import free_run
-from ..models.kind import StoredModel, kind
+from ..models.model_type import StoredModel, model_type
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import fit_percent
 from ..scoring.wells import wells_of
@@ -79,7 +79,25 @@ def settings(
     *, inputs: int, angle: bool, action: str, mass: float | None, model: str, parameters: str | None,
     more: Mapping[str, Any],
 ) -> Prototype:  # fmt: skip
-    """Settings for signals in SI units; `more` adds to tables of a settings file, e.g. ``{"identify": {…}}``."""
+    """Settings for signals in SI units; `more` adds to tables of a settings file, e.g. ``{"identify": {…}}``.
+
+    Parameters
+    ----------
+    inputs : int
+        Number of inputs, 1 or 2.
+    angle : bool
+        Whether q is in rad.
+    action : {"squared", "linear"}
+        How the inputs act.
+    mass : float or None
+        Moving mass [kg] or inertia [kg·m²].
+    model : str
+        Name of the model, or "auto".
+    parameters : str or None
+        Parameter set of the analytical joint.
+    more : mapping
+        Further tables of a settings file, such as ``{"identify": {…}}``.
+    """
     channels = {"q": {"channel": "q", "unit": "rad" if angle else "m"}}
     channels |= {f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)}
     plant: dict[str, Any] = {"inputs": action}
@@ -209,7 +227,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
 def identify_signals(
     logs: Sequence[Signals], prototype: Prototype, name: str
 ) -> tuple[StoredModel, dict[str, Any], list[Log]]:
-    """The model of that name, or the headline for `AUTO`; notes on the fits; and the logs.
+    """The model of that name, or the main model for `AUTO`; notes on the fits; and the logs.
 
     What `debist check` would refuse is warned of: the note ``contradictions`` holds it.
 
@@ -234,7 +252,7 @@ def identify_signals(
     for text in (*contradictions, *remarks(findings)):
         warn_user(text)
     if name in names("compare"):
-        model = kind(name).fit(training(measured, prototype, parameters))
+        model = model_type(name).fit(training(measured, prototype, parameters))
         notes: dict[str, Any] = {"warnings": [], name: model.describe()}
     else:
         models, notes = identified(measured, prototype, parameters, prior)
@@ -307,6 +325,17 @@ def signals_of(table: "pd.DataFrame") -> Signals:
 
 def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
     """The signals of single columns: arrays, lists or Series; `v1` may hold both voltages, shape (N, 2).
+
+    Parameters
+    ----------
+    t : array_like, shape (N,)
+        Times [s], durations or time stamps.
+    q : array_like, shape (N,)
+        Displacement [m or rad].
+    v1 : array_like, shape (N,) or (N, 2)
+        First voltage [V], or both.
+    v2 : array_like, shape (N,), optional
+        Second voltage [V].
 
     Raises
     ------

@@ -239,7 +239,15 @@ class Model:
         self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
         v2: "ArrayLike | None" = None, *, ax: "Axes | None" = None,
     ) -> "Axes":  # fmt: skip
-        """Measured and simulated displacement of a log with the fit in percent, as MATLAB's ``compare`` draws it."""
+        """Measured and simulated displacement of a log with the fit in percent, as MATLAB's ``compare`` draws it.
+
+        Parameters
+        ----------
+        t, q, v1, v2 : array_like, shape (N,)
+            A measured log as of `score`.
+        ax : matplotlib.axes.Axes, optional
+            Axes to draw on; new ones if left out.
+        """
         from matplotlib import pyplot
 
         from ..models.free_runs import free_run

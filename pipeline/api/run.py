@@ -73,7 +73,7 @@ class Run:
 
     @property
     def models(self) -> list[str]:
-        """Names of the identified models, the headline first, and of the baselines that the run holds."""
+        """Names of the identified models, the main model first, and of the baselines that the run holds."""
         from ..workflow.run_models import compared_models, identified_models
 
         source = (self._folder, self._prototype)
@@ -122,7 +122,7 @@ class Run:
         return table
 
     def model(self, name: str | None = None) -> Model:
-        """A model, the headline if none is named.
+        """A model, the main model if none is named.
 
         Raises
         ------
@@ -138,7 +138,7 @@ class Run:
     def simulate(
         self, model: str | None = None, log: str | None = None, *, tube: bool = False
     ) -> "pd.DataFrame":  # fmt: skip
-        """Free run of a model over a log under its measured voltages; of the headline, over the last log, if left out.
+        """Free run of a model, by default the main one, under the measured voltages of a log, by default the last one.
 
         Parameters
         ----------
@@ -197,7 +197,7 @@ class Run:
         figure : str
             Its name.
         start, stop : float, optional
-            Stretch of the horizontal axis, in SI (times in s).
+            Segment of the horizontal axis, in SI (times in s).
         models : sequence of str
             The models that are drawn; without any those that the report shows.
         typeface : {"sans", "serif"}
@@ -206,7 +206,7 @@ class Run:
         Raises
         ------
         InputError
-            No such figure or model, or an empty stretch.
+            No such figure or model, or an empty segment.
 
         Notes
         -----
@@ -234,7 +234,7 @@ class Run:
         model: str | None = None,
         output: str | Path | None = None,
     ) -> list[Path]:
-        """Write a model, the headline if none is named, for another tool and return the files; see `debist export`."""
+        """Write a model, by default the main one, for another tool and return the files; see `debist export`."""
         from ..workflow.export import export_run
 
         return export_run(self.root, target, model=model, output=None if output is None else Path(output)).written

@@ -11,8 +11,8 @@ import numpy as np
 from ..device.device import device
 from ..errors import CorruptArtifactError, InputError
 from ..export.subject import Exported, Subject, Validity
-from ..models.kind import StoredModel, model_from_tree
 from ..models.model_file import ModelFile, Sizes, Span, Table, Unit, columns_of
+from ..models.model_type import StoredModel, model_from_tree
 from ..numerics.arrays import FloatArray
 from ..settings.former import translated
 from ..settings.prototype import Prototype, parse_prototype
@@ -119,6 +119,17 @@ def load_saved(path: Path) -> tuple[Subject, Prototype]:
 
 def export_model(subject: Subject, target: str, folder: Path, *, force: bool = False) -> Exported:
     """Write a model for another tool.
+
+    Parameters
+    ----------
+    subject : Subject
+        The model with its bounds.
+    target : {"c", "fmu", "json", "matlab"}
+        The form.
+    folder : Path
+        Folder of the files.
+    force : bool
+        Whether files of others may be replaced.
 
     Raises
     ------

@@ -13,7 +13,7 @@ import typer
 
 from ..errors import BatchFailedError, InputError
 from ..system.machine import settle_machine
-from . import control, fleet, inspection, integrity, outcome, physics, results, rig, stages, whole_run
+from . import control, fleet, inspection, outcome, physics, results, rig, whole_run
 from .boundary import ErrorBoundary, Program, with_options
 from .console import Json, NoReport, Quiet
 
@@ -36,17 +36,17 @@ app.command()(inspection.check)
 app.command()(results.diff)
 app.command()(fleet.series)
 app.command()(results.export)
-app.command()(integrity.verify)
+app.command()(results.verify)
 app.command()(results.paper)
 app.command()(results.study)
 app.command()(inspection.init)
 app.command()(inspection.inspect)
-app.command()(stages.ingest)
-app.command()(stages.differentiate)
-app.command()(stages.identify)
-app.command()(stages.validate)
-app.command()(stages.compare)
-app.command()(stages.report)
+app.command()(whole_run.ingest)
+app.command()(whole_run.differentiate)
+app.command()(whole_run.identify)
+app.command()(whole_run.validate)
+app.command()(whole_run.compare)
+app.command()(whole_run.report)
 app.command()(whole_run.plot)
 app.command()(whole_run.show)
 app.command("run")(whole_run.run_command)
@@ -112,7 +112,7 @@ class BatchOptions:
 def batch(
     prototypes: Annotated[
         list[Path],
-        typer.Argument(metavar="FLEET...", help="Settings files, folders, a fleet file, or a table (CSV, XLSX)."),
+        typer.Argument(metavar="FLEET...", help="Settings files, folders, or a table (CSV, XLSX)."),
     ],
     output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder for the runs and the tables.")],
     options: BatchOptions,

@@ -24,12 +24,6 @@ from ..errors import WARNING, DebistError, InputError, interrupted, memory_failu
 from .console import emit_json, printable, printed
 from .gone import replacement
 
-resource: Any
-try:
-    import resource  # now, as there may be no room for it later
-except ImportError:  # Windows
-    resource = None
-
 _STOPPED = "a file is written whole or not at all; the same command starts again"
 _BUG = "this is a bug in debist; please report the lines above"
 _NO_MEMORY = (
@@ -85,8 +79,6 @@ class Program(typer.Typer):
         for stop, usual in ((signal.SIGINT, signal.default_int_handler), (signal.SIGTERM, signal.SIG_DFL)):
             if signal.getsignal(stop) is usual:
                 signal.signal(stop, _interrupt)
-        if hasattr(signal, "SIGCHLD"):  # whoever ignores it takes away the exit codes of processes
-            signal.signal(signal.SIGCHLD, signal.SIG_DFL)
         return super().__call__(*arguments, **options)
 
 
@@ -135,7 +127,7 @@ class ErrorBoundary(WholeLines):
         except MemoryError:
             pass
         except Exception as error:
-            if not _no_memory(error):
+            if not memory_failure(error):
                 if not isinstance(error, OSError) or not _stdout_fails():
                     raise
                 typer.echo(f"debist: the output cannot be written: {error.strerror}; give it another place", err=True)
@@ -171,7 +163,7 @@ class ErrorBoundary(WholeLines):
         except DebistError as error:
             if interrupted(error) or _signals:
                 raise _interruption() from error
-            if _no_memory(error):
+            if memory_failure(error):
                 raise  # what it says is only what came of it
             first, *more = getattr(error, "lines", (str(error),))
             typer.echo(f"debist: {printable(first)}", err=True)
@@ -194,7 +186,7 @@ class ErrorBoundary(WholeLines):
                 raise  # a usage error, which typer prints itself
             if interrupted(error) or _signals:
                 raise _interruption() from error
-            if _no_memory(error):
+            if memory_failure(error):
                 raise MemoryError from error
             remedy = _told(error)
             if remedy is None:
@@ -209,25 +201,6 @@ class ErrorBoundary(WholeLines):
         if self._as_json and not printed:
             with suppress(OSError):  # the exit code says the same
                 emit_json({"error": {"message": message, "exit_code": exit_code}})
-
-
-def _no_memory(error: BaseException | None) -> bool:
-    """Whether memory ended; under a limit of address space also where a library or a process could not be loaded."""
-    if memory_failure(error):
-        return True
-    if not _address_space_is_limited():
-        return False
-    while error is not None:
-        nameless = isinstance(error, OSError) and error.errno is None
-        if nameless or isinstance(error, ImportError | EOFError | SystemError):
-            return True
-        error = error.__cause__ or error.__context__
-    return False
-
-
-def _address_space_is_limited() -> bool:
-    """Whether `ulimit -v` holds for this process."""
-    return resource is not None and resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY
 
 
 def _of_typer(error: Exception) -> bool:

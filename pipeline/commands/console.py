@@ -26,14 +26,6 @@ _SENTENCE = 21  # columns of the longest name of a model; longer texts may be wr
 _GAP = 2  # columns between two of a table
 
 
-def clock(seconds: float) -> str:
-    """A duration as people read it."""
-    if seconds < 60.0:
-        return f"{seconds:.0f} s"
-    minutes = round(seconds / 60.0)
-    return f"{minutes} min" if minutes < 60 else f"{minutes // 60} h {minutes % 60} min"
-
-
 def printable(text: str) -> str:
     """The text with every control character (terminal escapes, line feeds, direction marks) written out."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
@@ -128,7 +120,7 @@ def brief(reasons: Sequence[str]) -> str:
 
 
 class Progress:
-    """Tells on stderr what a run does; a spinner or bar where stderr is a terminal, one line per task where not."""
+    """Progress of a run on stderr; a spinner or bar where stderr is a terminal, one line per task where not."""
 
     def __init__(self, *, quiet: bool = False) -> None:
         self._quiet = quiet
@@ -217,18 +209,6 @@ class Progress:
             if shown is not None:
                 shown.stop()
         self._status = self._bar = None
-
-
-@contextmanager
-def working(text: str, *, quiet: bool = False) -> Iterator[None]:
-    """Say on stderr what is done, with a spinner; nothing where stderr is no terminal."""
-    if quiet or not sys.stderr.isatty():
-        yield
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status(printable(text)):
-        yield
 
 
 @contextmanager

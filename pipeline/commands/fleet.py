@@ -1,10 +1,8 @@
 """`debist fleet` and `debist series`: a prior from joints of one drawing, and how one device changes."""
 
-import csv
-import sys
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -95,10 +93,9 @@ def series(
         Path | None,
         typer.Option("--page", metavar="FILE", help="Write a page with a figure of each fact."),
     ] = None,
-    form: Annotated[Literal["text", "csv"], typer.Option("--format", help="Form of the table.")] = "text",
     as_json: Json = False,
 ) -> None:
-    """Drift and steps of the facts of one device over several runs, with 95 % intervals; units SI in JSON and CSV.
+    """Drift and steps of the facts of one device over several runs, with 95 % intervals; SI units in JSON.
 
     Rests, barriers, switching voltages, stiffness, capacitance gains, charging time, creep and the laser's zero. A
     change is claimed where chance explains it in one of twenty series at most; four runs are the least.
@@ -114,10 +111,6 @@ def series(
         write_text(output, series_page(facts))
     if as_json:
         emit_json(asdict(facts) | {"page": output})
-    elif form == "csv":
-        writer = csv.writer(sys.stdout, lineterminator="\n")
-        writer.writerow(("key", "unit", *asdict(facts.facts[0].trend)) if facts.facts else ("key", "unit"))
-        writer.writerows((fact.key, fact.unit, *asdict(fact.trend).values()) for fact in facts.facts)
     else:
         emit_table(f"{len(facts.names)} runs of one device, ± 95 %", COLUMNS, series_rows(facts))
         emit_text(conclusion(facts))

@@ -13,10 +13,8 @@ from .console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table
 
 if TYPE_CHECKING:
     from ..diagnostics.rows import CheckRow
-    from ..fitting.coverage import Coverage
-    from ..numerics.arrays import FloatArray
+    from ..numerics.arrays import FloatArray, IntArray
     from ..rig_logs.inspection import InspectedChannel, Inspection
-    from ..signals.timebase import TimeQuality
     from ..workflow.inspection import LogExcitation
     from ..workflow.studies.excitation_design import Design
     from ..workflow.studies.next_log import NextLog
@@ -56,9 +54,8 @@ def _emit_first_log(design: "Design") -> None:
     designed = design.designed
     plain = design.plain
     names = ("left", "right")
-    emit_visits(
-        "Simulated samples per basis centre, one every 10 ms", design.weights.centres, designed.visits, names, 1e3, "mm"
-    )
+    title = "Simulated samples per basis centre, one every 10 ms"
+    emit_visits(title, 1e3 * design.weights.centres, designed.visits.table, names, "mm")
     rows = [
         ("information per weight [nats]", f"{designed.log_information:.2f}", f"{plain.log_information:.2f}"),
         (
@@ -74,14 +71,23 @@ def _emit_first_log(design: "Design") -> None:
     emit_text(f"relative D-efficiency {design.efficiency:.2f} ({len(design.bursts)} bursts)")
 
 
-def emit_visits(
-    title: str, centres: "FloatArray", visits: "Coverage", inputs: Sequence[str], factor: float, unit: str
-) -> None:
-    """Print the samples nearest to each centre, and those of them under each input."""
-    rows = [
-        (f"{factor * centre:.2f}", str(count), *map(str, driven))
-        for centre, count, driven in zip(centres, visits.visits, visits.driven.T, strict=True)
-    ]
+def emit_visits(title: str, centres: "FloatArray", counts: "IntArray", inputs: Sequence[str], unit: str) -> None:
+    """Print the samples nearest to each centre, and those of them under each input.
+
+    Parameters
+    ----------
+    title : str
+        Title of the table.
+    centres : FloatArray, shape (M,)
+        Centres in `unit`.
+    counts : IntArray, shape (M, 1 + K)
+        Samples nearest to each centre, all of them and those under each of K inputs.
+    inputs : sequence of str
+        Names of the inputs.
+    unit : str
+        Unit of q.
+    """
+    rows = [(f"{centre:.2f}", *map(str, row)) for centre, row in zip(centres, counts, strict=True)]
     emit_table(title, (f"q [{unit}]", "samples", *(f"{name} acting" for name in inputs)), rows, numeric_from=0)
 
 
@@ -142,7 +148,7 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
         emit_table(
             "Time bases",
             ("no.", "rate [Hz]", "from [s]", "to [s]", "jitter [µs]", "gaps", "repeated", "backward", "not finite"),
-            [_time_row(index, base) for index, base in enumerate(inspection.time_bases)],
+            [_time_row(index, asdict(base)) for index, base in enumerate(inspection.time_bases)],
         )
     for base in inspection.time_bases:
         for start, stop in base.gaps_at:
@@ -156,13 +162,11 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
 
 
 def _emit_excitation(coverage: "LogExcitation") -> None:
-    from ..scoring.wells import Wells
-
     shown = coverage.excitation
     title = f"Samples per basis centre, one every {1e3 * coverage.interval:g} ms"
-    emit_visits(title, shown.centres, shown.visits, coverage.inputs, coverage.factor, coverage.unit)
-    if isinstance(shown.wells, Wells):
-        left, right = (coverage.factor * rest for rest in (shown.wells.left, shown.wells.right))
+    emit_visits(title, coverage.factor * shown.centres, shown.visits.table, coverage.inputs, coverage.unit)
+    if coverage.rests is not None:
+        left, right = coverage.rests
         emit_text(
             f"rests at {left:.2f} and {right:.2f} {coverage.unit}; snaps {shown.switches[0]} times to the right and "
             f"{shown.switches[1]} to the left; condition number of the regressor {shown.conditioning.condition:.0f}"
@@ -185,17 +189,10 @@ def _channel_row(channel: "InspectedChannel") -> tuple[str, ...]:
     return (channel.name, channel.unit or "not stated", *values, base, "; ".join(channel.remarks))
 
 
-def _time_row(index: int, base: "TimeQuality") -> tuple[str, ...]:
-    facts = asdict(base)
-    counts = (str(facts[name]) for name in ("gaps", "repeated", "backward", "not_finite"))
-    return (
-        str(index),
-        f"{base.rate:.6g}",
-        f"{base.start:.6g}",
-        f"{base.stop:.6g}",
-        f"{round(1e6 * base.jitter, 4):.3g}",
-        *counts,
-    )
+def _time_row(index: int, base: dict[str, Any]) -> tuple[str, ...]:
+    counts = (str(base[name]) for name in ("gaps", "repeated", "backward", "not_finite"))
+    numbers = (f"{number:.6g}" for number in (1.0 / base["step"], base["start"], base["stop"]))
+    return (str(index), *numbers, f"{round(1e6 * base['jitter'], 4):.3g}", *counts)
 
 
 def check(
@@ -211,7 +208,7 @@ def check(
     """
     from ..diagnostics.rows import check_rows
     from ..workflow.inspection import check as check_tool
-    from ..workflow.stage_check import verdict
+    from ..workflow.stage_check import assess
 
     with Progress(quiet=quiet) as progress:
         prototype, findings = check_tool(place, progress)
@@ -220,7 +217,7 @@ def check(
         emit_json({"prototype": prototype.name, "rows": [asdict(row) for row in rows]})
     else:
         emit_rows(prototype.name, rows, details=details)
-    verdict(findings, prototype)
+    assess(findings, prototype)
 
 
 def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:

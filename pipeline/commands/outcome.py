@@ -1,7 +1,6 @@
-"""Results of a run or a batch: the headline table, the verdict, the state of tasks, and the progress of a batch."""
+"""Results of a run or a batch: scores, assessment, instruments, states of tasks, and the progress of a batch."""
 
 import sys
-import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from datetime import UTC, datetime
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from ..system.names import shell_word
-from .console import brief, clock, emit_json, emit_table, emit_text, printable
+from .console import brief, emit_json, emit_table, emit_text, printable
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -20,7 +19,7 @@ if TYPE_CHECKING:
     from ..reporting.tables import Format
     from ..workflow.engine import TaskStatus
     from ..workflow.members import Member
-    from ..workflow.progress import FleetProgress
+    from ..workflow.progress import MemberState
     from ..workflow.worker import Outcome
 
 
@@ -32,9 +31,9 @@ def emit_scores(
     details: bool = False,
     with_report: bool = False,
 ) -> None:
-    """Print the scores: the headline table, or with details both score tables; as records for JSON.
+    """Print the scores: the short table of the scores, or with details both score tables; as records for JSON.
 
-    With a report, the JSON document holds its verdict and its path too.
+    With a report, the JSON document holds its assessment and its path too.
     """
     from ..workflow.report_data import load_datasheet, load_scores
     from ..workflow.stage_scores import score_text, shown_scores
@@ -49,9 +48,9 @@ def emit_scores(
     if details:
         _emit_details(run)
         return
-    from ..reporting.short_tables import headline_table
+    from ..reporting.short_tables import main_table
 
-    table = headline_table(shown_scores(run))
+    table = main_table(shown_scores(run))
     emit_table(table.where, table.heading, table.rows)
     emit_text(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
 
@@ -83,13 +82,13 @@ def emit_instruments(run: Path) -> None:
     emit_text(table.explanation)
 
 
-def emit_verdict(run: Path) -> None:
-    """Print the verdict of the report and where the report lies."""
+def emit_assessment(run: Path) -> None:
+    """Print the assessment of the report and where the report lies."""
     from ..workflow.report_data import load_datasheet
 
-    verdict = load_datasheet(run)["verdict"]
-    emit_text(f"verdict: data {verdict['data']}, model {verdict['model']}")
-    for check in verdict["checks"]:
+    assessment = load_datasheet(run)["verdict"]
+    emit_text(f"assessment: data {assessment['data']}, model {assessment['model']}")
+    for check in assessment["checks"]:
         if check["grade"] != "good":
             emit_text(f"  {check['about']}, {check['grade']}: {check['statement']}", indent="    ")
     emit_text(f"report: {run / 'report.html'}")
@@ -141,19 +140,22 @@ def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *,
     emit_table("runs", ("run", "state", "why"), rows, numeric_from=3)
 
 
-def emit_fleet_progress(folder: Path, progress: "FleetProgress", *, as_json: bool) -> None:
+def emit_fleet_progress(folder: Path, members: "Sequence[MemberState]", *, as_json: bool) -> None:
     """Print for each prototype of a batch whether it is done, running, stopped or failed."""
+    from ..workflow.progress import STATES
+
+    counts = {state: sum(member.state == state for member in members) for state in STATES}
     if as_json:
-        members = [vars(member) | {"since": member.since and member.since.isoformat()} for member in progress.members]
-        emit_json({"folder": folder, "counts": progress.counts, "prototypes": members})
+        prototypes = [vars(member) | {"since": member.since and member.since.isoformat()} for member in members]
+        emit_json({"folder": folder, "counts": counts, "prototypes": prototypes})
         return
     rows = [
         (member.name, member.state, member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "", member.reason)
-        for member in progress.members
+        for member in members
     ]
     emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=4)
-    counted = ", ".join(f"{count} {state}" for state, count in progress.counts.items() if count)
-    emit_text(f"{len(progress.members)} prototypes: {counted}")
+    counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)
+    emit_text(f"{len(members)} prototypes: {counted}")
 
 
 def emit_members(members: "Sequence[Member]", *, as_json: bool) -> None:
@@ -203,7 +205,7 @@ def result_line(result: Mapping[str, Any]) -> str:
         return f"{result['log']}: {result['method']}{shown}; noise of {result['of']} {noise} {result['noise_unit']}"
     seconds = "" if result["fit_s"] is None else f" in {result['fit_s']:.1f} s"
     chosen = f"; chosen: {result['reason']}" if result["reason"] else ""
-    return f"{result['model']}: identified{seconds}{', the headline' if result['headline'] else ''}{chosen}"
+    return f"{result['model']}: identified{seconds}{', the main model' if result['headline'] else ''}{chosen}"
 
 
 def _ends(values: Sequence[float]) -> list[float]:
@@ -230,20 +232,26 @@ class BatchProgress:
         self._total = total
         self._quiet = quiet
         self._done = 0
-        self._made = 0
-        self._began: float | None = None
         self._running: list[str] = []
         self._bar: Any = None
 
     def __enter__(self) -> "BatchProgress":
         if sys.stderr.isatty() and not self._quiet:
             from rich.console import Console
-            from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+            from rich.progress import (
+                BarColumn,
+                MofNCompleteColumn,
+                Progress,
+                TextColumn,
+                TimeElapsedColumn,
+                TimeRemainingColumn,
+            )
 
             self._bar = Progress(
                 BarColumn(),
                 MofNCompleteColumn(),
                 TimeElapsedColumn(),
+                TimeRemainingColumn(),
                 TextColumn("{task.description}", markup=False),
                 console=Console(stderr=True),
                 transient=True,
@@ -263,28 +271,19 @@ class BatchProgress:
                 "--collect makes tables of what is there",
             )
 
-    def _left(self) -> str:
-        """Estimated time for the rest, from the prototypes that were run; those up to date are left out."""
-        if self._began is None or not self._made or self._done == self._total:
-            return ""
-        elapsed = time.perf_counter() - self._began
-        return f", about {clock(elapsed / self._made * (self._total - self._done))} left"
-
     def started(self, name: str) -> None:
         """Show it among those that run."""
-        self._began = self._began or time.perf_counter()
         self._running.append(name)
         self._show()
 
     def finished(self, outcome: "Outcome") -> None:
         """Say how it went."""
         self._done += 1
-        self._made += not _up_to_date(outcome)
         self._running.remove(outcome.name)
         if self._quiet:
             return
         state = f"failed: {outcome.reason}" if outcome.failed else "up to date" if _up_to_date(outcome) else "done"
-        line = f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s){self._left()}"
+        line = f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"
         line = printable(line)
         if self._bar is None:  # a cluster's log: each line stands alone
             typer.echo(f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} {line}", err=True)
@@ -296,7 +295,7 @@ class BatchProgress:
         if self._bar is not None:
             more = f" and {len(self._running) - _MOST_NAMED} more" if len(self._running) > _MOST_NAMED else ""
             names = printable(", ".join(self._running[:_MOST_NAMED]) + more)
-            self._bar.update(self._bar.task_ids[0], completed=self._done, description=names + self._left())
+            self._bar.update(self._bar.task_ids[0], completed=self._done, description=names)
 
 
 def _up_to_date(outcome: "Outcome") -> bool:

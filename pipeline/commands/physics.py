@@ -252,7 +252,6 @@ def calibrate(
         Path | None, typer.Option("--search", metavar="FILE", help="TOML file with starts, seed and threads.")
     ] = None,
     output: Annotated[Path | None, typer.Option("-o", metavar="FILE", help="Write the calibrated set as TOML.")] = None,
-    figure: Figure = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -273,7 +272,6 @@ def calibrate(
         fit = physics.calibrate(kinematics, joint, names=names, search=how, report=report)
     if output is not None:
         physics.write_parameters(fit, output)
-    _draw(figure, "calibration_figure", joint, fit)
     if as_json:
         emit_json(physics.calibration_document(fit))
         return

@@ -1,7 +1,5 @@
-"""Uses of a run: `debist diff`, `export`, `paper`, `study`, and the comparison of `verify --against`."""
+"""Uses of a run: `debist diff`, `export`, `paper`, `study` and `verify`."""
 
-import csv
-import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -12,13 +10,14 @@ import typer
 from ..errors import CorruptArtifactError, InputError
 from ..system.names import Target
 from ..units.quantity import percent
-from .console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of, with_units
+from .console import Force, Json, Progress, Quiet, Run, emit_json, emit_table, emit_text, printable, run_of, with_units
 from .outcome import emit_table_2
 
 if TYPE_CHECKING:
     from ..store.columns import Sweep
     from ..workflow.studies.diff import Comparison, RunDifferences
     from ..workflow.studies.study import StudyResult
+    from ..workflow.verify import Verified
 
 _ALARMING = ("differs", "missing")
 _LONGEST = 60
@@ -27,7 +26,6 @@ _OF_HASH = 16
 
 def diff(
     runs: Annotated[list[Path], typer.Argument(metavar="RUN...", help="Two or more run folders.")],
-    form: Annotated[Literal["text", "csv"], typer.Option("--format", help="Form of the table.")] = "text",
     page: Annotated[
         Path | None, typer.Option("--page", metavar="FILE", help="Write a page with curves and free runs, too (.html).")
     ] = None,
@@ -35,7 +33,7 @@ def diff(
 ) -> None:
     """Runs side by side: only what differs in settings, versions, raw logs, scores, facts of the device and artifacts.
 
-    NRMSE in percent, a fraction in JSON and CSV; artifacts are compared with those of the first run. Exit code 0
+    NRMSE in percent, a fraction in JSON; artifacts are compared with those of the first run. Exit code 0
     whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
     from ..reporting.several_runs import DiffTable
@@ -49,20 +47,8 @@ def diff(
         write_diff_page(runs, different.names, tables, page)
     if as_json:
         emit_json(asdict(different) | {"equal": different.equal})
-    elif form == "csv":
-        _emit_csv(different)
     else:
         _emit_differences(different)
-
-
-def _emit_csv(runs: "RunDifferences") -> None:
-    """Print a row for each key that differs: its part, the key, and the value of each run as it is stored."""
-    from ..reporting.tables import disarmed
-
-    writer = csv.writer(sys.stdout, lineterminator="\n")
-    writer.writerow(("part", "key", *map(disarmed, runs.names)))
-    for part in ("settings", "versions", "sources", "scores", "facts"):
-        writer.writerows((part, disarmed(row.key), *map(disarmed, row.values)) for row in getattr(runs, part))
 
 
 def _difference_tables(runs: "RunDifferences") -> list[tuple[str, str, list[tuple[str, ...]]]]:
@@ -107,7 +93,7 @@ def _text(value: object) -> str:
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 
-def emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *, as_json: bool) -> None:
+def _emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *, as_json: bool) -> None:
     """Print what is not equal, and how many artifacts are.
 
     Raises
@@ -138,7 +124,7 @@ def export(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.", callback=run_of)],
     target: Annotated[Target, typer.Option("--to", help="Form of the export.")],
     model: Annotated[
-        str | None, typer.Option("--model", help="Model that is exported [default: the headline].")
+        str | None, typer.Option("--model", help="Model that is exported [default: the main model].")
     ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", metavar="DIR", help="Folder of the files [default: RUN/exports].")
@@ -260,3 +246,63 @@ def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -
     rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
     emit_table(f"Study of {name}", list(columns), rows, numeric_from=0)
     emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
+
+
+_MOST_NAMED = 20
+
+
+def verify(
+    run: Run,
+    against: Annotated[
+        Path | None, typer.Option("--against", metavar="RUN", help="Compare the content with that of another run.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Check every file of a run; exit code 4 if one does not have the bytes that were written or does not belong there.
+
+    With --against also whether another run, of another machine for instance, holds the same content; where floating
+    point forbids that, whether it is the same to 6 digits (of the largest magnitude of a column); exit code 4 if not.
+    Example: debist verify runs/P1 --against crate/run
+    """
+    from ..workflow import verify as tool
+
+    checked = tool.verify_everything(run)
+    if against is not None and checked.intact:
+        from ..workflow.studies.diff import compare_runs
+
+        _emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
+        return
+    _emit(checked, as_json)
+    _fail_where(run, checked)
+    _fail_beside(run, checked)
+
+
+def _emit(checked: "Verified", as_json: bool) -> None:
+    if as_json:
+        emit_json(vars(checked))
+        return
+    if checked.intact:
+        typer.echo(f"{checked.checked} artifacts checked, all intact")
+    for what, names in (
+        ("does not belong to the run", checked.unknown),
+        ("left by an interrupted run", checked.leftover),
+    ):
+        for name in names[:_MOST_NAMED]:
+            typer.echo(printable(f"{what}: {name}"), err=True)
+        if len(names) > _MOST_NAMED:
+            typer.echo(f"and {len(names) - _MOST_NAMED} more", err=True)
+
+
+def _fail_where(run: Path, checked: "Verified") -> None:
+    if checked.problems:
+        raise CorruptArtifactError(
+            "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
+            + "; `debist run` sets aside what is damaged and makes it anew"
+        )
+
+
+def _fail_beside(run: Path, checked: "Verified") -> None:
+    if checked.unknown:
+        raise CorruptArtifactError(f"{run}: {len(checked.unknown)} files do not belong to the run; move them elsewhere")
+    if checked.leftover:
+        raise CorruptArtifactError(f"{run}: a run was interrupted; `debist run` completes it and removes what it left")

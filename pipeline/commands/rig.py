@@ -10,7 +10,7 @@ import typer
 from ..system.names import shell_word
 from ..units.units import parse_quantity
 from .boundary import group, with_options
-from .console import Json, Parameters, Quiet, emit_json, emit_text, progress_report, working
+from .console import Json, Parameters, Quiet, emit_json, emit_text, progress_report
 
 if TYPE_CHECKING:
     from ..rig.fleet import Experiment
@@ -78,7 +78,7 @@ def simulate(
     day = "" if experiment.age_days is None else f"-day{experiment.age_days:g}"
     name = f"{logs.kind}-{seed}{day}"
     count = experiment.training_logs + experiment.validation_logs
-    with working(f"simulating {count} logs of {logs.duration:g} s at {logs.rate:g} Hz", quiet=quiet):
+    with progress_report(f"simulating {count} logs of {logs.duration:g} s at {logs.rate:g} Hz", quiet=quiet):
         prototype = simulate_prototype(output, name, experiment, seed=seed)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
@@ -210,7 +210,7 @@ def closed_loop(
 
     seconds = parse_quantity(duration, ("s",), "--duration")
     rare = read_options(scenario, ScenarioFile)
-    with working(f"simulating {duration} at 1 kHz", quiet=quiet):
+    with progress_report(f"simulating {duration} at 1 kHz", quiet=quiet):
         files, summary = closed_loop_log(joint, controller, play, output, target=target, duration=seconds, options=rare)
     if as_json:
         emit_json({"files": files, **summary})

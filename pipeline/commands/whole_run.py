@@ -1,9 +1,9 @@
-"""A run as a whole: made, looked at, drawn."""
+"""A run: made as a whole or stage by stage, looked at, drawn."""
 
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -14,6 +14,7 @@ from .boundary import with_options
 from .console import (
     Details,
     Force,
+    Form,
     Json,
     NoReport,
     Output,
@@ -27,13 +28,17 @@ from .console import (
     progress_report,
 )
 
+if TYPE_CHECKING:
+    from ..workflow.engine import TaskStatus
+    from ..workflow.run import StageName
+
 
 @dataclass(frozen=True)
 class Shown:
     """What of a run a figure shows, and how it is set."""
 
-    start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None
-    stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None
+    start: Annotated[float | None, typer.Option("--from", help="Start of the segment, in s or SI.")] = None
+    stop: Annotated[float | None, typer.Option("--to", help="End of the segment, in s or SI.")] = None
     typeface: Annotated[Typeface, typer.Option("--typeface", help="Typeface of the figure.")] = "sans"
     model: Annotated[
         list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
@@ -42,40 +47,39 @@ class Shown:
 
 @with_options
 def plot(
-    runs: Runs,
+    run: Run,
     shown: Shown,
     figure: Annotated[str | None, typer.Option("--figure", help="Name of the figure [default: list them].")] = None,
     output: Annotated[
         Path | None,
-        typer.Option("-o", help="File (.svg, .pdf, .png), or a folder for several runs [default: here]."),
+        typer.Option("-o", metavar="FILE", help="File: .svg, .pdf or .png [default: PROTOTYPE-FIGURE.svg]."),
     ] = None,
     force: Force = False,
     as_json: Json = False,
 ) -> None:
-    """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
+    """One figure of a run as SVG, PDF or PNG; without --figure the names of all figures.
 
     Times in s. Example: debist plot runs/P1 --figure validation-validation-models -o models.pdf --from 18 --to 24
     """
-    from ..workflow.plot import Excerpt, plot_runs, run_figures
+    from ..workflow.plot import Excerpt, plot_figure, run_figures
 
     if figure is None:
-        names = list(run_figures(runs[0]).titles.items())
+        names = list(run_figures(run).titles.items())
         if as_json:
             emit_json({"figures": [{"name": name, "title": title} for name, title in names]})
         else:
-            emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
+            emit_table(f"figures of {run}", ("figure", "shows"), names, numeric_from=2)
         return
-    written = plot_runs(
-        runs, figure, output, Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface), force=force
-    )
+    excerpt = Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface)
+    written = plot_figure(run, figure, output, excerpt, force=force)
     if as_json:
-        emit_json({"written": written})
+        emit_json({"written": [written]})
     else:
-        typer.echo("\n".join(map(str, written)))
+        typer.echo(str(written))
 
 
 def show(run: Run, as_json: Json = False) -> None:
-    """Datasheet of a run: wells, barriers, switching voltages, ring-down, and the verdict on data and model.
+    """Datasheet of a run: wells, barriers, switching voltages, ring-down, and the assessment of data and model.
 
     Lengths in mm, voltages in kV; SI in the JSON. Example: debist show runs/P1
     """
@@ -87,11 +91,14 @@ def show(run: Run, as_json: Json = False) -> None:
         emit_json(document)
         return
     shown = show_datasheet(document)
-    emit_table(f"{shown.title}; ring-downs of small motion", ("quantity", "model", "90 % interval"), shown.facts)
+    wells = ("quantity", "left well, or the device", "right well")
+    emit_table(f"{shown.title}; ± half of the central 90 %, ring-downs of small motion", wells, shown.facts)
     if shown.seen:
-        emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
+        emit_table("measured in the logs, and in the model's free runs", wells, shown.seen)
     outcome.emit_instruments(run)
-    emit_table(f"verdict: {shown.verdict}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4)
+    emit_table(
+        f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4
+    )
 
 
 def run_command(
@@ -125,7 +132,7 @@ def run_command(
     if not as_json:
         outcome.emit_instruments(place.root)
         if not no_report:
-            outcome.emit_verdict(place.root)
+            outcome.emit_assessment(place.root)
         typer.echo(outcome.summary(results))
     outcome.emit_stale_exports(place.root)
 
@@ -148,7 +155,7 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     outcome.emit_scores(folder, as_json=as_json, with_report=True)
     if not as_json:
         outcome.emit_table_2(table_2(load_scores(folder)))
-        outcome.emit_verdict(folder)
+        outcome.emit_assessment(folder)
         typer.echo(f"{outcome.summary(results)}; the logs are simulated. Next: debist status {shell_word(folder)}")
 
 
@@ -205,3 +212,91 @@ def warmup(
         emit_json({"compiled_in_s": seconds})
     else:
         typer.echo(f"kernels are compiled ({seconds:.0f} s)")
+
+
+def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Read the raw logs into uniform records in SI units (signals.parquet: s, m, V).
+
+    Example: debist ingest P1.toml -o runs/P1
+    """
+    from ..store.run_folder import in_snapshot
+    from ..workflow.place import place_of
+    from ..workflow.report_data import ingested
+    from ..workflow.run import run_prototype
+
+    place = place_of(prototype, output)
+    with Progress(quiet=quiet) as progress:
+        done = run_prototype(place, None, progress, only="ingest")
+    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(place.root, ingested))
+
+
+def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Velocity [m/s] and acceleration [m/s²] by regularised differentiation (kinematics.parquet).
+
+    Example: debist differentiate runs/P1
+    """
+    from ..store.run_folder import in_snapshot
+    from ..workflow.report_data import differentiated
+
+    done = _done(run, "differentiate", quiet)
+    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, differentiated))
+
+
+def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Identify the models on the training logs (model.h5).
+
+    Example: debist identify runs/P1
+    """
+    from ..store.run_folder import in_snapshot
+    from ..workflow.report_data import identified
+
+    done = _done(run, "identify", quiet)
+    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, identified))
+
+
+def validate(
+    run: Run, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
+) -> None:
+    """Free run of the identified models on every log, and the NRMSE table (scores.parquet).
+
+    NRMSE is the root mean square error over the measured range (eq. 41), printed in percent, a fraction in JSON.
+    Example: debist validate runs/P1
+    """
+    _done(run, "validate", quiet)
+    outcome.emit_scores(run, as_json=as_json, form=form, details=details)
+
+
+def compare(
+    run: Run, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
+) -> None:
+    """Fit the baselines (SINDy, analytical, black boxes) on the same logs and add them to the scores.
+
+    NRMSE in percent. Example: debist compare runs/P1
+    """
+    _done(run, "compare", quiet)
+    outcome.emit_scores(run, as_json=as_json, form=form, details=details)
+
+
+def report(
+    run: Run,
+    figures: Annotated[
+        Typeface | None, typer.Option("--figures", help="Also every figure as SVG and PDF, in this typeface.")
+    ] = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Page (report.html) and datasheet (datasheet.json), from what the run holds; figures for a paper on request.
+
+    Lengths in mm, voltages in kV, errors in percent; SI in the JSON. Example: debist report runs/P1 --figures serif
+    """
+    outcome.emit_tasks(_done(run, "report", quiet, figures), as_json=as_json)
+    if not as_json:
+        outcome.emit_assessment(run)
+
+
+def _done(run: Path, stage: "StageName", quiet: bool, figures: Typeface | None = None) -> "list[TaskStatus]":
+    """Bring one stage of a run up to date."""
+    from ..workflow.run import run_stage
+
+    with Progress(quiet=quiet) as progress:
+        return run_stage(run, stage, progress, figures=figures)

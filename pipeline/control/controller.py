@@ -81,6 +81,19 @@ def control(s: FloatArray, reading: float, target: float, law: Law, v: FloatArra
 
     Whatever reading and target are, the voltages lie within 0 … the largest; without a reading they go to zero in
     `estimator.RAMP` periods, and the estimate begins anew when readings come back. Cost: the same in every state, 3 µs.
+
+    Parameters
+    ----------
+    s : FloatArray, shape (CONTROLLER_STATE,)
+        The controller's state; moved on.
+    reading : float
+        Of the laser [m].
+    target : float
+        Where the joint is to go [m].
+    law : Law
+        The controller.
+    v : FloatArray, shape (2,)
+        Filled: voltages of left and right [V].
     """
     signals = np.zeros(2)
     signals[0], signals[1] = reading, target
@@ -92,6 +105,17 @@ def observe(s: FloatArray, reading: float, v: FloatArray, law: Law) -> None:
     """One period of the estimator alone, where others command: `v`, shape (2,) [V], acts until the next reading.
 
     A voltage that is not a number is read as 0 V; all are limited to 0 … the largest. Cost: 3 µs.
+
+    Parameters
+    ----------
+    s : FloatArray, shape (CONTROLLER_STATE,)
+        The estimator's state; moved on.
+    reading : float
+        Of the laser [m].
+    v : FloatArray, shape (2,)
+        Voltages of left and right [V].
+    law : Law
+        The controller.
     """
     signals = np.zeros(2)
     acting = v.copy()

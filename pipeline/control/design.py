@@ -23,15 +23,11 @@ from .step_metrics import BAND
 WEIGHT = 0.2
 """Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""
 NEAR = 0.07
-FAST = 0.7
-"""Distance, over that of the wells, and speed, over the largest of a snap, within which the regulator acts; it stops at
-twice that distance."""
+"""Distance, over that of the wells, within which the regulator begins; it stops at twice that distance."""
 STEEPNESS = 2.0
 """Share of the largest moment for a speed off the braking curve that is the largest one of a snap."""
 SETTLES = 0.14
 """Part of a snap's time after which a brake has taken hold: the slope has followed the moment."""
-SURE = 0.92
-"""Share of the largest voltage with which the joint must pass its barrier slowly; else it is pumped."""
 READING = 1.5e-4
 """Standard deviation of a reading over the wells' distance: noise, resolution, and the laser's linearity as it changes
 with the motion."""
@@ -65,10 +61,6 @@ class Settings:
     average: float | None = None
 
 
-LEAST_OF_TRAINED = 0.05
-"""Share of the largest trained voltage below which no controller is designed: forces go with the square."""
-
-
 def design(plant: ControlledJoint, settings: Settings) -> Law:
     """The controller of a plant.
 
@@ -84,12 +76,6 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     if not 0.0 < settings.highest <= plant.highest * (1.0 + 1e-9):
         raise InputError(
             f"a largest voltage of {settings.highest:g} V lies outside the trained range 0 to {plant.highest:.0f} V"
-        )
-    if settings.highest < LEAST_OF_TRAINED * plant.highest:
-        raise InputError(
-            f"a largest voltage of {settings.highest:g} V does not move the joint: its force is less than "
-            f"{100.0 * LEAST_OF_TRAINED**2:.2g} % of that at {plant.highest:.0f} V; give at least "
-            f"{LEAST_OF_TRAINED * plant.highest:.0f} V"
         )
     wells = wells_and_saddle(plant)
     left, saddle, right = (float(well.x[0]) for well in wells)
@@ -117,10 +103,9 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
         "per_reach": (REACHES - 1) / distance,
         "steepness": STEEPNESS / fastest,
         "saddle": saddle,
-        "pumped_right": float(slow[0] > SURE * settings.highest),
-        "pumped_left": float(slow[1] > SURE * settings.highest),
+        "pumped_right": float(slow[0] > settings.highest),
+        "pumped_left": float(slow[1] > settings.highest),
         "near": NEAR * distance,
-        "fast": FAST * fastest,
         "lever": mass[0, 1] / mass[0, 0],
         "settles": SETTLES * a_snap / PERIOD + settings.highest / slew - 1.0,
         "slew": slew,
@@ -182,8 +167,5 @@ _prepare_slopes = kernel(PREPARE)
 
 def acting_lags(plant: ControlledJoint, settings: Settings) -> tuple[float, float]:
     """Time constants [s] from command to force: the converters', and delay and charging time of the identification."""
-    left, right = (max(lag + plant.delay + plant.charging, _LEAST_LAG) for lag in settings.lags)
+    left, right = (max(lag + plant.delay + plant.charging, 0.5 * PERIOD) for lag in settings.lags)
     return left, right
-
-
-_LEAST_LAG = 0.5e-3

@@ -7,6 +7,7 @@ largest speeds from which full braking still stops at a target, by simulation of
 import numpy as np
 from scipy.linalg import expm, solve_discrete_are
 
+from ..errors import InputError
 from ..generated.condensed_joint import STATES
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled
@@ -18,8 +19,8 @@ from .law import CONTROLLER_STATE, CORRECTED, FEEDBACK, NUMBERS, PLACES, REACHES
 from .linear import LinearModel, held, held_at, jacobian
 from .plant import ControlledJoint, inertia
 
-COMMON = (0.05, 0.9)
-"""Least and largest mean share of the largest squared voltage on both sides at an unstable target."""
+COMMON = 0.05
+"""Step of the mean share of the largest squared voltage on both sides at an unstable target."""
 SLOW = 15.0
 """Unstable pole [1/s] up to which both sides are charged: a quarter of the slowest zero in the right half plane."""
 
@@ -80,38 +81,37 @@ def slow_switching_voltage(path: list[tuple[FloatArray, FloatArray]], wells: lis
     return float(np.sqrt(max(needed, default=0.0)))
 
 
-def growth(plant: ControlledJoint, x: FloatArray, u: FloatArray) -> float:
-    """Largest real part [1/s] of the poles about an equilibrium under squared voltages."""
-    return float(np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max())
-
-
 def charged(
     plant: ControlledJoint, x: FloatArray, u: FloatArray, highest: float
 ) -> tuple[tuple[FloatArray, FloatArray], float]:
     """The equilibrium at the same place with both sides charged, if it is unstable; and the mean share of `highest`².
 
     The charge grows until the unstable pole is `SLOW`, or the difference of both sides needs the rest.
+
+    Parameters
+    ----------
+    plant : ControlledJoint
+        The joint.
+    x : FloatArray, shape (STATES,)
+        Equilibrium.
+    u : FloatArray, shape (2,)
+        Squared voltages that hold it [V²].
+    highest : float
+        Largest voltage [V].
     """
-    if growth(plant, x, u) < _UNSTABLE:
-        return (x, u), 0.0
     equilibrium = (x, u)
-    share = _LEAST_COMMON
-    for common in np.linspace(*COMMON, 18):
-        answer = held(plant, x, common * highest**2 * np.ones(2), np.array([0.5, -0.5]))
+    share = 0.0
+    apart = np.array([0.5, -0.5])
+    for common in np.arange(COMMON, 1.0, COMMON).tolist():
+        growth = float(np.linalg.eigvals(jacobian(*equilibrium, plant.constants)[0]).real.max())
+        answer = None if growth < (SLOW if share else 0.0) else held(plant, x, common * highest**2 * np.ones(2), apart)
         if answer is None:
             break
-        x = answer[0]
-        difference = answer[1] / highest**2
-        if abs(difference) <= 2.0 * min(common, 1.0 - common):
-            left = common + 0.5 * difference
-            equilibrium = (x, highest**2 * np.array([left, left - difference]))
-            share = float(common)
-            if growth(plant, *equilibrium) < SLOW:
-                break
+        x, difference = answer
+        if abs(difference) <= 2.0 * min(common, 1.0 - common) * highest**2:
+            equilibrium = (x, common * highest**2 + difference * apart)
+            share = common
     return equilibrium, share
-
-
-_UNSTABLE, _LEAST_COMMON = 0.5, 0.02  # 1/s, share
 
 
 def regulator(
@@ -122,6 +122,21 @@ def regulator(
     Weights are Bryson's: each leading state over its `reach`, the moment over the largest one. The moment that acts
     follows the commanded one with the converters' lag; it is the last state. Both sides act along
     the same direction to within a few percent; the mean of both is used.
+
+    Parameters
+    ----------
+    plant : ControlledJoint
+        The joint.
+    x : FloatArray, shape (STATES,)
+        Equilibrium.
+    u : FloatArray, shape (2,)
+        Squared voltages that hold it [V²].
+    highest : float
+        Largest voltage [V].
+    lag : float
+        Time constant from command to force [s].
+    reach : FloatArray, shape (CORRECTED,)
+        Of the leading states, what weighs as the largest moment.
     """
     a, b = jacobian(x, u, plant.constants)
     per_square = moments_per_square(plant, x, u)
@@ -135,7 +150,10 @@ def regulator(
     weight[:CORRECTED] = 1.0 / reach**2
     control_weight = 1.0 / (float(np.mean(per_square)) * highest**2) ** 2
     drive = step[:-1, -1:]
-    cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
+    try:
+        cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
+    except np.linalg.LinAlgError:
+        raise InputError(f"a largest voltage of {highest:g} V does not move the joint; allow a larger one") from None
     gain: FloatArray = np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0]
     return gain
 
@@ -168,16 +186,14 @@ def reached(law: Law, start: FloatArray, end: float, v: FloatArray) -> FloatArra
     return largest
 
 
-LONGEST = 1000
-"""Periods of a snap, at most."""
-SPEEDS = (0.0, 0.5, 1.0, 2.0, 4.0)
+LONGEST = 600
+"""Periods of a motion of the model, at most."""
+EVERY = 2
+"""Periods from one braked instant to the next."""
+SPEEDS = (1.0, 2.0)
 """Speeds, over the largest of a snap, with which motions begin that are braked."""
-LEVELS = (0.25, 0.5, 1.0)
+LEVELS = (1.0, 0.5)
 """Shares of the largest moment that push them."""
-CLOSE = 0.01
-"""Distance, over that of the wells, below which a stop is no point of a curve."""
-WRONG_WAY = 30
-"""Steps in which a push from rest may move the tip backwards."""
 
 
 def braking_curves(
@@ -191,6 +207,23 @@ def braking_curves(
     Found by simulation: motions towards the places, slow and fast ones, are braked at every instant. The instant at
     which one stops at a place is a point of that place's first curve. The second is the brake of the first motion that
     stops there, which is the one from rest under full voltage, after its first periods.
+
+    Parameters
+    ----------
+    law : Law
+        With the model.
+    wells : list[LinearModel]
+        Left well, saddle, right well.
+    slope : float
+        τ/q of slow motions [1/m].
+    places : FloatArray, shape (TARGETS,)
+        Targets [m].
+    side : int
+        That pushes: 0 left, 1 right.
+    highest : float
+        Largest voltage [V].
+    fastest : float
+        Largest speed of a snap [m/s].
     """
     towards = 1.0 if side == 0 else -1.0
     start = wells[0 if side == 0 else 2].x
@@ -198,12 +231,13 @@ def braking_curves(
     brake[1 - side] = highest * np.sqrt(RESERVE)
     settles = round(law.number("settles"))
     distance = float(wells[2].x[0] - wells[0].x[0])
+    reaches = np.linspace(0.0, distance, REACHES)
     begins = [np.zeros((1, 2)) for _ in places]
     lasts = begins.copy()
     for x0, speed, level in [
-        *((start, speed, 1.0) for speed in SPEEDS),
         *((start, 0.0, level) for level in LEVELS),
-        *((wells[1].x, 0.5 * speed, level) for speed in SPEEDS[1:] for level in (0.0, *LEVELS)),
+        *((start, speed, 1.0) for speed in SPEEDS),
+        *((wells[1].x, 0.5 * speed, level) for speed in SPEEDS for level in (0.0, *LEVELS)),
     ]:
         push = np.zeros(2)
         s = np.zeros(CONTROLLER_STATE)
@@ -220,11 +254,10 @@ def braking_curves(
             share = -beyond[row] / (beyond[row + 1] - beyond[row])
             stop = towards * braked(law, (1.0 - share) * motion[row] + share * motion[row + 1], push, brake, towards)
             stop[:, 0] = stop[-1, 0] - stop[:, 0]
-            if stop[0, 0] > CLOSE * distance:
+            if stop[0, 0] > reaches[1]:
                 begins[i] = np.vstack([begins[i], stop[:1]])
                 if len(lasts[i]) == 1 and len(stop) > 2 * settles:
                     lasts[i] = np.vstack([lasts[i], stop[settles:-1]])
-    reaches = np.linspace(0.0, distance, REACHES)
     first = np.array([_curve(points, reaches) for points in begins])
     later = [_curve(points, reaches) if len(points) > 1 else curve for points, curve in zip(lasts, first, strict=True)]
     return first, np.maximum(first, later)
@@ -248,21 +281,38 @@ def _curve(points: FloatArray, reaches: FloatArray) -> FloatArray:
 def pushed(
     law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
 ) -> tuple[FloatArray, FloatArray]:
-    """States of a motion under `push` [V] every 2 ms, and where it would turn round if braked there with `brake` [V].
+    """States of a motion under `push` [V], and where it would turn round if braked there with `brake` [V].
 
-    It ends when it turns round by itself; `s` is moved along.
+    There is one in `EVERY` periods. The motion ends when it turns round by itself; the tip may move backwards at first.
+    `s` is moved along.
+
+    Parameters
+    ----------
+    law : Law
+        With the model.
+    s : FloatArray, shape (CONTROLLER_STATE,)
+        The joint's state; moved on.
+    push : FloatArray, shape (2,)
+        Voltages [V].
+    brake : FloatArray, shape (2,)
+        Voltages of the brake [V].
+    towards : float
+        1 to the right, −1 to the left.
     """
-    motion = np.empty((300, s.size))
-    turns = np.empty(300)
+    most = LONGEST // EVERY
+    motion = np.empty((most, s.size))
+    turns = np.empty(most)
     count = 0
-    for i in range(300):
+    forwards = False
+    for i in range(most):
         copy_into(motion[i], s)
         turns[i] = braked(law, s, push, brake, towards)[-1, 0]
         count = i + 1
-        for _ in range(2):
+        for _ in range(EVERY):
             move(s, push, law)
-        if i > WRONG_WAY and towards * s[1] <= 0.0:
+        if forwards and towards * s[1] <= 0.0:
             break
+        forwards = towards * s[1] > 0.0
     return motion[:count], turns[:count]
 
 
@@ -271,14 +321,27 @@ def braked(law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards
     """Displacement [m] and the mass centre's speed [m/s] every period under `brake` [V] after `push` [V], to the turn.
 
     A voltage changes by at most the slew limit in a period.
+
+    Parameters
+    ----------
+    law : Law
+        With the model.
+    s : FloatArray, shape (CONTROLLER_STATE,)
+        The joint's state.
+    push : FloatArray, shape (2,)
+        Voltages before [V].
+    brake : FloatArray, shape (2,)
+        Voltages of the brake [V].
+    towards : float
+        1 to the right, −1 to the left.
     """
     end = s.copy()
     v = push.copy()
-    motion = np.empty((301, 2))
+    motion = np.empty((LONGEST, 2))
     count = 0
     slew = law.numbers[_SLEW]
     lever = law.numbers[_LEVER]
-    for _ in range(301):
+    for _ in range(LONGEST):
         motion[count, 0], motion[count, 1] = end[0], end[1] + lever * end[3]
         count += 1
         if towards * end[1] <= 0.0:

@@ -15,7 +15,7 @@ INTERVAL = 4e-3
 """Sample interval of the runs [s]."""
 PROBE = 0.003
 """Standard deviation of a probe's voltage, relative, as data sheets state it."""
-_SEED = 1911
+SEED = 1911
 _FINE = 4  # voltages behind the lag in an interval of the commands
 
 
@@ -78,11 +78,7 @@ class Ensemble:
     wall: float
     lead: float
 
-    def some(self, count: int) -> "Ensemble":
-        """The first `count` vectors."""
-        return self.chosen(slice(0, count))
-
-    def chosen(self, which: slice) -> "Ensemble":
+    def subset(self, which: slice) -> "Ensemble":
         """Some of the vectors."""
         own = ("constants", "weights", "offsets", "delays", "charging", "lags", "gains")
         return replace(self, **{name: getattr(self, name)[which] for name in own})
@@ -101,7 +97,7 @@ class Ensemble:
         -----
         Cost: 60 µs for a run of 2 s.
         """
-        return self.play(self.squares(commands), start)
+        return self.simulate(self.squares(commands), start)
 
     def squares(self, commands: FloatArray) -> FloatArray:
         """Squared voltages [V²] that act on the joints, on the half steps, shape (P, B, H, 2); as `run` takes them.
@@ -118,34 +114,34 @@ class Ensemble:
         ]
         return np.stack(squares, axis=1)
 
-    def play(self, squares: FloatArray, start: float) -> FloatArray:
+    def simulate(self, squares: FloatArray, start: float) -> FloatArray:
         """Readings [m] as of `run` under squared voltages [V²], shape (P, B, H, 2), as of `squares`."""
-        plays, count, half, _ = squares.shape
+        pulses, count, half, _ = squares.shape
         samples = (half - 1) // (2 * self.steps) + 1
         runs = run_joints(
-            Laws(np.tile(self.constants, (plays, 1)), np.tile(self.weights, (plays, 1, 1)), self.basis),
+            Laws(np.tile(self.constants, (pulses, 1)), np.tile(self.weights, (pulses, 1, 1)), self.basis),
             Driving(
-                squares.reshape(plays * count, half, 2), np.arange(plays * count), np.tile(self.offsets, plays),
+                squares.reshape(pulses * count, half, 2), np.arange(pulses * count), np.tile(self.offsets, pulses),
                 np.array([start, 0.0, 0.0]),
             ),
             Followed(np.zeros(0), np.zeros(samples)), Stepping(INTERVAL, self.steps, self.wall, self.lead),
         )  # fmt: skip
-        return np.ascontiguousarray(runs[:, 1:, 0].reshape(plays, count, samples - 1))
+        return np.ascontiguousarray(runs[:, 1:, 0].reshape(pulses, count, samples - 1))
 
-    def erring(self, deviation: float) -> "Ensemble":
+    def with_gain_error(self, deviation: float) -> "Ensemble":
         """The same with draws whose voltages differ from those commanded with this relative standard deviation.
 
         The logarithms are quantiles of the normal distribution in a drawn order, so that few draws have its width too.
         """
         draws = len(self.gains) - 1
-        order = np.random.default_rng(_SEED).permutation(draws)
+        order = np.random.default_rng(SEED).permutation(draws)
         logs = deviation * ndtri((np.arange(draws) + 0.5) / max(draws, 1))[order]
         return replace(self, gains=np.exp(np.concatenate([[0.0], logs])))
 
 
 def ensemble_of(model: HybridModel, draws: int, converters: Converters) -> Ensemble:
     """The estimate of an identified joint and `draws` draws from its posterior and from what its converters may be."""
-    rng = np.random.default_rng(_SEED)
+    rng = np.random.default_rng(SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
     lags = np.array(converters.lags) * np.exp(converters.spread * _spread(rng, draws, 2))
     gains = 1.0 + converters.probe * _spread(rng, draws, 1)[:, 0]
@@ -158,6 +154,19 @@ def ensemble_at(
     """An identified joint with the parameters `thetas` (B, P), and its converters' lags (B, 2) [s] and gains (B,).
 
     The converters give `highest` [V] at most.
+
+    Parameters
+    ----------
+    model : HybridModel
+        The identified joint.
+    thetas : FloatArray, shape (B, P)
+        Parameters.
+    lags : FloatArray, shape (B, 2)
+        Time constants of the converters [s].
+    gains : FloatArray, shape (B,)
+        Voltages that act over those commanded.
+    highest : float
+        Largest voltage of the converters [V].
     """
     condensed = model.joint
     instruments = [condensed.instruments(theta) for theta in thetas]

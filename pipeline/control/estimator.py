@@ -97,7 +97,19 @@ def begin(signals: Values, e: Values, rests: Values) -> Outputs:
 
 
 def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
-    """Correct the estimate by a reading, or count what is missing; take the target over."""
+    """Correct the estimate by a reading, or count what is missing; take the target over.
+
+    Parameters
+    ----------
+    s : list
+        The controller's state.
+    signals : list, length 2
+        Reading and target [m].
+    e : list
+        `NUMBERS`.
+    rests : list
+        Table of rests.
+    """
     n = named(e)
     before = parts(s)
     q, finite = _reading(signals, n)
@@ -167,8 +179,8 @@ def _packed(i: int, j: int) -> int:
 def _stops(z: Values, before: Values, after: Values, n: dict[str, Any]) -> Values:
     """Stop operators after a move."""
     moved = [after[i] - before[i] for i in SHAPE]
-    plays = [sum(by * play for by, play in zip(direction(i, n), moved, strict=True)) for i in range(STOPS)]
-    return [apply(STOP_OPERATOR, z[i], plays[i], travel(i, n))[0] for i in range(STOPS)]
+    slides = [sum(by * move for by, move in zip(direction(i, n), moved, strict=True)) for i in range(STOPS)]
+    return [apply(STOP_OPERATOR, z[i], slides[i], travel(i, n))[0] for i in range(STOPS)]
 
 
 def direction(stop: int, n: dict[str, Any]) -> tuple[Any, Any, Any]:
@@ -232,7 +244,23 @@ def _pushed(x: Values, prepared: Values) -> tuple[dict[int, Any], dict[int, Any]
 
 
 def rates(s: Values, y: Values, u: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
-    """Rates of the state y under squared voltages and the unknown moment; s is the state where the step began."""
+    """Rates of the state y under squared voltages and the unknown moment; s is the state where the step began.
+
+    Parameters
+    ----------
+    s : list
+        The state where the step began.
+    y : list, length STATES
+        State of the joint.
+    u : list, length 2
+        Squared voltages [V²].
+    prepared : list
+        Constants of the joint.
+    e : list
+        `NUMBERS`.
+    curves : list
+        Table of corrections.
+    """
     n = named(e)
     now = parts(s)
     c, _ = corrections(y[0], n)
@@ -250,7 +278,19 @@ def ahead(share: float) -> Any:
 
 
 def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values, e: Values) -> Outputs:
-    """The state after a period, by the rates of the four stages; a wall ends every motion."""
+    """The state after a period, by the rates of the four stages; a wall ends every motion.
+
+    Parameters
+    ----------
+    s : list
+        The state where the step began.
+    v : list, length 2
+        Commands [V].
+    k1, k2, k3, k4 : list, length STATES
+        Rates of the stages.
+    e : list
+        `NUMBERS`.
+    """
     n = named(e)
     now = parts(s)
     totals = [
@@ -268,7 +308,23 @@ def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values,
 
 
 def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
-    """Move the covariance over the period: P ← F P Fᵀ + Q, F the exponential of the Jacobian to the third order."""
+    """Move the covariance over the period: P ← F P Fᵀ + Q, F the exponential of the Jacobian to the third order.
+
+    Parameters
+    ----------
+    s : list
+        The controller's state.
+    um : list, length 2
+        Means of the squared voltages [V²].
+    slopes : list
+        Constants of the joint, for the Jacobian.
+    prepared : list
+        Constants of the joint.
+    e : list
+        `NUMBERS`.
+    curves : list
+        Table of corrections.
+    """
     n = named(e)
     now = parts(s)
     a, push = _jacobian(now, um, slopes, prepared, n)
@@ -326,7 +382,19 @@ def _jacobian(
 
 
 def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:
-    """If a number is not finite: zero voltages, and a new start with the next reading."""
+    """If a number is not finite: zero voltages, and a new start with the next reading.
+
+    Parameters
+    ----------
+    s : list
+        The controller's state.
+    v : list, length 2
+        Commands [V].
+    e : list
+        `NUMBERS`.
+    rests : list
+        Table of rests.
+    """
     n = named(e)
     sound = function("finite", s[0])
     for value in s[1:]:
@@ -355,7 +423,7 @@ def known_state(s: Values, e: Values) -> Outputs:
     return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"], status]}
 
 
-SHAPE = (0, 2, 4)
+SHAPE = tuple(range(0, CORRECTED, 2))
 """Places of q, τ and β in the state."""
 ESTIMATED = STATES + STOPS + 4
 """Numbers of an estimate."""

@@ -37,8 +37,6 @@ DEAD = 0.02
 """Share of the largest moment below which the joint is let go in a well."""
 INTEGRAL = 3.0
 """Time constant [s] of the slow moment at a target that is held."""
-FADES = 0.2
-"""Time constant [s] with which the mean of the regulator is taken away in a well."""
 ENOUGH = 1.0 - math.exp(-1.0)
 """Share of the time far from a target, over `estimator.MEMORY`, at which it is given up: after that time on end."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
@@ -56,7 +54,19 @@ def tabulated(name: str, place: Any) -> Values:
 
 
 def braking_speeds(place: Any, distance: Any, from_right: Any, n: dict[str, Any]) -> Values:
-    """Speeds [m/s] at a distance [m] from a target: with the first a pushed joint is braked, the second braking has."""
+    """Speeds [m/s] at a distance [m] from a target: with the first a pushed joint is braked, the second braking has.
+
+    Parameters
+    ----------
+    place : value
+        Of the target, in rows.
+    distance : value
+        To the target [m].
+    from_right : value
+        1 if it comes from the right, else 0.
+    n : dict[str, Any]
+        `NUMBERS` by name.
+    """
     lower, share = row(place, TARGETS)
     part, more = row(distance * n["per_reach"], REACHES)
     index = (lower + float(TARGETS) * from_right) * float(REACHES) + part
@@ -71,7 +81,19 @@ def braking_speeds(place: Any, distance: Any, from_right: Any, n: dict[str, Any]
 
 
 def regulated(now: dict[str, Values], acting: Any, hold: Any, place: Any) -> Any:
-    """Moment [N·m] of the linear-quadratic regulator of a target, beside the one that holds it."""
+    """Moment [N·m] of the linear-quadratic regulator of a target, beside the one that holds it.
+
+    Parameters
+    ----------
+    now : dict[str, Values]
+        Parts of the controller's state.
+    acting : value
+        Moment that acts [N·m].
+    hold : value
+        Moment that holds the target [N·m].
+    place : value
+        Of the target, in rows.
+    """
     there = tabulated("rests", place)
     gains = tabulated("gains", place)
     moment = -gains[STATES] * (acting - hold)
@@ -81,7 +103,19 @@ def regulated(now: dict[str, Values], acting: Any, hold: Any, place: Any) -> Any
 
 
 def shares(moment: Any, left: Any, right: Any, common: Any) -> Any:
-    """Difference of the shares of left and right that makes a moment [N·m] of those at the largest voltage."""
+    """Difference of the shares of left and right that makes a moment [N·m] of those at the largest voltage.
+
+    Parameters
+    ----------
+    moment : value
+        [N·m].
+    left : value
+        Moment of the left side at the largest voltage [N·m].
+    right : value
+        Of the right side [N·m].
+    common : value
+        Mean share of both.
+    """
     alone = moment / choose(function("lt", moment, 0.0), right, left)
     together = (moment - common * (left - right)) / (0.5 * (left + right))
     return choose(function("lt", function("abs", together), 2.0 * common), together, alone)
@@ -123,13 +157,13 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
 
 
 def _regulates(now: dict[str, Values], well: Any, n: dict[str, Any]) -> Any:
-    """1, or 2 where it is let go, from where the joint comes near its target slowly until it is far away.
+    """1, or 2 where it is let go, from where the joint comes near its target until it is far away.
 
     Far away from a well is beyond the saddle.
     """
     target = now["target"][0]
     away = function("abs", target - now["x"][0])
-    caught = _both(function("lt", away, n["near"]), function("lt", function("abs", now["x"][1]), n["fast"]))
+    caught = function("lt", away, n["near"])
     left = choose(well, function("abs", target - n["saddle"]), 2.0 * n["near"])
     return choose(function("lt", left, away), 0.0, choose(caught, function("max", 1.0, now["near"][0]), now["near"][0]))
 
@@ -165,7 +199,19 @@ def limited(volts: Values, now: dict[str, Values], n: dict[str, Any]) -> Values:
 
 
 def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
-    """The voltages of a period, shape (2,) [V]: within the limits, ramped down without a reading."""
+    """The voltages of a period, shape (2,) [V]: within the limits, ramped down without a reading.
+
+    Parameters
+    ----------
+    s : list
+        The controller's state.
+    e : list
+        `NUMBERS`.
+    targets : list
+        Table of targets.
+    braking : list
+        Braking curves.
+    """
     n = named(e)
     now = parts(s)
     x = now["x"]

@@ -44,7 +44,7 @@ NUMBERS = (
     *(f"bound_{i}" for i in range(FILTER)),
     "arm", "length", *(f"travel_{i}" for i in sorted(set(STOP_ELEMENTS))),
     "curve_first", "curve_per_metre", "curve_last", "rest_per_metre",
-    "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near", "fast",
+    "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near",
     "slew", "allowed", "band", "lever", "settles", "same", "fade", "slow",
 )  # fmt: skip
 """Single numbers of a law, all SI: the laser's offset, the wall no motion passes, the largest displacement
@@ -75,8 +75,8 @@ RESTS = 65
 """Rows of the table of rests."""
 
 
-_MOST_CELLS = 10_000
-_LARGEST = 1e30
+_LARGEST = float(np.finfo(np.float32).max)
+"""Single precision holds no larger number."""
 _SHAPES = {
     "numbers": (len(NUMBERS),), "prepared": (PREPARE.outputs["p"],), "slopes": (PREPARE_SLOPES.outputs["p"],),
     "rests": (RESTS, 3), "targets": (TARGETS, TARGET_COLUMNS["common"].stop), "braking": (4 * TARGETS, REACHES),
@@ -150,7 +150,7 @@ class Law(NamedTuple):
             numbers = np.array([values["numbers"][name] for name in NUMBERS], dtype=np.float64)
             law = cls(numbers, *(np.array(values[name], dtype=np.float64) for name in cls._fields[1:]))
             shapes = {name: getattr(law, name).shape for name in _SHAPES}
-            if shapes != _SHAPES or law.curves.shape[1:] != (6, CURVES) or not 1 <= len(law.curves) <= _MOST_CELLS:
+            if shapes != _SHAPES or law.curves.shape[1:] != (6, CURVES) or not len(law.curves):
                 raise ValueError("a table has another shape")
             if not all(np.all(np.abs(values) <= _LARGEST) for values in law):
                 raise ValueError("a number is too large, or none")

@@ -1,6 +1,7 @@
 """Equilibria of a joint, free or held by constant voltages, and the linear models about them."""
 
 import importlib
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,7 +20,6 @@ from ..scoring.wells import outermost_pair
 from .plant import NAMES, UNITS, Constants, ControlledJoint, forces
 
 _SAME = 1e-5  # m
-_TOLERANCE = 1e-9  # m
 _BEYOND = 0.5
 """How far beyond the rests that the logs show equilibria are looked for, as a share of their distance; and the share of
 the wall up to which where the logs show none. A beam's identified length would be no measure: it trades with others."""
@@ -200,32 +200,42 @@ def _window(plant: ControlledJoint) -> tuple[float, float]:
     return left - _BEYOND * (right - left), right + _BEYOND * (right - left)
 
 
+def _root(left: Callable[[FloatArray], FloatArray], start: FloatArray, steps: FloatArray) -> FloatArray | None:
+    """Where three functions of three unknowns vanish, by Newton's method; None if it fails.
+
+    Slopes are by central differences with `steps`, in whose units moves are limited and errors small.
+    """
+    at = start
+    for _ in range(_ITERATIONS):
+        slopes = np.array([left(at + d) - left(at - d) for d in np.diag(steps)]).T / (2.0 * steps)
+        move = np.linalg.solve(slopes, -left(at))
+        size = float(np.abs(move / steps).max())
+        at = at + move * min(1.0, _LONGEST / max(size, _TOLERANCE))
+        if not np.all(np.isfinite(at)):
+            return None
+        if size < _TOLERANCE:
+            return at
+    return None
+
+
+_ITERATIONS = 40
+_LONGEST = 2e4
+_TOLERANCE = 1e-3
+
+
 def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArray | None:
     """The equilibrium near a state under the squared voltages `u`, shape (2,) [V²]; None if Newton's method fails."""
     c = plant.constants
-    place = near[[0, 2, 4]]
-    steps = np.array([1e-7, 1e-6, 1e-6])
-    for _ in range(30):
-        now = forces(still(*place), u[0], u[1], c)
-        slopes = np.array(
-            [
-                (forces(still(*(place + d)), u[0], u[1], c) - forces(still(*(place - d)), u[0], u[1], c))
-                for d in np.diag(steps)
-            ]
-        ).T / (2.0 * steps)
-        move = np.linalg.solve(slopes, -now)
-        place = place + move * min(1.0, 2e-3 / max(abs(move[0]), 1e-12), 0.03 / max(abs(move[1]), 1e-12))
-        if not np.all(np.isfinite(place)) or abs(place[0]) > plant.wall:
-            return None
-        if abs(move[0]) < _TOLERANCE:
-            return still(*place)
-    return None
+    steps = np.array([1e-7, 1e-6, 1e-6])  # m, 1, 1
+    found = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], c)), near[[0, 2, 4]], steps)
+    return None if found is None or abs(found[0]) > plant.wall else still(*found)
 
 
 def held(
     plant: ControlledJoint, near: FloatArray, base: FloatArray, push: FloatArray
 ) -> tuple[FloatArray, float] | None:
-    """The equilibrium at the displacement of a state under the squared voltages base + u push, and u.
+    """The equilibrium at the displacement of a state under the squared voltages base + u push, and u; None if there is
+    none.
 
     Parameters
     ----------
@@ -244,23 +254,14 @@ def held(
     """
     c = plant.constants
     q = float(near[0])
-    place = np.array([near[2], near[4], 0.0])  # slope, interior shape, squared voltage [kV²]
-    steps = np.array([1e-6, 1e-6, 1e-3])
 
     def left(at: FloatArray) -> FloatArray:
-        """Forces that are left at a slope, an interior shape and a squared voltage: zero at rest."""
+        """Forces that are left at a slope, an interior shape and a squared voltage [kV²]: zero at rest."""
         u = base + 1e6 * at[2] * push
         return np.asarray(forces(still(q, at[0], at[1]), u[0], u[1], c))
 
-    for _ in range(40):
-        slopes = np.array([left(place + d) - left(place - d) for d in np.diag(steps)]).T / (2.0 * steps)
-        move = np.linalg.solve(slopes, -left(place))
-        place = place + move * min(1.0, 0.05 / max(abs(move[0]), 1e-12))
-        if not np.all(np.isfinite(place)):
-            return None
-        if abs(move[0]) < 1e-10 and abs(move[2]) < 1e-7:
-            return still(q, place[0], place[1]), 1e6 * float(place[2])
-    return None
+    found = _root(left, np.array([near[2], near[4], 0.0]), np.array([1e-6, 1e-6, 1e-3]))
+    return None if found is None else (still(q, found[0], found[1]), 1e6 * float(found[2]))
 
 
 def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:
@@ -309,12 +310,9 @@ def held_at(plant: ControlledJoint, q: float, saddle: FloatArray) -> tuple[Float
     for start in (relaxed, still(q, float(saddle[2]), float(saddle[4]))):
         for side in (0, 1):
             answer = held(plant, start, np.zeros(2), np.eye(2)[side])
-            if answer is None or answer[1] < -_ROUNDING:
+            if answer is None or answer[1] < 0.0:
                 continue
-            u = max(answer[1], 0.0) * np.eye(2)[side]
+            u = answer[1] * np.eye(2)[side]
             if best is None or u.sum() < best[1].sum():
                 best = answer[0], u
     return (relaxed, np.zeros(2)) if best is None else best
-
-
-_ROUNDING = 1e3  # V²

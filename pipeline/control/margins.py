@@ -15,22 +15,19 @@ from ..generated.condensed_joint import STATES, STOPS
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled
 from .controller import begin_control, control, move
-from .estimator import PERIOD, SHAPE, direction, travel
-from .law import CONTROLLER_STATE, NUMBERS, PLACES, SIDES, Law
+from .estimator import MEMORY, PERIOD, SHAPE, direction, travel
+from .feedback import INTEGRAL
+from .law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, SIDES, Law
 from .linear import full_jacobian
 from .plant import ControlledJoint
 
-GAINS = (0.05, 20.0)
-FRICTIONS = 20.0
-"""Factors between which the loop's gain is tried, and the largest one of friction."""
-_SLIDES = 1e9  # travel of a stop operator that resists nothing
-_SETTLES = 4000  # periods
-_STEPS = {"x": 1e-6, "volts": 1e-2, "moment": 1e-8, "level": 1e-8}
-"""Lengths of the differences by which the controller is differentiated, in the units of its state. Stop operators move
-along with the shape."""
-_ENTRIES = np.concatenate([np.arange(CONTROLLER_STATE)[PLACES[name]] for name in _STEPS])
-_LENGTHS = np.concatenate([np.full(PLACES[name].stop - PLACES[name].start, step) for name, step in _STEPS.items()])
-_GRID = np.geomspace(0.3, np.pi / PERIOD, 4000)  # rad/s
+FACTOR = 20.0
+"""Largest factor that is tried on gain and friction; 1 over it is the least on the gain."""
+_PRECISION = 0.02
+"""Relative error of the factors, and of the grid of frequencies."""
+_SETTLES = round(INTEGRAL / PERIOD)
+_ENTRIES = np.concatenate([np.arange(CONTROLLER_STATE)[PLACES[name]] for name in ("x", "volts", "moment", "level")])
+_GRID = np.exp(np.arange(-np.log(MEMORY), np.log(np.pi / PERIOD), _PRECISION))  # rad/s
 
 Matrices = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
 """A, B, C, D of a system in discrete time."""
@@ -43,11 +40,11 @@ class Margins:
     Attributes
     ----------
     gain_low, gain_high : float
-        Factors on what a change of the voltages does to the reading; held within `GAINS`.
+        Factors on what a change of the voltages does to the reading; held within 1/`FACTOR` and `FACTOR`.
     delay_s : float
         Time [s] by which everything may come later.
     friction_high : float
-        Factor on the joint's friction; held at `FRICTIONS`. The lower end is none at all.
+        Factor on the joint's friction; held at `FACTOR`. The lower end is none at all.
     """
 
     gain_low: float
@@ -68,7 +65,7 @@ def margins(plant: ControlledJoint, law: Law, saddle: float) -> Margins | None:
     limits = np.isin(NUMBERS, ("slew", "allowed"))
     law = law._replace(numbers=np.where(limits, law.number("highest"), law.numbers))
     slides = np.array([name.startswith("travel") for name in NUMBERS])
-    sliding = law._replace(numbers=np.where(slides, _SLIDES, law.numbers))
+    sliding = law._replace(numbers=np.where(slides, np.inf, law.numbers))
     s = np.zeros(CONTROLLER_STATE)
     joint = np.zeros(CONTROLLER_STATE)
     begin_control(saddle, sliding, s)
@@ -85,15 +82,29 @@ def margins(plant: ControlledJoint, law: Law, saddle: float) -> Margins | None:
         return None
     low, high = (
         [_edge(lambda k, loop=loop: _stable(*loop, gain=k), end) for loop in loops]  # type: ignore[misc]
-        for end in GAINS
+        for end in (1.0 / FACTOR, FACTOR)
     )
-    friction = _edge(lambda f: _stable(stepped(plant, law, joint, f), sticky), FRICTIONS)
+    friction = _edge(lambda f: _stable(stepped(plant, law, joint, f), sticky), FACTOR)
     return Margins(max(low), min(high), min(_delay(*loop) for loop in loops), friction)
 
 
 @compiled
 def hold(law: Law, s: FloatArray, joint: FloatArray, target: float, periods: int) -> None:
-    """Move a controller `s` and the joint of its model, both states of a controller, on under one target [m]."""
+    """Move a controller `s` and the joint of its model, both states of a controller, on under one target [m].
+
+    Parameters
+    ----------
+    law : Law
+        Controller and model.
+    s : FloatArray, shape (CONTROLLER_STATE,)
+        The controller's state; moved on.
+    joint : FloatArray, shape (CONTROLLER_STATE,)
+        The joint's; moved on.
+    target : float
+        [m].
+    periods : int
+        How many.
+    """
     v = np.zeros(2)
     offset = law.numbers[_OFFSET]
     for _ in range(periods):
@@ -105,7 +116,19 @@ _OFFSET = NUMBERS.index("offset")
 
 
 def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float) -> Matrices:
-    """Reading over commanded voltages about a joint at rest, over a period, with a factor on friction that sticks."""
+    """Reading over commanded voltages about a joint at rest, over a period, with a factor on friction that sticks.
+
+    Parameters
+    ----------
+    plant : ControlledJoint
+        The joint.
+    law : Law
+        With the converters.
+    joint : FloatArray, shape (CONTROLLER_STATE,)
+        The joint at rest.
+    friction : float
+        Factor on friction that sticks.
+    """
     x = joint[PLACES["x"]]
     volts = joint[PLACES["volts"]]
     n = STATES
@@ -135,6 +158,7 @@ def differentiated(law: Law, s: FloatArray, target: float) -> Matrices:
     at = s[PLACES["x"]][0] + law.number("offset")
     size = len(_ENTRIES)
     stops = _stops(law)
+    lengths = _lengths(law)
 
     def after(moved: FloatArray, reading: float) -> FloatArray:
         """The state's entries and the voltages after a period."""
@@ -144,7 +168,7 @@ def differentiated(law: Law, s: FloatArray, target: float) -> Matrices:
         return np.concatenate([state[_ENTRIES], v])
 
     columns = []
-    for entry, length in zip(_ENTRIES, _LENGTHS, strict=True):
+    for entry, length in zip(_ENTRIES, lengths, strict=True):
         ends = []
         for sign in (1.0, -1.0):
             moved = s.copy()
@@ -153,10 +177,20 @@ def differentiated(law: Law, s: FloatArray, target: float) -> Matrices:
                 moved[PLACES["z"]] += sign * length * stops[:, entry]
             ends.append(after(moved, at))
         columns.append((ends[0] - ends[1]) / (2.0 * length))
-    length = _LENGTHS[0]
+    length = lengths[0]
     columns.append((after(s, at + length) - after(s, at - length)) / (2.0 * length))
     by = np.array(columns).T
     return by[:size, :size], by[:size, size:], by[size:, :size], by[size:, size:]
+
+
+def _lengths(law: Law) -> FloatArray:
+    """Lengths of the differences by which the controller is differentiated, in the units of its state.
+
+    Stop operators move along with the shape.
+    """
+    step = float(np.sqrt(np.finfo(float).eps))
+    *reach, moment = (law.number(f"bound_{i}") for i in range(FILTER))
+    return step * np.array([*reach, *np.ones(STATES - CORRECTED), *np.full(2, law.number("highest")), moment, moment])
 
 
 def _stable(joint: Matrices, controller: Matrices, gain: float = 1.0) -> bool:
@@ -167,17 +201,13 @@ def _stable(joint: Matrices, controller: Matrices, gain: float = 1.0) -> bool:
 
 
 def _edge(holds: Callable[[float], bool], end: float) -> float:
-    """The factor nearest to 1 towards `end` from which on the loop does not hold, to 1 %; `end` if it always does."""
-    factors = np.geomspace(1.0, end, 40)
-    lost = next((i for i, factor in enumerate(factors) if not holds(float(factor))), None)
-    if lost is None:
-        return end
-    inside = float(factors[max(lost - 1, 0)])
-    outside = float(factors[lost])
-    while abs(np.log(outside / inside)) > 0.01:
-        middle = float(np.sqrt(inside * outside))
-        inside, outside = (middle, outside) if holds(middle) else (inside, middle)
-    return inside
+    """The last factor from 1 towards `end` with which the loop holds."""
+    inside = 1.0
+    for factor in np.geomspace(1.0, end, round(abs(np.log(end)) / _PRECISION)).tolist():
+        if not holds(factor):
+            return inside
+        inside = factor
+    return end
 
 
 def _delay(joint: Matrices, controller: Matrices) -> float:

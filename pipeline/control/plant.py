@@ -107,7 +107,17 @@ def inertia(x: FloatArray, p: FloatArray) -> FloatArray:
 
 @compiled
 def forces(x: FloatArray, u1: float, u2: float, c: Constants) -> FloatArray:
-    """Generalised forces on (q, τ, β) at rest [N, N·m, J], shape (3,), friction left out; u = v² [V²]."""
+    """Generalised forces on (q, τ, β) at rest [N, N·m, J], shape (3,), friction left out; u = v² [V²].
+
+    Parameters
+    ----------
+    x : FloatArray, shape (STATES,)
+        State.
+    u1, u2 : float
+        Squared voltages of left and right [V²].
+    c : Constants
+        Of the joint.
+    """
     u = np.array([u1, u2])
     values = np.zeros(VALUES)
     out = np.empty(3)

@@ -11,35 +11,24 @@ from ..numerics.arrays import FloatArray
 from ..numerics.metrics import settling_index
 from ..system.names import Goal
 from ..system.progress import OnProgress, silent
-from .ensemble import INTERVAL, Ensemble
+from .ensemble import INTERVAL, SEED, Ensemble
 from .estimator import PERIOD
 from .step_metrics import BAND
 
 LENGTH = 1.2
-"""Length [s] of the runs by which a pulse is judged."""
-PERMITTED = {"energy": 0.5, "voltage": 0.8}
-"""Settling time [s] that a pulse may take for each goal beside time."""
-BANDS = (0.6, 0.8, 1.0)
+"""Length [s] of the runs by which a pulse is judged; its goals beside time permit half of it for settling."""
+BANDS = (0.6, 1.0)
 """Shares of the settling band over which the optimisation takes the mean: a narrow one alone asks a joint that creeps
 for what no pulse does (1 s where 0.18 s is possible), a wide one alone leaves nothing for draws that differ."""
-CHARGE_COST = 0.5
-SETTLING_COST = 0.02
-OVERTIME_COST = 2.0
-"""Cost of a charge with the largest voltage, of a second of settling beside charge or voltage, and of one beyond
-`PERMITTED`, where a settling time in seconds, or the largest voltage's share, costs 1."""
-LONGEST = 0.35
+SEGMENTS = ("push", "brake", "catch")
+LONGEST = LENGTH / len(SEGMENTS)
 """Longest segment of a pulse [s]."""
-_BOUNDS = ((0.0, LONGEST), (0.0, 1.0), (0.0, LONGEST), (-1.0, 0.0), (0.0, LONGEST), (-1.0, 1.0))
+_BOUNDS = np.array([(0.0, LONGEST), (0.0, 1.0), (0.0, LONGEST), (-1.0, 0.0), (0.0, LONGEST), (-1.0, 1.0)])
 """Durations [s] and efforts of push, brake and catch between which the optimisation looks."""
-_ROBUST = 5
-"""Draws beside the estimate that judge a pulse."""
-_SEARCHES = 3
+JUDGES = 6
+"""Vectors of the ensemble that judge a pulse: the estimate and some draws."""
 _ROUNDS = 60
-_ROBUST_ROUNDS = 30
-_RUNS = _SEARCHES * _ROUNDS + (1 + _ROBUST) * _ROBUST_ROUNDS
-"""Runs of each pulse in all rounds."""
-_FAILED = 10.0
-"""Cost of a pulse that does not settle, which is above that of any that does."""
+_POPULATION = 48
 
 
 @dataclass(frozen=True)
@@ -79,8 +68,8 @@ def design_pulse(
 ) -> Pulse:  # fmt: skip
     """The pulse that brings the joint from rest at `start` to rest at `target` (readings, m).
 
-    Differential evolution over the durations and efforts of three segments on the estimate, from drawn starts and from
-    bang-bang ones, several times; then about the best for the estimate and some draws, judged by their mean.
+    Differential evolution over the durations and efforts of three segments, judged by the mean over the estimate and
+    some draws, from drawn starts of which half push and brake fully.
 
     Parameters
     ----------
@@ -107,26 +96,25 @@ def design_pulse(
     Cost: 4 s.
     """
     side = 0 if target > start else 1
+    judges = joint.subset(slice(0, JUDGES))
     rounds = 0
 
-    def cost(values: FloatArray, some: Ensemble) -> FloatArray:
+    def cost(values: FloatArray) -> Any:
         """Mean over the ensemble of what each pulse costs."""
         nonlocal rounds
-        on_progress("optimising", min(1.0, rounds / _RUNS))
-        rounds += len(some.offsets)
-        runs = some.run(commands(values.T, side, highest), start)
-        return np.asarray(judged(runs, start, target, distance, values.T, goal, float(joint.lags.mean())).mean(axis=1))
+        on_progress("optimising", rounds / (_ROUNDS + 1))
+        rounds += 1
+        runs = judges.run(commands(values.T, side, highest), start)
+        return judged(runs, start, target, distance, values.T, goal, float(joint.lags.mean())).mean(axis=1)
 
-    bounds = np.array(_BOUNDS)
-    alone = joint.some(1)
-    robust = joint.some(1 + _ROBUST)
-    optima = np.array(
-        [_search(lambda v: cost(v, alone), _ROUNDS, _starts(bounds, s), bounds, s) for s in range(_SEARCHES)]
-    )
-    first = optima[int(np.argmin(cost(optima.T, robust)))]
-    near = 0.15 * (bounds[:, 1] - bounds[:, 0])
-    about = np.clip(np.column_stack([first - near, first + near]), bounds[:, :1], bounds[:, 1:])
-    best = _search(lambda v: cost(v, robust), _ROBUST_ROUNDS, _spread(about, first, _SEARCHES), about, _SEARCHES)
+    rng = np.random.default_rng(SEED)
+    pulses = rng.uniform(_BOUNDS[:, 0], _BOUNDS[:, 1], (_POPULATION, len(_BOUNDS)))
+    pulses[::2, 1], pulses[::2, 3] = 1.0, -1.0
+    limits: Any = _BOUNDS
+    best = differential_evolution(
+        cost, limits, init=pulses, maxiter=_ROUNDS, vectorized=True, polish=False, updating="deferred", tol=0.0,
+        mutation=(0.4, 0.9), recombination=0.8, rng=rng,
+    ).x  # fmt: skip
     v = commands(best[None], side, highest)
     q = joint.run(v, start)[0]
     settling = settling_times(q, target, distance)
@@ -145,7 +133,7 @@ def design_pulse(
     last = int(np.flatnonzero(v[0].any(axis=1))[-1]) + 2
     t = np.linspace(0.0, PERIOD * (v.shape[1] - 1), v.shape[1])
     return Pulse(
-        t[:last], v[0, :last], best.reshape(3, 2), float(settling[0]), float(overshoot[0].max()), low,
+        t[:last], v[0, :last], best.reshape(-1, 2), float(settling[0]), float(overshoot[0].max()), low,
         high, float(right[1:].mean()) if len(q) > 1 else float(right[0]), q,
     )  # fmt: skip
 
@@ -155,7 +143,7 @@ def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
     t = np.arange(round(LENGTH / PERIOD)) * PERIOD
     begin = np.zeros((len(values), 1))
     share = np.zeros((len(values), t.size))
-    for segment in range(3):
+    for segment in range(len(SEGMENTS)):
         end = begin + values[:, [2 * segment]]
         inside = np.clip((end - t) / PERIOD, 0.0, 1.0) - np.clip((begin - t) / PERIOD, 0.0, 1.0)
         share += values[:, [2 * segment + 1]] * inside
@@ -169,23 +157,30 @@ def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
 def judged(
     q: FloatArray, start: float, target: float, distance: float, values: FloatArray, goal: Goal, lag: float
 ) -> FloatArray:
-    """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): the measure of the goal, far more without settling.
+    """Cost of the runs of pulses, shape (P, B): the measure of the goal, more than any such without settling.
 
-    A segment that is shorter than the converters' `lag` [s] charges its membrane in part.
+    Parameters
+    ----------
+    q : FloatArray, shape (P, B, N)
+        Readings [m].
+    start, target, distance : float
+        Readings [m] of the wells and their distance.
+    values : FloatArray, shape (P, 6)
+        Durations [s] and efforts of the segments.
+    goal : {"time", "energy", "voltage"}
+        What is least.
+    lag : float
+        Time constant of the converters [s]: a shorter segment charges its membrane in part.
     """
     times = [settling_times(q, target, share * distance) for share in BANDS]
     settling = np.mean(np.minimum(times, LENGTH), axis=0)
     over = np.maximum(((q - target) * np.sign(target - start)).max(axis=2), 0.0) / distance
-    late = np.abs(q[..., q.shape[-1] // 2 :] - target).mean(axis=2) / distance
+    away = np.abs(q[..., q.shape[-1] // 2 :] - target).mean(axis=2) / distance
     size = np.abs(values[:, 1::2])
-    spent = (size * np.minimum(values[:, 0::2] / lag, 1.0)).sum(axis=1)
-    cost = {
-        "time": settling,
-        "energy": CHARGE_COST * spent[:, None] + SETTLING_COST * settling,
-        "voltage": size.max(axis=1)[:, None] + SETTLING_COST * settling,
-    }[goal]
-    cost = cost + over + OVERTIME_COST * np.maximum(settling - PERMITTED.get(goal, np.inf), 0.0)
-    return np.asarray(np.where(np.isfinite(times[-1]), cost, _FAILED * (1.0 + late)))
+    spent = (size * np.minimum(values[:, 0::2] / lag, 1.0)).mean(axis=1)
+    cost = {"time": settling, "energy": spent[:, None], "voltage": size.max(axis=1)[:, None]}[goal]
+    late_s = 0.0 if goal == "time" else np.maximum(settling - 0.5 * LENGTH, 0.0)
+    return np.asarray(np.where(np.isfinite(times[-1]), cost + over + 2.0 * late_s / LENGTH, 3.0 + away))
 
 
 def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
@@ -199,27 +194,3 @@ def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
     share = np.clip((before - BAND * distance) / np.maximum(before - after, 1e-12), 0.0, 1.0)
     times = np.where(times > 0.0, times - INTERVAL * (1.0 - share), 0.0)
     return np.asarray(np.where(settled == q.shape[-1], np.inf, times))
-
-
-def _search(cost: Any, rounds: int, starts: FloatArray, bounds: FloatArray, seed: int) -> FloatArray:
-    limits: Any = bounds
-    optimum = differential_evolution(
-        cost, limits, maxiter=rounds, init=starts, vectorized=True, polish=False, updating="deferred", tol=1e-6,
-        mutation=(0.4, 0.9), recombination=0.8, rng=seed,
-    )  # fmt: skip
-    return np.asarray(optimum.x)
-
-
-def _starts(bounds: FloatArray, seed: int) -> FloatArray:
-    """Drawn starts, shape (48, 6), half of them bang-bang with other switching times."""
-    drawn = _spread(bounds, bounds.mean(axis=1), seed)
-    pushes, ratios = np.meshgrid(np.linspace(0.08, 0.22, 8), (0.4, 0.6, 0.8))
-    for i, (push, ratio) in enumerate(zip(pushes.ravel(), ratios.ravel(), strict=True)):
-        drawn[i] = (push, 1.0, ratio * push, -0.9, 0.1, 0.1)
-    return np.clip(drawn, bounds[:, 0], bounds[:, 1])
-
-
-def _spread(bounds: FloatArray, included: FloatArray, seed: int) -> FloatArray:
-    drawn = np.random.default_rng(seed).uniform(bounds[:, 0], bounds[:, 1], (48, len(bounds)))
-    drawn[-1] = included
-    return drawn

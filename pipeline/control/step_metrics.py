@@ -52,7 +52,19 @@ def step_metrics(t: FloatArray, q: FloatArray, target: FloatArray, distance: flo
 
 
 def one_step(t: FloatArray, q: FloatArray, target: float, distance: float) -> Step:
-    """Metrics of a stretch with one target, from its first row on."""
+    """Metrics of a segment with one target, from its first row on.
+
+    Parameters
+    ----------
+    t : FloatArray, shape (n,)
+        Times [s].
+    q : FloatArray, shape (n,)
+        Displacement [m].
+    target : float
+        Target [m].
+    distance : float
+        Distance of the wells [m].
+    """
     error = q - target
     settled = int(settling_index(error, BAND * distance))
     direction = -np.sign(error[0]) if abs(error[0]) > BAND * distance else 1.0

@@ -1,5 +1,6 @@
 """Which plain pulses switch an identified joint: their probability, and the lowest voltage that is enough."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -15,14 +16,12 @@ from .estimator import PERIOD
 
 REST = 1.6
 """Time [s] after the pulse's end at which the well counts."""
-VOLTAGES = 33
-DURATIONS = 41
-REACH = 3
-"""Cells about the estimate's boundary in which the draws are run."""
-LEAST_VOLTAGE = 0.3
+CELLS = 25
+"""Voltages and durations of the map."""
+LEAST_VOLTAGE = 0.2
 SHORTEST = 0.02
 LONGEST = 1.0
-"""Bounds of the map: lowest voltage as a share of the largest, shortest and longest pulse [s]."""
+"""Lowest voltage that is tried, as a share of the largest; shortest and longest pulse of the map [s]."""
 
 
 @dataclass(frozen=True)
@@ -57,57 +56,33 @@ def switching_map(
     Parameters
     ----------
     joint : Ensemble
-        Estimate and draws from the posterior, or an estimate alone. The estimate is run in every cell, the draws in the
-        cells within `REACH` of one where the estimate's outcome changes: narrow tongues in which a long pulse brings
-        the joint back are not missed.
+        Estimate and draws from the posterior, which count alone, or an estimate alone.
     wells : (float, float, float)
         Readings [m] of left well, saddle and right well.
     to : {"left", "right"}
         Where the pulse is to bring it.
     on_progress : callable
-        Told the share that is done.
+        Receives the share that is done.
 
     Notes
     -----
-    Cost: 1353 runs of 1.7 to 2.6 s for the estimate and some 500 for each draw, 10 s.
+    Cost: 625 runs of 1.7 to 2.6 s for each draw, 12 s.
     """
-    voltages = np.linspace(LEAST_VOLTAGE, 1.0, VOLTAGES) * joint.highest
-    durations = np.geomspace(SHORTEST, LONGEST, DURATIONS)
+    voltages = np.linspace(LEAST_VOLTAGE, 1.0, CELLS) * joint.highest
+    durations = np.geomspace(SHORTEST, LONGEST, CELLS)
     left, saddle, right = wells
     start, side = (left, 0) if to == "right" else (right, 1)
-    members = range(1, len(joint.constants)) or range(1)
-    everywhere = np.argwhere(np.ones((VOLTAGES, DURATIONS), dtype=bool))
-
-    def switched(cells: "np.ndarray[tuple[int, int], np.dtype[np.int64]]", which: int) -> FloatArray:
-        """Whether one member of the ensemble ends in the other well, for each pulse (cells,)."""
-        runs = joint.chosen(slice(which, which + 1))
-        reached = np.empty(len(cells))
-        for part in range(0, len(cells), DURATIONS):
-            some = cells[part : part + DURATIONS]
-            ends = runs.run(pulses(voltages[some[:, 0]], durations[some[:, 1]], side), start)[:, 0, -1]
-            reached[part : part + DURATIONS] = (ends > saddle) == (to == "right")
-        return reached
-
-    estimate = switched(everywhere, 0).reshape(VOLTAGES, DURATIONS)
-    open_cells = np.argwhere(_near_boundary(estimate))
-    count = len(members)
-    total = count * estimate
-    for which in members:
-        on_progress(f"to the {to}", which / (count + 1))
-        rows, columns = open_cells.T
-        total[rows, columns] += switched(open_cells, which) - estimate[rows, columns]
+    draws = joint.subset(slice(1, None)) if len(joint.gains) > 1 else joint
+    count = len(draws.gains)
+    total = np.empty((CELLS, CELLS))
+    for i, duration in enumerate(durations):
+        on_progress(f"to the {to}", i / CELLS)
+        ends = draws.run(pulses(voltages, np.full(CELLS, duration), side), start)[:, :, -1]
+        total[:, i] = np.count_nonzero((ends > saddle) == (to == "right"), axis=1)
     share = total / count
     middle = (share + NORMAL_90**2 / (2 * count)) / (1 + NORMAL_90**2 / count)
     half = NORMAL_90 / (1 + NORMAL_90**2 / count) * np.sqrt(share * (1 - share) / count + NORMAL_90**2 / (4 * count**2))
     return SwitchingMap(to, voltages, durations, share, np.maximum(middle - half, 0.0), np.minimum(middle + half, 1.0))
-
-
-def _near_boundary(outcome: FloatArray) -> "np.ndarray[tuple[int, int], np.dtype[np.bool_]]":
-    """Cells within `REACH` of both outcomes."""
-    from scipy.ndimage import maximum_filter, minimum_filter
-
-    size = 2 * REACH + 1
-    return np.asarray(maximum_filter(outcome, size) != minimum_filter(outcome, size))
 
 
 def pulses(voltages: FloatArray, durations: FloatArray, side: int) -> FloatArray:
@@ -123,17 +98,15 @@ def pulses(voltages: FloatArray, durations: FloatArray, side: int) -> FloatArray
 
 PULSES = (0.1, 0.2, 0.5)
 """Durations [s] of the pulses whose lowest voltages are computed."""
-TYPICAL = 0.2
+TYPICAL = PULSES[1]
 """Duration of the pulse by which the draws of a map are judged [s]."""
-LEAST = 0.1
-COARSE = 155
-"""Lowest voltage at which a joint is tried, as a share of the largest, and how many from there: in steps of 1.5 %."""
-STEP = 1e-3
-ABOUT = 0.01
-HALVINGS = 24
-"""Length [widths, or logarithm of a lag] of the differences, and the bisection that finds what the voltage becomes: its
-logarithm is right to 1e-9. The parameters move along columns of their covariance's factor. Those that are moved singly
-leave the valley of the posterior, where the voltage is curved: the deviation of one joint was 1.25 % so."""
+RESOLUTION = 0.015
+TOLERANCE = 1e-9
+"""Relative step of the voltages at which a joint is tried first, and relative error of the lowest voltage.
+
+It is differentiated by differences of `TOLERANCE`^⅓. The parameters move along columns of their covariance's factor.
+Those that are moved singly leave the valley of the posterior, where the voltage is curved: one joint's deviation was
+1.25 % so."""
 
 
 @dataclass(frozen=True)
@@ -167,7 +140,7 @@ class LowestVoltage:
 def lowest_voltage(
     model: HybridModel, converters: Converters, wells: tuple[float, float, float], to: Well, duration: float
 ) -> LowestVoltage | None:
-    """The lowest voltage at which a pulse of `duration` [s] brings the joint to the well `to`, from rest in the other.
+    """The lowest voltage at which a pulse brings the joint to a well, from rest in the other.
 
     Its logarithm's standard deviation is that of parameters of the covariance E Eᵀ that the training data show
     (`HybridModel.band_spread`), to first order; with the converters' lags and the probe.
@@ -203,13 +176,12 @@ def lowest_voltage(
     lengths = np.linalg.norm(model.band_spread, axis=0)
     columns = model.band_spread[:, lengths > 0.0].T / lengths[lengths > 0.0, None]
     sides = np.concatenate([np.zeros((len(columns), 2)), np.eye(2)])
-    steps = STEP * np.concatenate([columns, np.zeros((2, len(model.theta)))])
-    thetas, lags = (
-        np.concatenate([model.theta + steps, model.theta - steps]),
-        lags * np.exp(STEP * np.concatenate([sides, -sides])),
-    )
+    step = TOLERANCE ** (1.0 / 3.0)
+    steps = step * np.concatenate([columns, np.zeros((2, len(model.theta)))])
+    thetas = np.concatenate([model.theta + steps, model.theta - steps])
+    lags = lags * np.exp(step * np.concatenate([sides, -sides]))
     logs = _logarithms(ensemble_at(model, thetas, lags, np.ones(len(thetas))), wells, to, duration, lowest)
-    slopes = np.subtract(*np.split(logs, 2)) / (2.0 * STEP)
+    slopes = np.subtract(*np.split(logs, 2)) / (2.0 * step)
     of_parameters = float(np.linalg.norm(slopes[:-2] * lengths[lengths > 0.0]))
     of_lags = float(converters.spread * np.linalg.norm(slopes[-2:]))
     half = NORMAL_90 * float(np.linalg.norm([of_parameters, of_lags, converters.probe]))
@@ -217,7 +189,7 @@ def lowest_voltage(
     return LowestVoltage(duration, lowest, float(low), float(high), until, of_parameters, of_lags, converters.probe)
 
 
-def uncertain(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemble:
+def with_voltage_error(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemble:
     """The same joint with draws whose voltages err as its lowest voltage may: for pulses near it.
 
     What the parameters do acts as a voltage that is too high or too low: on four joints its deviations at 0.1 s and at
@@ -228,7 +200,7 @@ def uncertain(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemb
     if not switching:
         return joint
     typical = next((pulse for pulse in switching if pulse.duration >= TYPICAL), switching[-1])
-    return joint.erring(float(np.hypot(typical.of_parameters, typical.of_probe)))
+    return joint.with_gain_error(float(np.hypot(typical.of_parameters, typical.of_probe)))
 
 
 def _switched(
@@ -236,7 +208,7 @@ def _switched(
 ) -> "np.ndarray[tuple[int, int], np.dtype[np.bool_]]":
     """Whether runs under squared voltages [V²] end in the well `to`, shape (P, B)."""
     left, saddle, right = wells
-    ends = joint.play(squares, left if to == "right" else right)[:, :, -1]
+    ends = joint.simulate(squares, left if to == "right" else right)[:, :, -1]
     return np.asarray((ends > saddle) == (to == "right"))
 
 
@@ -248,12 +220,12 @@ def _unit(joint: Ensemble, to: Well, duration: float) -> FloatArray:
 def _first(
     joint: Ensemble, wells: tuple[float, float, float], to: Well, duration: float
 ) -> tuple[float, float | None] | None:
-    """The first voltage [V] from below that switches the one joint, to 1e-9, and the next of those tried that does not.
+    """The first voltage [V] from below that switches the one joint, and the next of those tried that does not.
 
     None where none switches it.
     """
     unit = _unit(joint, to, duration)
-    volts = joint.highest * np.geomspace(LEAST, 1.0, COARSE)
+    volts = joint.highest * np.exp(np.arange(np.log(LEAST_VOLTAGE), RESOLUTION / 2.0, RESOLUTION))
     over = _switched(joint, volts[:, None, None, None] ** 2 * unit, wells, to)[:, 0]
     if over[0] or not over.any():
         return None
@@ -267,10 +239,10 @@ def _first(
 def _logarithms(
     joint: Ensemble, wells: tuple[float, float, float], to: Well, duration: float, about: float
 ) -> FloatArray:
-    """Logarithms of the lowest voltages [V] of the joints, shape (B,), within `ABOUT` about one that is known."""
+    """Logarithms of the lowest voltages [V] of the joints, shape (B,), within `RESOLUTION` about one that is known."""
     unit = _unit(joint, to, duration)
-    low, high = np.log(about) + ABOUT * np.array([[-1.0], [1.0]]) * np.ones(len(joint.gains))
-    for _ in range(HALVINGS):
+    low, high = np.log(about) + RESOLUTION * np.array([[-1.0], [1.0]]) * np.ones(len(joint.gains))
+    for _ in range(math.ceil(math.log2(2.0 * RESOLUTION / TOLERANCE))):
         middle = 0.5 * (low + high)
         over = _switched(joint, np.exp(2.0 * middle)[None, :, None, None] * unit, wells, to)[0]
         low, high = np.where(over, low, middle), np.where(over, middle, high)

@@ -79,7 +79,21 @@ def volume(n: Any, A0: Any, d0: Any) -> Any:
 
 
 def capacitance(n: Any, eps_r: Any, beta: Any, A0: Any, d0: Any) -> Any:
-    """C0 = n ε0 εr β A0 / d0 (eq. 11), of numbers or of symbols."""
+    """C0 = n ε0 εr β A0 / d0 (eq. 11), of numbers or of symbols.
+
+    Parameters
+    ----------
+    n : number
+        Number of layers.
+    eps_r : number
+        Relative permittivity.
+    beta : number
+        Share of the electrodes' area.
+    A0 : number
+        Area of the undeformed film [m²].
+    d0 : number
+        Thickness of the undeformed film [m].
+    """
     return n * VACUUM_PERMITTIVITY * eps_r * beta * A0 / d0
 
 

@@ -12,9 +12,10 @@ on all logs gives them no different instruments. The derivatives at δ = 0 give 
 doi:10.1017/S0305004100023987; as a monitor of systems Benveniste, Basseville and Moustakides 1987,
 doi:10.1109/TAC.1987.1104683); steps are repeated until nothing moves, because far from zero a single one falls short.
 
-Errors e are serially correlated and partly the model's own, so the covariance of δ is estimated from groups of them in
-a row (jackknife, `pipeline.fitting.posterior.robust_spread`). What is discrete, exchanged inputs and a mirrored q, is
-tried.
+Errors e are serially correlated and partly the model's own. They are taken to have Student's t distribution, and the
+standard error of δ is the larger of two: that of noise with their correlation time, and that which groups of them in a
+row show (jackknife, `pipeline.fitting.posterior.robust_spread`). What is discrete, exchanged inputs and a mirrored q,
+is tried.
 """
 
 from collections.abc import Sequence
@@ -23,7 +24,8 @@ from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 import scipy.linalg
-from scipy.special import fdtri, ndtr
+from scipy.optimize import minimize
+from scipy.special import betaln, ndtr, stdtrit
 
 from ..fitting.descent import ObservedProblem, Prior
 from ..fitting.posterior import GROUPS, robust_spread, whiteness
@@ -51,10 +53,6 @@ STILL = 0.1
 
 EXPLAINED = 1.0 / 3.0
 """Share of the residual below which exchanged inputs or a mirrored q explain it."""
-
-UNLIKE = float(np.sqrt(fdtri(GROUPS - 1, GROUPS - 1, ndtr(SIGNIFICANCE))))
-"""Times the residual of the training logs, noise taken off, from which on a log is of another device: F test of the
-mean squares of as many groups as are taken to err on their own, at the same level (4.0)."""
 
 Exchange = Literal["none", "inputs", "sign", "both"]
 Status = Literal["measured", "not measured", "another device"]
@@ -113,6 +111,8 @@ class Reading:
         reading minus truth for the zero; a positive delay is that of the recorded inputs. NaN where not measured.
     residual_ratio : float
         What no instrument explains over the same of the training logs, noise taken off.
+    unlike : float
+        How sure that ratio is not 1: beyond 1 or −1, surely.
     """
 
     status: Status
@@ -121,6 +121,7 @@ class Reading:
     estimate: FloatArray
     standard_error: FloatArray
     residual_ratio: float
+    unlike: float
 
 
 def quantities(parts: Sequence[Log]) -> tuple[Instrument, ...]:
@@ -160,8 +161,7 @@ class InstrumentTest:
         The model was fitted to all of them, so unlike residuals show its own errors, which then hide the instruments.
         """
         reading = self._reading(self._logs[number], self._training[:number] + self._training[number + 1 :])
-        alike = 1.0 / UNLIKE < reading.residual_ratio < UNLIKE
-        return reading if alike else self._not_measured(reading.exchange)
+        return reading if abs(reading.unlike) <= 1.0 else self._not_measured(reading.exchange)
 
     def of(self, parts: Sequence[Log]) -> Reading:
         """Errors of the parts of another log, compared with the training logs."""
@@ -180,21 +180,21 @@ class InstrumentTest:
             if np.all(np.abs(fit.step) < STILL * fit.error):
                 break
             log = self._linearised(parts, delta)
-        alike = fit.residual_ratio <= UNLIKE
+        alike = fit.unlike <= 1.0
         astray = np.abs(fit.step) > fit.error
         if alike and (np.any(np.abs(delta) >= FARTHEST) or np.any(astray)):
             return self._not_measured(exchange)
-        errors = np.sqrt(np.sum(fit.spread() ** 2, axis=1))
+        errors = np.maximum(fit.error, np.sqrt(np.sum(fit.spread() ** 2, axis=1)))
         ahead, behind = (self._errors(delta + side * errors) for side in (1.0, -1.0))
         status: Status = "measured" if alike else "another device"
         corrections = _corrections(delta * self._limits)
         estimate = self._errors(delta)
         standard_error = 0.5 * np.abs(ahead - behind)
-        return Reading(status, exchange, corrections, estimate, standard_error, fit.residual_ratio)
+        return Reading(status, exchange, corrections, estimate, standard_error, fit.residual_ratio, fit.unlike)
 
     def _not_measured(self, exchange: Exchange) -> Reading:
         nothing = np.full(len(self._limits), np.nan)
-        return Reading("not measured", exchange, _corrections(0.0 * self._limits), nothing, nothing, np.nan)
+        return Reading("not measured", exchange, _corrections(0.0 * self._limits), nothing, nothing, np.nan, np.nan)
 
     def _errors(self, delta: FloatArray) -> FloatArray:
         by = _corrections(delta * self._limits)
@@ -254,7 +254,7 @@ class _Fitted:
     ----------
     step, error : FloatArray, shape (K,)
         Change of δ [limits], and its standard error if errors were noise.
-    residual_ratio : float
+    residual_ratio, unlike : float
         See `Reading`.
     residual, design : FloatArray, shapes (N,) and (N, P)
         Of all logs in a row, over their noise.
@@ -266,6 +266,7 @@ class _Fitted:
     step: FloatArray
     error: FloatArray
     residual_ratio: float
+    unlike: float
     residual: FloatArray
     design: FloatArray
     prior: Prior
@@ -277,55 +278,133 @@ class _Fitted:
 
 
 def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
-    """δ, c and η of the module's equations; the noise of each log is first that of r, then that of e.
+    """δ, c and η of the module's equations.
 
-    Errors that last for τ samples count as noise of √τ times their RMS.
+    The reference logs are fitted by themselves first. What that leaves of them is their noise, and what the log is
+    compared with: a log of another device would draw η along and hide in their errors.
     """
-    logs = [*reference, log]
     count = log.by_corrections.shape[1]
-    designs = [
-        np.hstack([np.zeros_like(each.by_corrections), each.by_corrections, each.by_parameters]) for each in logs
-    ]
-    designs[-1][:, :count] = log.by_corrections
-    widths = np.ones(designs[-1].shape[1])
-    widths[: 2 * count] = FARTHEST
-    errors = [each.residual for each in logs]
-    noise = [rms(error) for error in errors]
-    for _ in range(2):
-        precision = np.diag(widths**-2.0)
-        slope = np.zeros(len(widths))
-        for each, design, std in zip(logs, designs, noise, strict=True):
-            precision += design.T @ design / std**2
-            slope += design.T @ each.residual / std**2
-        factor = scipy.linalg.cho_factor(precision)
-        solution = -scipy.linalg.cho_solve(factor, slope)
-        errors = [each.residual + design @ solution for each, design in zip(logs, designs, strict=True)]
-        noise = [rms(error) * np.sqrt(whiteness(error).integrated_correlation_time) for error in errors]
-    covariance = scipy.linalg.cho_solve(factor, np.eye(len(widths))[:, :count])
-    starts = np.cumsum([0, *(len(error) for error in errors[:-1])])
+    residuals = [each.residual for each in reference]
+    shared = [np.hstack([each.by_corrections, each.by_parameters]) for each in reference]
+    widths = np.ones(shared[0].shape[1])
+    widths[:count] = FARTHEST
+    alone = _least_squares(residuals, shared, widths, [None] * len(reference))
+    residuals.append(log.residual)
+    designs = [np.hstack([np.zeros((len(each), count)), each]) for each in shared]
+    designs.append(np.hstack([log.by_corrections, log.by_corrections, log.by_parameters]))
+    widths = np.append(np.full(count, FARTHEST), widths)
+    both = _least_squares(residuals, designs, widths, [*alone.noise, None])
+    starts = np.cumsum([0, *(len(error) for error in both.errors[:-1])])
     return _Fitted(
-        solution[:count],
-        np.sqrt(np.diag(covariance[:count])),
-        _residual_ratio(errors),
-        np.concatenate([error / std for error, std in zip(errors, noise, strict=True)]),
-        np.concatenate([design / std for design, std in zip(designs, noise, strict=True)]),
+        both.solution[:count],
+        np.sqrt(np.diag(both.covariance[:count, :count])),
+        *_compared(alone.errors, both.errors[-1]),
+        np.concatenate([error / std for error, std in zip(both.errors, both.noise, strict=True)]),
+        np.concatenate([design / std[:, None] for design, std in zip(designs, both.noise, strict=True)]),
         Prior(np.diag(1.0 / widths), np.zeros(len(widths))),
         [
             start + rows
-            for start, error in zip(starts, errors, strict=True)
+            for start, error in zip(starts, both.errors, strict=True)
             for rows in np.array_split(np.arange(len(error)), GROUPS)
         ],
     )
 
 
-def _residual_ratio(errors: Sequence[FloatArray]) -> float:
-    """The last of these errors over the others, the white noise of each taken off.
+@dataclass(frozen=True)
+class _Solved:
+    """Least squares over logs: solution (P,) and its covariance (P, P); errors and their noise, (N,) of each log."""
 
-    What is left of white noise of N samples is uncertain by √(2/N) of its square: less than `SIGNIFICANCE` times that
-    is not seen.
+    solution: FloatArray
+    covariance: FloatArray
+    errors: list[FloatArray]
+    noise: list[FloatArray]
+
+
+def _least_squares(
+    residuals: Sequence[FloatArray],
+    designs: Sequence[FloatArray],
+    widths: FloatArray,
+    known: Sequence[FloatArray | None],
+) -> _Solved:
+    """Least squares of r + D x = e over logs with the prior x ~ N(0, widths²), reweighted until the noise is still.
+
+    Parameters
+    ----------
+    residuals, designs : sequence of FloatArray, shapes (N,) and (N, P)
+        r and D of each log.
+    widths : FloatArray, shape (P,)
+        Standard deviations of the prior.
+    known : sequence of FloatArray of shape (N,), or None
+        Noise of each error, in the unit of r; None: that of r first, and then that of e.
     """
-    left = []
-    for error in errors:
-        noise = noise_std(error) ** 2
-        left.append(max(rms(error) ** 2 - noise, SIGNIFICANCE * np.sqrt(2.0 / len(error)) * noise))
-    return float(np.sqrt(left[-1] / np.mean(left[:-1])))
+    noise = [
+        np.full(len(residual), rms(residual)) if std is None else std
+        for std, residual in zip(known, residuals, strict=True)
+    ]
+    for _ in range(STEPS):
+        precision = np.diag(widths**-2.0)
+        slope = np.zeros(len(widths))
+        for residual, design, std in zip(residuals, designs, noise, strict=True):
+            scaled = design / std[:, None]
+            precision += scaled.T @ scaled
+            slope += scaled.T @ (residual / std)
+        factor = scipy.linalg.cho_factor(precision)
+        solution = -scipy.linalg.cho_solve(factor, slope)
+        errors = [residual + design @ solution for residual, design in zip(residuals, designs, strict=True)]
+        before = noise
+        noise = [_noise(error) if std is None else std for std, error in zip(known, errors, strict=True)]
+        if all(rms(np.log(new / old)) < STILL for new, old in zip(noise, before, strict=True)):
+            break
+    return _Solved(solution, scipy.linalg.cho_solve(factor, np.eye(len(widths))), errors, noise)
+
+
+def _noise(error: FloatArray) -> FloatArray:
+    """Noise of each error, shape (N,), where errors have Student's t distribution: most of a model's are made at a few
+    fast places, which would drown the rest.
+
+    The weight of an error is then (ν + 1)/(ν + (e/s)²) over s² (Lange, Little and Taylor 1989,
+    doi:10.1080/01621459.1989.10478852), with ν and s of the largest likelihood. Errors that last for τ samples count as
+    noise of √τ times that.
+    """
+    size = rms(error)
+
+    def surprise(logs: FloatArray) -> float:
+        freedom, scale = np.exp(logs)
+        excess = 0.5 * (freedom + 1.0) * np.mean(np.log1p((error / (size * scale)) ** 2 / freedom))
+        return float(excess + logs[1] + betaln(0.5 * freedom, 0.5) + 0.5 * logs[0])
+
+    best = minimize(surprise, np.zeros(2), bounds=[(0.0, np.log(len(error))), (None, 0.0)]).x
+    freedom, scale = np.exp(best)
+    scale *= size
+    apart = scale * np.sqrt((freedom + (error / scale) ** 2) / (freedom + 1.0))
+    noise: FloatArray = apart * np.sqrt(whiteness(error / apart).integrated_correlation_time)
+    return noise
+
+
+def _compared(reference: Sequence[FloatArray], error: FloatArray) -> tuple[float, float]:
+    """The size of an error over that of the reference, and how surely they differ; see `Reading`.
+
+    Welch's t test (1947, doi:10.1093/biomet/34.1-2.28) at `SIGNIFICANCE` of the logarithms of mean squares of groups:
+    errors of a model are large at some places, and groups show by how much that scatters. White noise is taken off.
+    What is left of that, of N samples, is uncertain by √(2/N) of its square; below `SIGNIFICANCE` times the largest of
+    these uncertainties nothing is compared.
+    """
+    errors = [*reference, error]
+    noise = [noise_std(each) ** 2 for each in errors]
+    unseen = [white * np.sqrt(2.0 * GROUPS / len(each)) for each, white in zip(errors, noise, strict=True)]
+    levels = []
+    doubts = []
+    for each, white, doubt in zip(errors, noise, unseen, strict=True):
+        squares = np.array([rms(group) ** 2 - white for group in np.array_split(each, GROUPS)])
+        squares = np.maximum(squares, SIGNIFICANCE * max(unseen))
+        levels.append(np.log(squares))
+        doubts.append((doubt / squares) ** 2)
+    shares = []
+    freedoms = []
+    for own, doubt in ((levels[-1], doubts[-1]), (np.concatenate(levels[:-1]), np.concatenate(doubts[:-1]))):
+        shares.append((own.var(ddof=1) + doubt.mean()) / own.size)
+        freedoms.append(own.size - 1)
+    difference = float(levels[-1].mean() - np.mean(levels[:-1]))
+    freedom = sum(shares) ** 2 / sum(share**2 / own for share, own in zip(shares, freedoms, strict=True))
+    critical = stdtrit(freedom, ndtr(SIGNIFICANCE)) * np.sqrt(sum(shares))
+    return float(np.exp(0.5 * difference)), difference / float(critical)

@@ -84,6 +84,17 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: 
     """Look at one log.
 
     Cost: 0.1 s for 40,000 samples, most of it the weak form.
+
+    Parameters
+    ----------
+    log : LogSignals
+        The log.
+    sample_interval : float
+        Interval at which it is looked at [s].
+    squared : bool
+        Whether the inputs act by their squares.
+    joint : bool
+        Whether the device can be the bistable joint.
     """
     terms = weak_terms(log, sample_interval, squared=squared)
     every = samples_of(sample_interval, log.interval)

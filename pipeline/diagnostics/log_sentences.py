@@ -303,7 +303,21 @@ def of_row(finding: Finding) -> tuple[str, str]:
 
 
 def line(log: str, what: str, found: str, more: str, limit: str) -> str:
-    """Log, numbers and limit in one line."""
+    """Log, numbers and limit in one line.
+
+    Parameters
+    ----------
+    log : str
+        Name of the log.
+    what : str
+        What was looked at.
+    found : str
+        Its numbers.
+    more : str
+        Further numbers; may be empty.
+    limit : str
+        The limit.
+    """
     numbers = "; ".join(filter(None, (found, more)))
     return f"{log}: {what}: {numbers}" + (f" (limit: {limit})" if limit else "")
 

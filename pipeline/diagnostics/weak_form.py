@@ -121,7 +121,21 @@ def weak_terms(log: LogSignals, sample_interval: float, *, squared: bool) -> Wea
 def under_inputs(
     terms: WeakTerms, log: LogSignals, v: FloatArray, sample_interval: float, *, squared: bool
 ) -> WeakTerms:
-    """The terms of a log of the same motion with other inputs, or whose inputs act by their other law."""
+    """The terms of a log of the same motion with other inputs, or whose inputs act by their other law.
+
+    Parameters
+    ----------
+    terms : WeakTerms
+        Terms of the log.
+    log : LogSignals
+        The log.
+    v : FloatArray, shape (N, K)
+        The other inputs.
+    sample_interval : float
+        Interval of the terms [s].
+    squared : bool
+        Whether the inputs act by their squares.
+    """
     z, _, _ = _scaled(log)
     bump, _, _ = _bump(_half_width(log, sample_interval), log.interval)
     return replace(terms, push=_pushes(v, z, bump, squared=squared))

@@ -18,7 +18,7 @@ Law = Callable[[Any, Any, Any, dict[str, Any]], Any]
 
 @dataclass(frozen=True)
 class Constant:
-    """A positive constant of which the parameter set says nothing.
+    """A positive constant of which the parameter set has no value.
 
     Attributes
     ----------

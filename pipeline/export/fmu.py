@@ -54,7 +54,19 @@ def write_fmu(subject: Subject, folder: Path) -> Exported:
 
 
 def packed(sources: dict[str, str], description: str, identifier: str, folder: Path) -> Exported:
-    """Write ``IDENTIFIER.fmu`` of C sources, which ``fmu.c`` includes, and the model description."""
+    """Write ``IDENTIFIER.fmu`` of C sources, which ``fmu.c`` includes, and the model description.
+
+    Parameters
+    ----------
+    sources : dict of str to str
+        C files by name, ``fmu.c`` among them.
+    description : str
+        ``modelDescription.xml``.
+    identifier : str
+        Name of the FMU and of its functions.
+    folder : Path
+        Where it goes.
+    """
     files = {f"sources/{name}": text.encode() for name, text in sources.items()}
     files["modelDescription.xml"] = description.encode()
     binaries = _compiled(sources, identifier)

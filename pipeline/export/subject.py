@@ -11,7 +11,7 @@ import numpy as np
 from ..codegen.graph import Graph, choose, function
 from ..errors import InputError
 from ..models.base import DynamicModel, HasCurves
-from ..models.kind import kind
+from ..models.model_type import model_type
 from ..numerics.arrays import FloatArray
 from ..settings.models import ENTRIES
 from ..system.names import slug
@@ -242,9 +242,9 @@ def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisatio
     InputError
         A model of this kind has no equations to write down elsewhere.
     """
-    equations = kind(model.name).equations
+    equations = model_type(model.name).equations
     if not equations:
-        others = ", ".join(entry.name for entry in ENTRIES if kind(entry.name).equations)
+        others = ", ".join(entry.name for entry in ENTRIES if model_type(entry.name).equations)
         raise InputError(f"the model {model.name} has no export; choose one of {others} with --model")
     realisation: Realisation = object_at(equations)(model, interval, unit)
     return realisation
@@ -259,6 +259,17 @@ def lagged_nodes(
     """Lagged inputs at the middle and the end of a step of h [s] whose inputs go on lines between its three nodes.
 
     The lag [s] may be far shorter than the step.
+
+    Parameters
+    ----------
+    lagged : list, length K
+        Lagged inputs at the beginning of the step.
+    before, within, after : list, length K
+        Inputs at the beginning, the middle and the end.
+    h : number
+        Length of the step [s].
+    lag : float
+        Time constant [s].
     """
     half = 0.5 * h
     middles = [_behind(half, lag, *interval) for interval in zip(lagged, before, within, strict=True)]

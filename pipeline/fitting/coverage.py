@@ -33,6 +33,11 @@ class Coverage:
     driven: IntArray
 
     @property
+    def table(self) -> IntArray:
+        """Visits of each centre, all of them and those under each input, shape (M, 1 + K)."""
+        return np.column_stack([self.visits, self.driven.T])
+
+    @property
     def poorly_visited(self) -> IntArray:
         """Numbers of the centres with fewer than `FEW` visits."""
         return np.flatnonzero(self.visits < FEW)

@@ -24,7 +24,7 @@ from .regression import InputLaw, input_signal
 _POWER_SHARE = 0.95
 _SHORTEST = 64
 _WINDOW = 8.0
-"""Samples of a stretch that is worth a spectrum, and length [s] of its windows."""
+"""Samples of a segment that is worth a spectrum, and length [s] of its windows."""
 _RINGING_ABOVE = 4
 _RINGING_BELOW = 0.8
 """Line of the spectrum and share of the Nyquist frequency between which a peak is the device's: below it is the
@@ -61,7 +61,7 @@ class Excitation:
     signals : FloatArray, shape (N, K)
         The inputs as they act.
     displacement : FloatArray, shape (n,)
-        Of the longest stretch.
+        Of the longest segment.
     """
 
     centres: FloatArray
@@ -108,7 +108,7 @@ def examine_excitation(
     v : FloatArray, shape (N, K)
         Inputs, finite.
     segment : IntArray, shape (N,)
-        Number of the gap-free stretch; negative where masked.
+        Number of the gap-free segment; negative where masked.
     interval : float
         Sample interval [s].
     inputs : {"squared", "linear"}
@@ -121,14 +121,14 @@ def examine_excitation(
     Raises
     ------
     InputError
-        No valid stretch, or a displacement that never changes.
+        No valid segment, or a displacement that never changes.
     """
     valid = (segment >= 0) & np.isfinite(q)
     stretches = [segment == number for number in np.unique(segment[valid])]
     stretches = [rows for rows in stretches if np.count_nonzero(rows) >= _SHORTEST]
     if not stretches:
         raise InputError(
-            f"no gap-free stretch of a training log has {_SHORTEST} samples of {interval:g} s; there is nothing to "
+            f"no gap-free segment of a training log has {_SHORTEST} samples of {interval:g} s; there is nothing to "
             "identify: shorten [ingest] sample_interval, or record longer"
         )
     motions = [(q[rows], np.gradient(q[rows], interval), v[rows]) for rows in stretches]
@@ -236,7 +236,7 @@ def excitation_findings(
     v : FloatArray, shape (N, K)
         Inputs.
     segment : IntArray, shape (N,)
-        Number of the gap-free stretch, different for each log; negative where masked.
+        Number of the gap-free segment, different for each log; negative where masked.
     interval : float
         Sample interval [s].
     plant : Device
@@ -249,7 +249,7 @@ def excitation_findings(
     Raises
     ------
     DataRefusedError
-        No stretch is long enough to identify anything.
+        No segment is long enough to identify anything.
 
     Notes
     -----

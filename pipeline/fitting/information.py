@@ -132,7 +132,7 @@ class Conditioning:
     condition : float
         Ratio of the largest to the smallest singular value of X on unit-norm columns.
     silent : int
-        Columns that are zero: weights on which the motion says nothing.
+        Columns that are zero: weights that the motion does not show.
     """
 
     log_det: float

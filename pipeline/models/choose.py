@@ -1,4 +1,4 @@
-"""Choice of the model for a device, the joint's equations or the RBF network, and of the headline of a run.
+"""Choice of the model for a device, the joint's equations or the RBF network, and of the main model of a run.
 
 The joint's equations are a candidate for every device with two squared inputs and two wells. They are fitted to the
 first three quarters of the training logs and judged in free run over the rest. Where they predict that as no network
@@ -20,7 +20,7 @@ from ..scoring.intervals import SEED, Interval, block_of, rms_difference_interva
 from ..signals.log import Log
 from ..units.units import HORIZONS, of_joint
 from .base import predictor
-from .kind import StoredModel, Training, fitted_samples
+from .model_type import StoredModel, Training, fitted_samples
 
 NETWORK_ERROR = 0.006
 """Share of the operating range: equations whose held-out error is surely smaller are taken without a comparison.
@@ -201,7 +201,7 @@ STARTS = 60
 """Restarts along a log from which errors by horizon are taken."""
 
 
-def headline(models: Mapping[str, StoredModel], training: Training) -> tuple[str, str]:
+def main_model(models: Mapping[str, StoredModel], training: Training) -> tuple[str, str]:
     """The first of the models, unless another holds a training log that it loses, or is surely better by horizon.
 
     Parameters
@@ -214,7 +214,7 @@ def headline(models: Mapping[str, StoredModel], training: Training) -> tuple[str
     Returns
     -------
     str
-        Name of the headline.
+        Name of the main model.
     str
         Why it is not the first; empty where it is. Cost: a free run of each model over each log, and for a network the
         restarts of two models.

@@ -13,6 +13,7 @@ from markupsafe import Markup, escape
 from ..errors import InputError
 from ..system.names import Typeface
 from .figure import Figure, writable
+from .legend import swatches
 from .plotted import Look, paper_look, plotted, sans
 
 if TYPE_CHECKING:
@@ -136,6 +137,11 @@ def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
     inside = drawn[head.end() : drawn.rindex("</svg>")]
     opened = f'<svg class="chart" {box[0] if box else ""} role="img" aria-label="{escape(writable(figure.title))}">'
     return Markup(f"{opened}<title>{escape(writable(figure.title))}</title>{inside}</svg>")  # noqa: S704 - texts are escaped
+
+
+def chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
+    """A figure for a template: the figure, its drawings and its legend."""
+    return {"figure": figure, "drawings": page_chart(figure, models), "legend": swatches(figure, models, marks=True)}
 
 
 def _attributes(style: str) -> str:

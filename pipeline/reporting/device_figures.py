@@ -34,9 +34,9 @@ from .recipe_figures import study_figure
 
 _Measured = tuple[FloatArray, FloatArray] | None
 _Wanted = tuple[str, str, tuple[float, float], Callable[[Curves], FloatArray | None], _Measured]
-WIDEST = 4.0  # times the headline's own frame, up to which it is widened for other models; or to twice the headline
+WIDEST = 4.0  # times the main model's own frame, up to which it is widened for other models; or to twice the main model
 OUTER = 0.05  # share of a curve at either end that widens no frame
-FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor
+FRAME_MARGIN = 1.5  # a curve is cut where it leaves the main model's visited part by more than this factor
 LEAST_DRAWN = 1.0  # samples, on the logarithmic axis
 CEILING = 1.5  # the energy is drawn up to this multiple of its largest value in the visited range without input
 _EQUILIBRIA = {True: "stable equilibrium", False: "unstable equilibrium"}
@@ -50,7 +50,7 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
         figures["curves"] = _curves(data, sheet)
     portrait = _phase_portrait(data, sheet)
     figures |= {"phase-portrait": portrait} if portrait is not None else {}
-    places = places_among(data.models.get(sheet.headline), data.siblings)
+    places = places_among(data.models.get(sheet.main_model), data.siblings)
     figures |= {"siblings": siblings_figure(places)} if places else {}
     instruments = instruments_figure(data.instruments)
     figures |= {"instruments": instruments} if instruments is not None else {}
@@ -124,7 +124,7 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
 
 
 def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
-    """Force, damping as far as the headline has one, and the push of each input."""
+    """Force, damping as far as the main model has one, and the push of each input."""
     first = next(iter(sheet.curves.values()))
     units = data.device.curve_units
     measured = data.measured_curves
@@ -178,9 +178,9 @@ def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) ->
 
 
 def _frame(curves: Sequence[_Curve], visited: tuple[float, float], *, widened: bool) -> tuple[float, float]:
-    """What of the vertical axis is drawn: the visited part of the headline's band and a margin.
+    """What of the vertical axis is drawn: the visited part of the main model's band and a margin.
 
-    It is `widened` by the central part of every other curve that is not too far away for the headline to be read.
+    It is `widened` by the central part of every other curve that is not too far away for the main model to be read.
     """
     inner = curves[0].inner(visited)
     bottom = float(curves[0].low[inner].min())
@@ -213,7 +213,7 @@ def _curve_panel(
             bands.append(Band(f"{model}, {100 * COVERAGE:.0f} % band", model, q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, q[rows], inside[rows]))
-    # The headline is drawn last, over its baselines.
+    # The main model is drawn last, over its baselines.
     return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), _circles(measured, lines, frame))
 
 

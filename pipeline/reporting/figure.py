@@ -21,43 +21,15 @@ MOST_POWERS = 6  # labels along a logarithmic axis
 MOST_PLAIN = 1e3  # ratio of its ends beyond which they are powers of ten
 
 
-def linear_ticks(low: float, high: float, about: int) -> tuple[FloatArray, int]:
-    """About `about` round numbers from `low` to `high`, and the decimals that they need."""
-    raw = (high - low) / max(1, about)
-    power = math.floor(math.log10(raw))
-    step = float(next(m for m in (1.0, 2.0, 5.0, 10.0) if m * 10.0**power >= raw * (1 - 1e-9)) * 10.0**power)
-    first = math.ceil(low / step - 1e-9)
-    last = math.floor(high / step + 1e-9)
-    decimals = max(0, -math.floor(math.log10(step) + 1e-9))
-    values: FloatArray = np.arange(first, last + 1, dtype=np.float64) * step
-    return values, decimals
+def log_label(value: float, *, powers: bool) -> str:
+    """Label of a round number on a logarithmic axis, as a power of ten where it is one and `powers` are wanted.
 
-
-def log_ticks(low: float, high: float) -> FloatArray:
-    """Powers of ten from `low` to `high`; where there are fewer than three also 2 and 5 times them."""
-    first = math.floor(math.log10(low))
-    last = math.ceil(math.log10(high))
-    inside = (low * (1 - 1e-9), high * (1 + 1e-9))
-    powers = [10.0**k for k in range(first, last + 1) if inside[0] <= 10.0**k <= inside[1]]
-    if len(powers) > 2:
-        return np.array(powers[:: math.ceil(len(powers) / MOST_POWERS)])
-    between = [m * 10.0**k for k in range(first, last + 1) for m in (1.0, 2.0, 5.0)]
-    between = [v for v in between if inside[0] <= v <= inside[1]]
-    return np.array(between) if len(between) > 1 else linear_ticks(low, high, 5)[0]
-
-
-def tick_labels(values: FloatArray) -> list[str]:
-    """Labels of a logarithmic axis: round numbers with at most three digits, or all as powers of ten.
-
-    They are powers of ten where all are such powers, and one of them is too long as a number or the largest is more
-    than a thousand times the smallest.
+    So is one that would be too long as a number.
     """
-    exponents = np.round(np.log10(values))
-    plain = [tick_label(float(value)) for value in values]
-    short = all(label.replace(".", "").isdecimal() for label in plain) and values[-1] <= MOST_PLAIN * values[0]
-    if short or not np.allclose(values, 10.0**exponents, rtol=1e-9):
-        return plain
-    return [f"10{power(int(exponent))}" for exponent in exponents]
+    exponent = round(math.log10(value))
+    plain = tick_label(value)
+    short = plain.replace(".", "").isdecimal() and not powers
+    return plain if short or not math.isclose(value, 10.0**exponent, rel_tol=1e-9) else f"10{power(exponent)}"
 
 
 def tick_label(value: float) -> str:
@@ -170,7 +142,7 @@ class Figure:
     marks : mapping of str to FloatArray
         Positions on the x axis by what happens there, e.g. voltage switches.
     gaps : tuple of (float, float)
-        Stretches of x without data.
+        Segments of x without data.
     columns : int
         Panels beside one another.
     tall : float

@@ -10,9 +10,8 @@ import numpy as np
 
 from ..numerics.metrics import robust_std
 from ..units.quantity import scale, significant
-from .canvas import page_chart
+from .canvas import chart
 from .fleet_table import FACTS, FleetColumn, Summary, decimals, distribution
-from .legend import swatches
 from .page import render
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
@@ -42,8 +41,7 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
         "bare": sum(not member.model for member in done),
         "headings": [q.heading for q in quantities],
         "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
-        "charts": [_chart(q) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
-        "models": _models(done),
+        "charts": [chart(distribution(q), ()) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
     }
     return render("fleet.html.j2", ("tables.js",), context)
 
@@ -63,11 +61,6 @@ def _varies(q: FleetColumn) -> bool:
     """Whether there is a distribution to draw: as many values as an outlier needs, of which two differ."""
     finite = q.values[np.isfinite(q.values)]
     return finite.size >= LEAST_VALUES and bool(np.ptp(finite) > 0.0)
-
-
-def _chart(q: FleetColumn) -> dict[str, Any]:
-    figure = distribution(q)
-    return {"figure": figure, "drawings": page_chart(figure, ()), "legend": swatches(figure, (), marks=True)}
 
 
 def _validated(q: FleetColumn, members: Sequence[Summary]) -> FleetColumn:
@@ -160,24 +153,3 @@ def _grades(done: Sequence[Summary]) -> list[tuple[str, str, int]]:
             if number:
                 counts.append((about, grade, number))
     return counts
-
-
-def _models(done: Sequence[Summary]) -> list[dict[str, Any]]:
-    """For every model the distribution of its NRMSE of q over all validation logs of the fleet."""
-    errors: dict[str, list[float | None]] = {}
-    for member in done:
-        for model, error in member.validation:
-            errors.setdefault(model, []).append(error)
-    rows = []
-    for model, values in errors.items():
-        defined = 100.0 * np.array([v for v in values if v is not None])
-        quartiles = (
-            [float(x) for x in np.quantile(defined, [0.5, 0.25, 0.75, 1.0])] if defined.size else [float("nan")] * 4
-        )
-        counts = [{"text": str(n), "value": str(n)} for n in (len(values), len(values) - defined.size)]
-        errors_of = [
-            {"text": significant(x) if np.isfinite(x) else "–", "value": repr(x) if np.isfinite(x) else ""}
-            for x in quartiles
-        ]
-        rows.append({"model": model, "cells": counts + errors_of})
-    return rows

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -32,7 +32,7 @@ class Summary:
     done : bool
         Whether it has a datasheet.
     data, model : str
-        Grades of the verdict; empty if it has none.
+        Grades of the assessment; empty if it has none.
     why : str
         The finding that decides the lower of both grades, and how many more there are; empty where both are good.
     diverged : bool
@@ -43,8 +43,6 @@ class Summary:
         Whether these are of the training logs, as there is no other.
     facts : dict of str to (float, str)
         Value [SI] and unit of every known one of `FACTS`.
-    validation : tuple of (str, float or None)
-        Model and NRMSE of q of every validation log.
     instruments : float
         Largest error of an instrument of any log over its limit; NaN where none was measured.
     off : bool
@@ -53,24 +51,18 @@ class Summary:
 
     name: str
     reason: str
-    link: str | None
-    done: bool
-    data: str
-    model: str
-    why: str
-    diverged: bool
-    error: float
-    switches: float
-    training: bool
-    facts: dict[str, tuple[float, str]]
-    validation: tuple[tuple[str, float | None], ...]
+    link: str | None = None
+    done: bool = False
+    data: str = ""
+    model: str = ""
+    why: str = ""
+    diverged: bool = False
+    error: float = float("nan")
+    switches: float = float("nan")
+    training: bool = False
+    facts: dict[str, tuple[float, str]] = field(default_factory=dict)
     instruments: float = float("nan")
     off: bool = False
-
-
-def failed(name: str, reason: str) -> Summary:
-    """A prototype without a datasheet."""
-    return Summary(name, reason, None, False, "", "", "", False, float("nan"), float("nan"), False, {}, ())
 
 
 def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
@@ -90,7 +82,6 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
         _headline(scores, judged, "switch_accuracy"),
         {s["role"] for s in _of_headline(scores, judged)} == {"train"},
         {fact["key"]: (_value(fact), str(fact["unit"])) for fact in sheet["facts"] if fact["key"] in FACTS},
-        tuple((s["model"], s["nrmse"]) for s in scores if s["signal"] == "q" and s["role"] == "validation"),
         *_instruments([row for row in sheet.get("instruments", ()) if row["model"] == judged]),
     )
 

@@ -10,7 +10,6 @@ from .figure import Figure, Line, Panel, Points, Role
 if TYPE_CHECKING:
     from ..device.parameters import JointParameters
     from ..models.analytical.bifurcation import Characteristics
-    from ..models.analytical.calibration import Calibration
     from ..models.analytical.reduced_order import BeamModes, Motions
     from ..models.analytical.statics import JointEquilibrium
 
@@ -178,36 +177,3 @@ def motion_figure(motions: "Motions") -> Figure:
         order = Line("full order, 10 states", "measured", full.t, a, "solid")
         panels.append(Panel(name, unit, (order, Line("reduced to q", "both", full.t, b, "dashed"))))
     return Figure("motion", "Full-order against reduced model", "", "t", "s", tuple(panels))
-
-
-def calibration_figure(start: "JointParameters", fit: "Calibration") -> Any:
-    """How far the fitted parameters moved from where they started, with standard errors, and their correlations.
-
-    A parameter that starts at zero (curvature, friction) has no relative change and stands in the correlations only.
-    Names instead of numbers along the axes are matplotlib's own affair: this one is a canvas.
-    """
-    from matplotlib.figure import Figure as Canvas
-
-    from ..device.parameters import VECTOR_NAMES
-
-    canvas = Canvas(figsize=(10.0, 4.5), layout="constrained")
-    moved, matrix = canvas.subplots(1, 2)
-    # A name without a side stands for both membranes, which start from one value.
-    begun = [start.value(name if name in VECTOR_NAMES else f"left.{name}") for name in fit.names]
-    moved_values = [
-        (name, value, i) for i, (name, value) in enumerate(zip(fit.names, begun, strict=True)) if value != 0.0
-    ]
-    change = [100.0 * (fit.values[i] / value - 1.0) for _, value, i in moved_values]
-    error = [100.0 * abs(fit.standard_errors[i] / value) for _, value, i in moved_values]
-    rows = np.arange(len(moved_values))
-    moved.errorbar(change, rows, xerr=error, fmt="o", capsize=3)
-    moved.axvline(0.0, color="black", linewidth=0.8)
-    moved.set_yticks(rows, [name for name, _, _ in moved_values])
-    moved.invert_yaxis()
-    moved.set(xlabel="change [%]", title="Fitted against start, ± standard error")
-    picture = matrix.imshow(fit.correlation, vmin=-1.0, vmax=1.0, cmap="PuOr")
-    matrix.set_xticks(range(len(fit.names)), fit.names, rotation=90)
-    matrix.set_yticks(range(len(fit.names)), fit.names)
-    matrix.set_title("Correlations of the estimates")
-    canvas.colorbar(picture, ax=matrix, shrink=0.8)
-    return canvas

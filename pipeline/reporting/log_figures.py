@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..diagnostics.facts.events import input_steps, voltage_switches
-from ..diagnostics.facts.residual_analysis import Residual, headline_residual
+from ..diagnostics.facts.residual_analysis import Residual, main_residual
 from ..diagnostics.facts.run_data import LogData, RunData, judged_log
 from ..numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
 from ..numerics.metrics import fit_percent, rmse
@@ -68,9 +68,9 @@ def _hidden(data: RunData, log: LogData) -> tuple[str, ...]:
     for s in data.scores:
         if s["signal"] == "q" and s["role"] == judged:
             errors.setdefault(s["model"], []).append(np.inf if s["nrmse"] is None else float(s["nrmse"]))
-    headline, *baselines = data.model_names
+    main_model, *baselines = data.model_names
     best = sorted(baselines, key=lambda name: max(errors.get(name, [np.inf])))[:BASELINES_SHOWN]
-    shown = {m for m in (headline, *best) if m in log.outcomes and log.outcomes[m]["status"] == "ok"}
+    shown = {m for m in (main_model, *best) if m in log.outcomes and log.outcomes[m]["status"] == "ok"}
     return tuple(name for name in log.predictions if name not in shown) if shown else ()
 
 
@@ -94,7 +94,7 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 
 
 def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
-    """The inputs over time, without stretches in which they are not known."""
+    """The inputs over time, without segments in which they are not known."""
     t = log.record["t"]
     sides = {"v1": " (left)", "v2": " (right)"} if data.device.joint else {}
     recorded = {name: np.where(_unknown(log, t), np.nan, log.record[name]) for name in data.inputs}
@@ -139,7 +139,7 @@ def differentiation(data: RunData, log: LogData) -> str:
         between = " … ".join(significant(alpha) for alpha in sorted({min(alphas), max(alphas)}))
         text += f", α = {between} {unit}"
     failed = sum(not s.get("converged", True) for s in stretches)
-    return text + (f"; {failed} of {len(stretches)} stretches did not converge." if failed else ", converged.")
+    return text + (f"; {failed} of {len(stretches)} segments did not converge." if failed else ", converged.")
 
 
 def measured_signals(log: LogData) -> dict[str, FloatArray]:
@@ -153,7 +153,7 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     panels = []
     for name, measured in measured_signals(log).items():
         lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
-        # The headline is drawn last, over the measurement and its baselines.
+        # The main model is drawn last, over the measurement and its baselines.
         lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
         panels.append(Panel(HEADINGS[name], unit[name], tuple(lines)))
     gone = [f"{m} diverged at {moment(n['diverged_at_s'])}" for m, n in log.outcomes.items() if n["status"] != "ok"]
@@ -176,26 +176,26 @@ def fit_note(measured: FloatArray, free: FloatArray) -> str:
 
 def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     """Q as measured and as the models run freely, with the fit of the main one that MATLAB's ``compare`` states."""
-    headline = data.model_names[0]
+    main_model = data.model_names[0]
     t = log.kinematics["t"]
     measured = log.kinematics["q"]
-    others = tuple(Line(m, m, t, run["q"]) for m, run in log.predictions.items() if m != headline)
+    others = tuple(Line(m, m, t, run["q"]) for m, run in log.predictions.items() if m != main_model)
     lines = [Line("measured", "measured", t, measured, wide=True), *others]
     below = [_inputs(data, log, low=True)]
     caption = f"Free run from the first sample under the measured {data.device.input_word}s; {FIT}."
     bands: tuple[Band, ...] = ()
     limits = _limits([measured])
-    if headline in log.predictions:
-        predicted = log.predictions[headline]
+    if main_model in log.predictions:
+        predicted = log.predictions[main_model]
         free = predicted["q"]
-        lines.append(Line(f"{headline}: {fit_note(measured, free)}", headline, t, free))
+        lines.append(Line(f"{main_model}: {fit_note(measured, free)}", main_model, t, free))
         error = Line("model − measured", "raw", t, free - measured, parts=(free, measured))
         about: tuple[Band, ...] = ()
         limits = _limits([measured, free])
         off = _limits([free - measured])
         if "q_low" in predicted:
-            bands = tuple(_tubes(predicted, headline))
-            about = (Band(TUBE, headline, t, predicted["q_low"] - free, predicted["q_high"] - free),)
+            bands = tuple(_tubes(predicted, main_model))
+            about = (Band(TUBE, main_model, t, predicted["q_low"] - free, predicted["q_high"] - free),)
             caption += " Nine in ten samples of another log are expected inside the tube"
             limits, clipped = _with_tubes(limits, bands)
             off, _ = _with_tubes(off, about)
@@ -257,7 +257,7 @@ def residual_figures(data: RunData, wells: Wells | NoWells) -> dict[str, Figure]
     """Correlations and spectrum for the worst validation log (training log without any); none of a short record."""
     log = judged_log(data)
     model = data.model_names[0]
-    residual = headline_residual(data, log)
+    residual = main_residual(data, log)
     if residual is None:
         return {}
     return {

@@ -24,7 +24,7 @@ from .legend import MARKS, dashes, slot
 
 _ASSETS = files(full_name("reporting")) / "assets"
 _DASHES = {"mark": [], "snap": [4, 3]}  # of upright lines, by their kind
-LEVELS = 65534  # codes 0 … 65534; 65535 says that there is no sample
+LEVELS = 65534  # codes 0 … 65534; 65535 stands for no sample
 MISSING = 65535
 DEFLATION = 6  # of deflate; 9 takes ten times as long and saves 0.5 %
 LONGEST = 60_000  # samples a series may have before it is stored by the extremes of its buckets

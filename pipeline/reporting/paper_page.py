@@ -88,6 +88,21 @@ def paper_page(
     """The page of a run with the set that the settings call `parameter_set`.
 
     `pictures` are SVG files by title, which are shown as images, so that nothing in them can run.
+
+    Parameters
+    ----------
+    name : str
+        Name of the prototype.
+    pictures : mapping of str to bytes
+        SVG files by title.
+    parameters : sequence of mapping
+        Rows of `table_1`.
+    scores : sequence of mapping
+        Rows of `table_2`.
+    data : RunData
+        The run of the recipe.
+    parameter_set : str
+        What the settings call the parameter set.
     """
     images = [
         {"title": title, "source": f"data:image/svg+xml;base64,{base64.b64encode(svg).decode()}"}

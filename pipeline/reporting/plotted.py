@@ -1,5 +1,6 @@
 """A figure drawn with matplotlib: for a paper, for the page, and on the axes of a notebook."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -14,16 +15,17 @@ from ..system.names import Typeface
 from ..system.package import full_name
 from ..units.quantity import axis_scale, scale
 from .figure import (
+    MOST_PLAIN,
+    MOST_POWERS,
     Cells,
     Dash,
     Figure,
     Panel,
     axis_label,
     line_kind,
-    log_ticks,
+    log_label,
     shown,
     thinned,
-    tick_labels,
     writable,
     x_range,
     y_range,
@@ -31,11 +33,11 @@ from .figure import (
 from .legend import MARKS, Style, entries, slot, slot_colour, slot_dashes
 
 import_configured("matplotlib")
+from matplotlib import ticker  # noqa: E402
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.figure import Figure as Canvas  # noqa: E402
 from matplotlib.figure import SubFigure  # noqa: E402
-from matplotlib.ticker import FixedFormatter, FixedLocator, MaxNLocator, NullLocator  # noqa: E402
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -168,8 +170,8 @@ def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, lab
     _axis(on, "x", low * fx, high * fx, _Ticks(10 if wide else 6, x_log, figure.whole))
     _axis(on, "y", bottom * fy, top * fy, _Ticks(3 if panel.low else 5, panel.log, panel.whole))
     if panel.names:
-        on.yaxis.set_major_locator(FixedLocator(range(len(panel.names))))
-        on.yaxis.set_major_formatter(FixedFormatter([writable(name) for name in panel.names]))
+        on.yaxis.set_major_locator(ticker.FixedLocator(range(len(panel.names))))
+        on.yaxis.set_major_formatter(ticker.FixedFormatter([writable(name) for name in panel.names]))
     on.set_ylabel(axis_label(panel.name, y_unit))
     if labelled:
         on.set_xlabel(axis_label(x_name, x_unit))
@@ -237,13 +239,15 @@ def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, ticks: _T
     (on.set_xlim if which == "x" else on.set_ylim)(low, high)
     if ticks.log:
         (on.set_xscale if which == "x" else on.set_yscale)("log")
-        places = log_ticks(low, high)
-        axis.set_major_locator(FixedLocator(places.tolist()))
-        axis.set_minor_locator(NullLocator())
-        axis.set_major_formatter(FixedFormatter(tick_labels(places)))
+        inside = math.floor(math.log10(high)) - math.ceil(math.log10(low)) + 1
+        between = (1.0,) if inside > 2 else (1.0, 2.0, 5.0)  # where there are few powers of ten
+        axis.set_major_locator(ticker.LogLocator(subs=between, numticks=MOST_POWERS))
+        axis.set_minor_locator(ticker.NullLocator())
+        powers = high > MOST_PLAIN * low
+        axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: log_label(value, powers=powers)))
     else:
         steps = [1, 2, 5, 10] if ticks.whole else [1, 2, 2.5, 5, 10]
-        axis.set_major_locator(MaxNLocator(ticks.about, steps=steps, min_n_ticks=3, integer=ticks.whole))
+        axis.set_major_locator(ticker.MaxNLocator(ticks.about, steps=steps, min_n_ticks=3, integer=ticks.whole))
     (on.set_xlim if which == "x" else on.set_ylim)(low, high)
 
 

@@ -16,7 +16,7 @@ from ..units.units import curve_units
 from .figure import Figure, Line, Panel, Points
 
 ZOOM = (24.0, 30.0)
-"""Stretch of figure 13 [s]."""
+"""Segment of figure 13 [s]."""
 _OTHERS = ("v1", "analytical", "raw", "measured")
 """Whose colours the α have that were not chosen."""
 
@@ -126,7 +126,7 @@ def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
         Panel(
             title,
             units[key],
-            (Line("longest stretch of the first training log", "v1", columns["alpha"], columns[key]),),
+            (Line("longest segment of the first training log", "v1", columns["alpha"], columns[key]),),
             log=True,
         )
         for key, title in (("misfit", "misfit"), ("roughness", "roughness of q̈"))

@@ -12,7 +12,7 @@ from ..diagnostics.rows import CheckRow, beside
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
 from ..units.quantity import short
-from .canvas import page_chart
+from .canvas import chart
 from .control_figures import control_figures
 from .datasheet_rows import (
     NOT_USED,
@@ -27,7 +27,7 @@ from .figure import Figure
 from .legend import event_swatches, swatches
 from .log_figures import LOG_FIGURES, log_figures, overlay
 from .page import json_for_script, render, viewer_data
-from .short_tables import headline_table
+from .short_tables import main_table
 from .tables import BEST, HEADINGS, TIED, NrmseTable, TableCell, behaviour_table, nrmse_table
 
 SECTION_TITLES = {
@@ -63,13 +63,13 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     for name, figure in figures.items():
         if name not in shown:
             kind = name.partition("-")[0]
-            charts[kind if kind in charts else ""].append(_chart(figure, models))
-    rows = sheet_rows(sheet)
+            charts[kind if kind in charts else ""].append(chart(figure, models))
+    rows = sheet_rows(sheet.facts)
     context = {
         "name": data.prototype.name,
         "subtitle": _subtitle(data),
-        "headline": sheet.headline,
-        "verdict": verdict(sheet.checks),
+        "main_model": sheet.main_model,
+        "assessment": assessment(sheet.checks),
         "data_grade": sheet.grades["data"],
         "model_grade": sheet.grades["model"],
         "checks": sheet.checks,
@@ -95,8 +95,8 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     return render("report.html.j2", ("uplot.min.js", "tables.js", "series.js", "viewer.js"), context)
 
 
-def verdict(checks: Sequence[Check]) -> str:
-    """The verdict in one sentence: the worst of what is wrong, or that nothing is."""
+def assessment(checks: Sequence[Check]) -> str:
+    """The assessment in one sentence: the worst of what is wrong, or that nothing is."""
     for grade in ("poor", "fair"):
         failing = [check for check in checks if check.grade == grade]
         if failing:
@@ -155,7 +155,7 @@ def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
             tables.append(shown)
     return {
         "score_tables": tables,
-        "worst": headline_table([row for row in scores if row["model"] in data.model_names]),
+        "worst": main_table([row for row in scores if row["model"] in data.model_names]),
     }
 
 
@@ -196,10 +196,6 @@ def _timeline(data: RunData, figures: Mapping[str, Figure], kind: str) -> dict[s
 
 def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
     return {"figure": figure, "legend": swatches(figure, models), "axis": axis, "events": event_swatches(figure)}
-
-
-def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
-    return {"figure": figure, "drawings": page_chart(figure, models), "legend": swatches(figure, models, marks=True)}
 
 
 def _model(data: RunData, name: str) -> Described:

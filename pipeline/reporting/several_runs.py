@@ -10,9 +10,8 @@ from ..fitting.trends import FEWEST
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_95
 from ..units.quantity import quantity
-from .canvas import page_chart
+from .canvas import chart
 from .figure import Band, Figure, Line, Panel, Points
-from .legend import swatches
 from .page import render
 
 CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
@@ -40,7 +39,7 @@ class DrawnRun:
     q : FloatArray, shape (n,)
         Where the curves are given.
     curves : mapping of str to FloatArray, shape (n,)
-        F, d, dC1_dq, dC2_dq of the headline, as far as it has them.
+        F, d, dC1_dq, dC2_dq of the main model, as far as it has them.
     units : mapping of str to str
         Of the curves.
     logs : mapping of (str, str) to (FloatArray, FloatArray, FloatArray)
@@ -57,11 +56,7 @@ class DrawnRun:
 
 def diff_page(names: Sequence[str], tables: Sequence[DiffTable], runs: Sequence[DrawnRun]) -> str:
     """The page as HTML; the same runs give the same bytes."""
-    figures = [*_curves(runs), *_free_runs(runs)]
-    charts = [
-        {"figure": figure, "drawings": page_chart(figure, names), "legend": swatches(figure, names, marks=True)}
-        for figure in figures
-    ]
+    charts = [chart(figure, names) for figure in (*_curves(runs), *_free_runs(runs))]
     return render("diff.html.j2", (), {"names": names, "tables": tables, "charts": charts})
 
 
@@ -73,7 +68,7 @@ def _curves(runs: Sequence[DrawnRun]) -> Iterator[Figure]:
             lines = (Line(run.name, run.name, run.q, run.curves[key]) for run in having if run.units[key] == unit)
             panels.append(Panel(title, unit, tuple(lines)))
     if panels:
-        caption = "Of the headline model of each run, over the range of its training logs."
+        caption = "Of the main model of each run, over the range of its training logs."
         yield Figure("curves", "Characteristic curves", caption, "q", runs[0].displacement, tuple(panels), columns=2)
 
 
@@ -146,11 +141,7 @@ def _shown(fact: SeriesFact, value: float, error: float) -> str:
 
 def series_page(series: Series) -> str:
     """The page as HTML; the same series gives the same bytes."""
-    figures = [_figure(fact, series.unit) for fact in series.facts]
-    charts = [
-        {"figure": figure, "drawings": page_chart(figure, ("all",)), "legend": swatches(figure, ("all",), marks=True)}
-        for figure in figures
-    ]
+    charts = [chart(_figure(fact, series.unit), ("all",)) for fact in series.facts]
     context = {
         "names": [f"{name} ({series.unit} {at:g})" for name, at in zip(series.names, series.at, strict=True)],
         "columns": COLUMNS, "rows": series_rows(series), "conclusion": conclusion(series), "charts": charts,

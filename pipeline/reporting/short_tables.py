@@ -13,7 +13,7 @@ from .tables import BEST, HEADINGS, TIED, ScoreRow, notes_of, notes_on
 
 _EXTRAS = tuple(column for column in SCORE_COLUMNS if column.cell and column.cell.table == "errors")
 FOLD_EXPLANATION = (
-    "Free-run NRMSE in % of the range in all data, each stretch of a fold from its measured first state; a run that "
+    "Free-run NRMSE in % of the range in all data, each segment of a fold from its measured first state; a run that "
     "diverged counts as 100. Mean over folds [95 % interval, t-test corrected for shared training data]. * lowest, all "
     "others higher fold by fold; ≈ not told apart from the lowest."
 )
@@ -21,7 +21,7 @@ _MARKS = {"lowest": BEST, "tied": TIED, "": ""}
 
 
 @dataclass(frozen=True)
-class Headline:
+class MainTable:
     """The table as text: where the errors were measured, the headings, and a line of cells for each model."""
 
     where: str
@@ -49,7 +49,7 @@ class Headline:
         return "\n".join(part for part in (errors, " ".join(notes)) if part)
 
 
-def headline_table(scores: Sequence[ScoreRow]) -> Headline:
+def main_table(scores: Sequence[ScoreRow]) -> MainTable:
     """The worst validation log of each model; the worst training log where there is no validation log.
 
     φ is computed from q, so its error repeats that of q: it is left out, as in the tables of the page.
@@ -75,7 +75,7 @@ def headline_table(scores: Sequence[ScoreRow]) -> Headline:
     logs = list(dict.fromkeys(str(row["log"]) for row in judged))
     named = f"log {logs[0]}" if len(logs) == 1 else f"logs {', '.join(logs)}"
     word = "validation" if role == "validation" else "training"
-    return Headline(f"free runs on the {word} {named}", signals, extras, tuple(rows))
+    return MainTable(f"free runs on the {word} {named}", signals, extras, tuple(rows))
 
 
 def _worst(errors: Sequence[float | None]) -> str:
@@ -128,6 +128,17 @@ def study_conclusion(
     """The columns of a study as they are printed, by their headings, and what follows of them, if anything does.
 
     Of each stream of `online` its end alone is left.
+
+    Parameters
+    ----------
+    name : str
+        The study.
+    columns : mapping of str to array, each of shape (n,)
+        Its table.
+    units : mapping of str to str
+        Units of the columns.
+    notes : mapping
+        Notes of the study.
     """
     if name == "online":
         return _online_conclusion(columns)

@@ -23,7 +23,7 @@ LATEX_HEADINGS = {"q": "$q$", "phi": r"$\varphi$", "qdot": r"$\dot q$", "qddot":
 
 _ERRORS = (
     "NRMSE in % of the measured range (eq. 41) of a free run from the first sample; a run that diverged has no error "
-    "and no rank. Brackets: 95 % intervals, the spread had other stretches been recorded, by moving-block bootstrap "
+    "and no rank. Brackets: 95 % intervals, the spread had other segments been recorded, by moving-block bootstrap "
     f"(blocks longer than errors hang together: {BLOCK:g} s or {MEMORIES} correlation times, and at most "
     f"1/{FEWEST_BLOCKS} of the log). * lowest of the log, all others higher in the paired bootstrap (both "
     "resampled at the same blocks); ≈ not told apart from the lowest, so no order among these."
@@ -59,10 +59,6 @@ def _columns(table: str, rows: Sequence[ScoreRow] | None = None) -> tuple[Column
         column for column in columns
         if rows is None or not notes_of([column]) or any(row.get(column.key) is not None for row in rows)
     )  # fmt: skip
-
-
-EXPLANATION = " ".join([_ERRORS, *notes_of(_columns("errors"))])
-BEHAVIOUR_EXPLANATION = " ".join([_HORIZONS, *notes_of(_columns("behaviour"))])
 
 
 @dataclass(frozen=True)

@@ -76,7 +76,23 @@ def _behind_electrodes(v: FloatArray, left: float) -> FloatArray:
 
 @inner
 def charged(v: float, asked: float, decay: float, rate: float, power: float, dt: float) -> float:
-    """The converter's voltage [V] `dt` [s] after it was v; `decay` is 1 − e^(−dt/lag), `power` that over C."""
+    """The converter's voltage [V] `dt` [s] after it was v; `decay` is 1 − e^(−dt/lag), `power` that over C.
+
+    Parameters
+    ----------
+    v : float
+        Voltage before [V].
+    asked : float
+        Commanded voltage [V].
+    decay : float
+        1 − e^(−dt/lag).
+    rate : float
+        Largest rate [V/s].
+    power : float
+        Power of the converter over the capacitance [V²/s].
+    dt : float
+        Time [s].
+    """
     up = min(rate, power / max(v, _POWER_FLOOR)) * dt
     return v + min(max((asked - v) * decay, -rate * dt), up)
 
@@ -119,7 +135,19 @@ class Laser:
 
 @compiled
 def bent(q: Any, linearity: float, rail: float, phase: float) -> Any:
-    """Linearity error [m] of a laser at the displacement q [m]."""
+    """Linearity error [m] of a laser at the displacement q [m].
+
+    Parameters
+    ----------
+    q : number or array
+        Displacement [m].
+    linearity : float
+        Largest error [m].
+    rail : float
+        End of the range [m].
+    phase : float
+        Phase of the error [rad].
+    """
     return linearity * np.sin(2.0 * np.pi * q / rail + phase)
 
 
@@ -211,7 +239,21 @@ def random_bench(rng: np.random.Generator, *, rate: float = 30_000.0, charging: 
 
 
 def record(p: RigParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np.random.Generator) -> BenchRecord:
-    """Play the commands `u` (N, 2) [V] at the bench's times `t` (N,) [s] on the joint `p` at rest in its left well."""
+    """Play the commands `u` (N, 2) [V] at the bench's times `t` (N,) [s] on the joint `p` at rest in its left well.
+
+    Parameters
+    ----------
+    p : RigParameters
+        The joint.
+    bench : Bench
+        Instruments and converters.
+    t : FloatArray, shape (N,)
+        Times of the bench [s].
+    u : FloatArray, shape (N, 2)
+        Commands [V].
+    rng : numpy.random.Generator
+        Draws the noise.
+    """
     dt = 1 / bench.rate
     v: FloatArray = np.stack([bench.converters[side].drive(u[:, side], dt) for side in (0, 1)], axis=1)
     motion = simulate(

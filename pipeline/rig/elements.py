@@ -45,7 +45,19 @@ _WEIGHTS = 0.5 * np.polynomial.legendre.leggauss(6)[1]
 
 @compiled
 def tip(x: FloatArray, p: RigParameters, pose: FloatArray, jacobian: FloatArray) -> None:
-    """Fill `pose` = (q, u_y, φ) of the tip and its `jacobian`, shape (3, n), at the coordinates `x`."""
+    """Fill `pose` = (q, u_y, φ) of the tip and its `jacobian`, shape (3, n), at the coordinates `x`.
+
+    Parameters
+    ----------
+    x : FloatArray, shape (n,)
+        Coordinates.
+    p : RigParameters
+        The joint.
+    pose : FloatArray, shape (3,)
+        Takes q [m], u_y [m] and φ [rad].
+    jacobian : FloatArray, shape (3, n)
+        Takes their derivatives.
+    """
     n = x.size
     l = p.length
     if p.beam == RITZ:
@@ -82,6 +94,17 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
     """Fill the mass `matrix`, shape (n, n), and the velocity-dependent inertia forces `bias`, shape (n,).
 
     The equations of motion read ``M(x) v̇ + bias(x, v) = force(x, v)``.
+
+    Parameters
+    ----------
+    x, v : FloatArray, shape (n,)
+        Coordinates and their rates.
+    p : RigParameters
+        The joint.
+    matrix : FloatArray, shape (n, n)
+        Takes the mass matrix.
+    bias : FloatArray, shape (n,)
+        Takes the inertia forces.
     """
     n = x.size
     l = p.length
@@ -127,6 +150,15 @@ def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -
     """Fill `force`, shape (n,), with elasticity and loss of the beam; return its potential energy [J].
 
     The chain's includes the weight of the frame's offset, which the tip's vertical displacement does not carry.
+
+    Parameters
+    ----------
+    x, v : FloatArray, shape (n,)
+        Coordinates and their rates.
+    p : RigParameters
+        The joint.
+    force : FloatArray, shape (n,)
+        Takes the forces.
     """
     n = x.size
     l = p.length
@@ -186,6 +218,21 @@ def yielding(
     Perfectly plastic layers in parallel with the elastic hinge (Prandtl–Ishlinskii): each holds an elastic angle that
     follows the hinge since `start`, shape (n,), and stops at its yield. `layers`, shape (layers, n), holds these
     angles [rad] before, `after` those at `x`.
+
+    Parameters
+    ----------
+    x : FloatArray, shape (n,)
+        Coordinates.
+    start : FloatArray, shape (n,)
+        Coordinates at the beginning of the step.
+    layers : FloatArray, shape (layers, n)
+        Elastic angles [rad] at the beginning.
+    p : RigParameters
+        The joint.
+    force : FloatArray, shape (n,)
+        The moments are added to it.
+    after : FloatArray, shape (layers, n)
+        Takes the elastic angles [rad] at `x`.
     """
     n = x.size
     if p.beam == RITZ:
@@ -204,7 +251,19 @@ def yielding(
 
 @compiled
 def stretch(side: int, pose: FloatArray, p: RigParameters, gradient: FloatArray) -> float:
-    """λ1 of membrane `side` (0 left, 1 right) at `pose` = (q, u_y, φ); fills ∂λ1/∂pose, shape (3,)."""
+    """λ1 of membrane `side` (0 left, 1 right) at `pose` = (q, u_y, φ); fills ∂λ1/∂pose, shape (3,).
+
+    Parameters
+    ----------
+    side : int
+        0 for the left membrane, 1 for the right one.
+    pose : FloatArray, shape (3,)
+        q [m], u_y [m] and φ [rad] of the tip.
+    p : RigParameters
+        The joint.
+    gradient : FloatArray, shape (3,)
+        Takes ∂λ1/∂pose.
+    """
     s = 2.0 * side - 1.0
     sin = math.sin(pose[2])
     cos = math.cos(pose[2])
@@ -284,6 +343,21 @@ def slide(z: FloatArray, shift: float, speed: float, dt: float, p: RigParameters
     ``BOUC_WEN``      ``dz = k(dx − ((1 − c0)|dx| z + c0 dx |z|)/W)``, exponent one, 0 ≤ c0 ≤ ½
 
     where k, W are `slip_stiffness`, `slip_force` and c0… are `friction_shape`.
+
+    Parameters
+    ----------
+    z : FloatArray, shape (elements,)
+        Friction states before [N].
+    shift : float
+        Travel [m].
+    speed : float
+        Velocity [m/s].
+    dt : float
+        Time [s].
+    p : RigParameters
+        The joint.
+    after : FloatArray, shape (elements,)
+        Takes the friction states after [N].
     """
     force = 0.0
     for i in range(z.size):

@@ -106,7 +106,7 @@ def alternating_pulses(*, duration: float = 37.5, rest: float = REST, voltage: f
     return [Burst("pulse", float(start), PULSE, *sides[i % 2], none, none) for i, start in enumerate(starts)]
 
 
-def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5) -> list[Burst]:
+def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5, top: float = MAX_VOLTAGE) -> list[Burst]:
     """Full pulses, left and right in turn, of random lengths: the paper's experiment (figures 11 and 15).
 
     Pulses and pauses last 1 to 2 s, in which the joint nearly comes to rest.
@@ -115,29 +115,42 @@ def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5) -> lis
     start = REST
     while start < duration - 0.5:
         length, pause = rng.uniform(1.0, 2.0, 2)
-        sides = (MAX_VOLTAGE, 0.0) if len(bursts) % 2 == 0 else (0.0, MAX_VOLTAGE)
+        sides = (top, 0.0) if len(bursts) % 2 == 0 else (0.0, top)
         bursts.append(Burst("pulse", start, float(length), *sides, np.empty(0), np.empty(0)))
         start += float(length + pause)
     return bursts
 
 
-def random_excitation(rng: np.random.Generator, *, duration: float = 37.5, excitation: str = "training") -> list[Burst]:
-    """Draw an experiment: a rest, then bursts and pauses until `duration` [s].
+def random_excitation(
+    rng: np.random.Generator, *, duration: float = 37.5, excitation: str = "training", top: float = MAX_VOLTAGE
+) -> list[Burst]:
+    """Draw an experiment up to `top` [V]: a rest, then bursts and pauses until `duration` [s].
 
     The first burst is a full pulse on the left, which sends a joint resting on the left over to the right. Later
     pulses mostly change sides, so that the joint is sent from well to well; about half of them use the full
     voltage, the others stay between a half and the full one, where switching is no longer certain.
+
+    Parameters
+    ----------
+    rng : np.random.Generator
+        Draws the bursts.
+    duration : float
+        Length [s].
+    excitation : str
+        A name in `EXCITATIONS`.
+    top : float
+        Largest voltage [V].
     """
     if excitation == "alternating":
-        return switching_pulses(rng, duration=duration)
+        return switching_pulses(rng, duration=duration, top=top)
     none = np.empty(0)
-    bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), MAX_VOLTAGE, 0.0, none, none)]
+    bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), top, 0.0, none, none)]
     shares = SHARES[excitation]
     start = REST + bursts[0].duration + float(rng.uniform(0.05, 0.6))
     side = 1
     while start < duration - 0.2:
         kind = BURSTS[int(rng.choice(len(BURSTS), p=[shares.get(name, 0.0) for name in BURSTS]))]
-        burst = draw_burst(rng, kind, start, side, MAX_VOLTAGE, SHORT_PULSES)
+        burst = draw_burst(rng, kind, start, side, top, SHORT_PULSES)
         bursts.append(burst)
         start += burst.duration + draw_pause(rng, SHORT_PAUSES)
         side = 1 - side if kind == "pulse" and rng.random() < 0.8 else side

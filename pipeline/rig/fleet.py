@@ -99,6 +99,17 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
     A drawn prototype is drawn again until every log switches often enough and none reaches the laser's rail, as an
     operator would choose the prototypes worth recording; all of it follows from `seed`.
 
+    Parameters
+    ----------
+    folder : Path
+        Folder of its files.
+    name : str
+        Name of the prototype.
+    experiment : Experiment
+        What is drawn and recorded.
+    seed : int
+        Seed of all draws.
+
     Returns
     -------
     Path
@@ -141,6 +152,17 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
 def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int) -> Path:
     """Write a prototype as `write_prototype` does, and return its settings file.
 
+    Parameters
+    ----------
+    folder : Path
+        Folder of its files.
+    name : str
+        Name of the prototype.
+    experiment : Experiment
+        What is drawn and recorded.
+    seed : int
+        Seed of all draws.
+
     Raises
     ------
     InputError
@@ -157,6 +179,17 @@ def simulate_fleet(folder: Path, count: int, experiment: Experiment, *, seed: in
 
     With the kind ``same`` every second prototype is ``foreign``: half of a fleet must not share the model's physics.
     Otherwise as `simulate_prototype`.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the prototypes' folders.
+    count : int
+        Number of prototypes.
+    experiment : Experiment
+        What is drawn and recorded.
+    seed : int
+        Seed of all draws.
     """
     for i in range(count):
         kind = "foreign" if experiment.kind == "same" and i % 2 else experiment.kind
@@ -276,7 +309,21 @@ def moving_mass(joint: RigParameters) -> float:
 
 
 def prototype_toml(name: str, mass: float, files: Mapping[str, list[str]], form: str, *, more: str = "") -> str:
-    """The prototype's settings: what a user would know of the device, not its truth; `more` goes to ``[plant]``."""
+    """The prototype's settings: what a user would know of the device, not its truth; `more` goes to ``[plant]``.
+
+    Parameters
+    ----------
+    name : str
+        Name of the prototype.
+    mass : float
+        Moving mass [kg].
+    files : mapping of str to list of str
+        Log files by role.
+    form : str
+        Layout of the logs.
+    more : str
+        Further lines of ``[plant]``.
+    """
     logs = "\n".join(["[logs]", *(f"{role} = {json.dumps(names)}" for role, names in files.items() if names)])
     plant = f'[plant]\nmass = {{ value = {mass:.4f}, unit = "kg" }}\ninputs = "squared"\n{more}'
     return f'# Simulated by the virtual rig.\nname = "{name}"\n\n{logs}\n\n{LAYOUTS[form].toml()}\n{plant}'

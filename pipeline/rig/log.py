@@ -3,15 +3,18 @@
 MAT files are as ControlDesk exports them: one struct with ``X`` (time axes) and ``Y`` (channels), v5.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..numerics.arrays import BoolArray, FloatArray
+from ..units.units import PLAIN
+from .bench import Laser
 
 _VARIABLE = "rec"
 _RASTER = "HostService"
@@ -57,8 +60,6 @@ def _struct_array(records: list[dict[str, Any]]) -> NDArray[np.void]:
     return array
 
 
-PER_SI = {"mm": 1e3, "µm": 1e6, "kV": 1e-3, "V": 1.0}
-"""Units of displacement and voltages in one of SI."""
 Channels = dict[str, tuple[FloatArray, str]]
 _CLOCK = 12.345  # s, since the recorder was started
 _RIG = (("Laser_q", "mm"), ("HV1_meas", "kV"), ("HV2_meas", "kV"))
@@ -110,10 +111,10 @@ class Layout:
     v2: tuple[str, str]
     write: Callable[[Path, FloatArray, dict[str, tuple[FloatArray, str]]], None]
 
-    def save(self, log: RawLog, path: Path) -> None:
-        """Write `log` in this layout, its samples in the layout's units."""
-        samples = {self.q: log.q, self.v1: log.v1, self.v2: log.v2}
-        channels = {name: (values * PER_SI[unit], unit) for (name, unit), values in samples.items()}
+    def save(self, log: RawLog, path: Path, more: Mapping[tuple[str, str], FloatArray] = MappingProxyType({})) -> None:
+        """Write `log` in this layout, and `more` channels [SI] by name and unit; samples are in the units named."""
+        samples = {self.q: log.q, self.v1: log.v1, self.v2: log.v2, **more}
+        channels = {name: (values * (1.0 / PLAIN[unit][0]), unit) for (name, unit), values in samples.items()}
         self.write(path, log.t, channels)
 
     def toml(self) -> str:
@@ -197,7 +198,6 @@ KINDS: tuple[FaultKind, ...] = get_args(FaultKind)
 """Kinds of faults, in the order in which they are put in."""
 _COUNT = 3
 _GAP, _DROPOUT = (5e-3, 60e-3), (2e-3, 30e-3)  # s, shortest and longest
-_RAIL = 25.0e-3  # m, end of the laser's range
 _SATURATED_SHARE = 0.97  # of the largest |q|: where the range ends on request
 
 
@@ -221,7 +221,7 @@ def inject_faults(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator)
     """
     faults: list[Fault] = []
     q = log.q.copy()
-    rail = _RAIL
+    rail = Laser().rail
     for kind in KINDS:
         if kind not in kinds or kind in ("gaps", "repeats"):
             continue

@@ -210,7 +210,7 @@ class Controller:
     step : int
         Address of its step function.
     begin : callable
-        Told the first reading [m] before the first step.
+        Receives the first reading [m] before the first step.
     failure : list of Exception
         What its Python raised; the voltages are zero from there on.
     keep : tuple
@@ -343,6 +343,19 @@ def run_loop(
     p: RigParameters, bench: Bench, scenario: Scenario, controller: Controller, start: FloatArray | None = None
 ) -> ClosedLoop:
     """Run a controller on a joint, from rest in a well or from the coordinates `start`, shape (n,).
+
+    Parameters
+    ----------
+    p : RigParameters
+        The joint.
+    bench : Bench
+        Instruments and converters.
+    scenario : Scenario
+        Targets and disturbances.
+    controller : Controller
+        What commands the voltages.
+    start : FloatArray, shape (n,), optional
+        Coordinates at the start.
 
     Raises
     ------

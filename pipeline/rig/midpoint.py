@@ -233,7 +233,21 @@ def workspace(p: RigParameters, n: int) -> _Work:
 
 @inner
 def read_tip(state: _State, p: RigParameters, work: _Work, pose: FloatArray, rate: FloatArray) -> None:
-    """Fill `pose` and `rate`, shape (2,), with (q, φ) and their rates; `work.pose` is that of the state."""
+    """Fill `pose` and `rate`, shape (2,), with (q, φ) and their rates; `work.pose` is that of the state.
+
+    Parameters
+    ----------
+    state : _State
+        State of the joint.
+    p : RigParameters
+        The joint.
+    work : _Work
+        Arrays of the integrator.
+    pose : FloatArray, shape (2,)
+        Takes q [m] and φ [rad].
+    rate : FloatArray, shape (2,)
+        Takes their rates.
+    """
     tip(state.x, p, work.pose, work.jacobian)
     for row in range(2):
         pose[row] = work.pose[2 * row]
@@ -250,6 +264,23 @@ def advance(
 
     `work.pose` must be that of the state (see `read_tip`); `inverse`, shape (n, n), and `vm`, shape (n,), are kept for
     the next step.
+
+    Parameters
+    ----------
+    h : float
+        Length of the step [s].
+    renew : bool
+        Whether the inverse is made anew.
+    state : _State
+        State of the joint, which is moved.
+    p : RigParameters
+        The joint.
+    work : _Work
+        Arrays of the integrator.
+    inverse : FloatArray, shape (n, n)
+        Inverse of the Newton matrix.
+    vm : FloatArray, shape (n,)
+        Rates at the midpoint.
     """
     for side in range(2):
         state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p)[0]

@@ -64,7 +64,19 @@ def written(lines: Iterable[str], owner: object) -> Any:
 
 
 def text_of(path: Path, length: int, encoding: str, newline: str | None = None) -> io.TextIOWrapper:
-    """The first `length` bytes as text, to be read in order."""
+    """The first `length` bytes as text, to be read in order.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    length : int
+        Bytes that are read.
+    encoding : str
+        Encoding of the text.
+    newline : str, optional
+        As of `io.TextIOWrapper`.
+    """
     return io.TextIOWrapper(io.BufferedReader(_Head(path, length)), encoding, newline=newline)
 
 

@@ -47,7 +47,7 @@ def read_recording(
     limits : Limits, optional
         Memory, processor time and sizes that are allowed.
     progress : callable, optional
-        Told the share of the samples that are read.
+        Receives the share of the samples that are read.
 
     Raises
     ------

@@ -127,7 +127,17 @@ def _walk(group: Any, prefix: str, seen: set[Any]) -> Iterator[tuple[str, Any]]:
 
 
 def flat(dataset: Any, start: int, stop: int, shape: tuple[int, ...]) -> NDArray[Any]:
-    """Elements `start` … `stop` − 1 of a vector or matrix in the file's order, read without the others."""
+    """Elements `start` … `stop` − 1 of a vector or matrix in the file's order, read without the others.
+
+    Parameters
+    ----------
+    dataset : h5py.Dataset
+        The dataset.
+    start, stop : int
+        First element, and the one behind the last.
+    shape : tuple of int
+        Its shape.
+    """
     if math.prod(shape) == max(shape):
         index: list[int | slice] = [0] * len(shape)
         index[int(np.argmax(shape))] = slice(start, stop)
@@ -246,7 +256,7 @@ class Hdf5Source(Source):
         return None
 
     def _note_rate(self, name: str, dataset: Any) -> bool:
-        """Tell of a number that may be the sample rate or interval; whether there are not several numbers."""
+        """Note a number that may be the sample rate or interval; whether there are not several numbers."""
         if dataset.dtype.kind not in "fiu" or not dataset.size:
             return True
         if dataset.size == 1:

@@ -44,7 +44,7 @@ class InspectedChannel:
     Attributes
     ----------
     name, unit, dtype : str
-        As the log says.
+        As the log states it.
     time_base : int or None
         Position of its time base in `Inspection.time_bases`; None where none could be found.
     quality : SignalQuality

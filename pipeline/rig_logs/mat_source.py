@@ -144,7 +144,7 @@ class MatSource(Source):
         return channels
 
     def _note_scalar(self, name: str, value: MatArray, second: float) -> None:
-        """Tell of a number that may be the sample rate, the interval in units of so many seconds, or a scale."""
+        """Note a number that may be the sample rate, the interval in units of so many seconds, or a scale."""
         number = scalar_of(value)
         if number is None:
             return

@@ -16,7 +16,7 @@ Reader = Callable[[int, int], NDArray[Any]]
 class MatArray:
     """A real numeric array whose samples are still in the file.
 
-    `read(start, stop)` gives a range of them in column-major order; `step` says how many at a time cost least.
+    `read(start, stop)` gives a range of them in column-major order; `step` is how many at a time cost least.
     """
 
     dims: tuple[int, ...]

@@ -33,7 +33,7 @@ class RecordedChannel:
     name : str
         Name in the log.
     unit : str
-        Unit as the log writes it, "" where it says nothing; information only, the settings decide.
+        Unit as the log writes it, "" where it has none; information only, the settings decide.
     time : FloatArray, shape (N,), or None
         The channel's own time base [s]; None where the format has none (a column of a table).
     samples : FloatArray, shape (N,)
@@ -103,7 +103,7 @@ class Recording:
 
 
 def missing_channel(path: Path, name: str, listed: tuple[str, ...]) -> str:
-    """One line that says what is there instead of the channel `name`."""
+    """One line that states what is there instead of the channel `name`."""
     if not listed:
         return f"{path}: no channel {name!r}; the log holds no numeric channel at all"
     folded = {entry.casefold(): entry for entry in listed}

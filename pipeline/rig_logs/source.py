@@ -267,7 +267,7 @@ def rates_beside(channel: str, rates: Mapping[str, float]) -> Mapping[str, float
 
 
 class UnreadableLogError(Exception):
-    """The file is damaged, truncated, or not what it claims to be; the text says in what way."""
+    """The file is damaged, truncated, or not what it claims to be; the text states in what way."""
 
 
 class UnreadableChannelError(UnreadableLogError):

@@ -55,7 +55,7 @@ class FoldScore:
     samples : int
         Held-out samples.
     diverged : int
-        Held-out stretches whose run diverged.
+        Held-out segments whose run diverged.
     """
 
     nrmse: Mapping[str, float]
@@ -72,7 +72,7 @@ def block_folds(segments: Sequence[IntArray], folds: int) -> list[IntArray]:
     Parameters
     ----------
     segments : sequence of IntArray, shape (N,)
-        Number of the gap-free stretch of each row of each log, −1 where it is masked.
+        Number of the gap-free segment of each row of each log, −1 where it is masked.
     folds : int
         At least 2.
 
@@ -97,7 +97,7 @@ def log_folds(segments: Sequence[IntArray], folds: int) -> list[IntArray]:
 
 
 def kept_segments(segment: IntArray, keep: BoolArray) -> IntArray:
-    """Stretches of the rows kept, numbered anew from 0; −1 elsewhere, so that nothing reaches across what was cut."""
+    """Segments of the rows kept, numbered anew from 0; −1 elsewhere, so that nothing reaches across what was cut."""
     rows = keep & (segment >= 0)
     begins = rows & ~np.concatenate([[False], rows[:-1] & (segment[1:] == segment[:-1])])
     return np.where(rows, np.cumsum(begins) - 1, -1)
@@ -106,16 +106,16 @@ def kept_segments(segment: IntArray, keep: BoolArray) -> IntArray:
 def fold_score(
     model: Simulator, held_out: Sequence[Log], ranges: Mapping[str, float], wells: Wells | NoWells
 ) -> FoldScore:
-    """Free runs over the held-out stretches, each from its own measured first state.
+    """Free runs over the held-out segments, each from its own measured first state.
 
     Hidden states of a model begin as after a long rest there.
 
     Parameters
     ----------
     model : Simulator
-        Fitted without these stretches.
+        Fitted without these segments.
     held_out : sequence of Log
-        The stretches of one fold, at least one.
+        The segments of one fold, at least one.
     ranges : mapping of signal to float
         The signals that are judged: `signal_ranges` of all data, so that a fold that stays in one well is not judged
         by a smaller range.

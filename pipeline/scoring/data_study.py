@@ -25,7 +25,7 @@ class StudyPoint:
     level : float
         Training samples, or standard deviation [m] of the noise added to q.
     errors : tuple of float
-        Free-run NRMSE of q on the held-out stretches, one per repeat that was fitted; 1 stands for a run that diverged
+        Free-run NRMSE of q on the held-out segments, one per repeat that was fitted; 1 stands for a run that diverged
         or missed everything.
     refused : int
         Repeats whose data the method refused.
@@ -52,8 +52,8 @@ def amount_study(
 ) -> tuple[StudyPoint, ...]:
     """Held-out error against the number of training samples.
 
-    Each repeat takes a stretch of consecutive samples at a random place, wrapping from one trajectory to the next, so
-    that small amounts are judged by typical stretches and not by how the first log begins.
+    Each repeat takes a segment of consecutive samples at a random place, wrapping from one trajectory to the next, so
+    that small amounts are judged by typical segments and not by how the first log begins.
 
     Parameters
     ----------
@@ -64,9 +64,9 @@ def amount_study(
     amounts : sequence of int
         Training samples; an amount of all samples or more is done once, with all.
     repeats : int
-        Stretches per amount.
+        Segments per amount.
     rng : numpy.random.Generator
-        Places of the stretches.
+        Places of the segments.
     """
     total = sum(len(x.t) for x in training)
     points = []
@@ -127,7 +127,7 @@ def _point(level: float, draws: Sequence[Sequence[Log]], held_out: Sequence[Log]
 
 
 def held_out_error(model: Simulator, held_out: Sequence[Log]) -> float:
-    """Free-run NRMSE of q over all stretches, each from its own first state, at most 1; weighted by their length."""
+    """Free-run NRMSE of q over all segments, each from its own first state, at most 1; weighted by their length."""
     low, high = operating_range(held_out)
     return fold_score(model, held_out, {"q": high - low}, NoWells("")).nrmse["q"]
 

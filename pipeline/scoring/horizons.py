@@ -12,7 +12,7 @@ from .intervals import BLOCK, SEED, Interval, block_of, rms_interval
 MOST_STARTS = 400
 
 SHORTEST_HORIZON = 2.0
-"""In sample intervals: a shorter one but for one step would be rounded to another time than its name says."""
+"""In sample intervals: a shorter one but for one step would be rounded to another time than that of its name."""
 
 Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray, IntArray, IntArray], Iterable[FloatArray]]
 """``(t, v, seen, speed, starts, ahead) -> predictions``: see `pipeline.models.base.Predicts`."""

@@ -149,7 +149,7 @@ def rms_interval(error: FloatArray, block: int, rng: np.random.Generator) -> Int
     Returns
     -------
     Interval or None
-        In the unit of `error`; None with fewer than three blocks in the series, where the bootstrap says nothing.
+        In the unit of `error`; None with fewer than three blocks in the series, where there is no bootstrap.
     """
     means = mean_interval(np.square(error), block, rng)
     return None if means is None else Interval(float(np.sqrt(means.low)), float(np.sqrt(means.high)))
@@ -170,6 +170,15 @@ def rms_difference_interval(
     Two models err at the same switches, so their RMS move together; the paired difference sees through that, the
     comparison of two separate intervals does not. Parameters and None as in `rms_interval`; the series are equally
     long and masked at the same rows.
+
+    Parameters
+    ----------
+    error, other : FloatArray, shape (N,)
+        Errors of the two models, NaN where masked.
+    block : int
+        Length of a block in samples.
+    rng : numpy.random.Generator
+        Draws the blocks.
     """
     if np.count_nonzero(np.isfinite(error)) < 3 * block:
         return None

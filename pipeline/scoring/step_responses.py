@@ -103,7 +103,7 @@ def response_errors(
 ) -> ResponseErrors:
     """Compare the times of all switches.
 
-    A switch is a stretch between two voltage steps, at least 0.8 s long and without masked rows, that starts on one
+    A switch is a segment between two voltage steps, at least 0.8 s long and without masked rows, that starts on one
     side of the barrier and ends on the other.
 
     Parameters

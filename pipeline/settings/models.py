@@ -15,8 +15,8 @@ class ModelEntry:
     ----------
     name : str
         Under which predictions and scores are filed.
-    kind : str
-        Where its `pipeline.models.kind.Kind` is: ``module:attribute``. It is imported when the model is used.
+    model_type : str
+        Place of its `pipeline.models.model_type.ModelType`: ``module:attribute``, imported when the model is used.
     part : {"identify", "compare"}
         The settings table that names it, and the stage that fits it.
     needs_parameters : bool
@@ -29,7 +29,7 @@ class ModelEntry:
     """
 
     name: str
-    kind: str
+    model_type: str
     part: Literal["identify", "compare"] = "compare"
     needs_parameters: bool = False
     takes_mass: bool = True

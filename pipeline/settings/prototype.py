@@ -169,8 +169,8 @@ class Identify(SettingsTable):
     """From kinematics to models."""
 
     models: tuple[str, ...] = Field(default=(AUTO, "rbf", "rbf-paper"), min_length=1)
-    """Models to identify; the first is the headline. "auto": "hybrid" or "rbf", whichever predicts held-out training
-    data better; as the first name, it leaves the headline to another that holds training logs which this one loses, or
+    """Models to identify; the first is the main model. "auto": "hybrid" or "rbf", whichever predicts held-out training
+    data better; as the first name, it leaves that place to another that holds training logs which this one loses, or
     predicts better by horizon. "hybrid": the joint's equations, with data-driven corrections where these help. "rbf":
     the physics-informed RBF network from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
     basis_functions: Whole = Field(default=CENTRES, ge=2, le=200)

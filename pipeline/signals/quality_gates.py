@@ -193,6 +193,17 @@ def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) ->
 
     A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests about
     zero is not at a rail there: its steps may hide the noise, and an amplifier that is off makes none.
+
+    Parameters
+    ----------
+    time : FloatArray, shape (N,)
+        Time stamps [s].
+    samples : FloatArray, shape (N,)
+        The input.
+    step : float
+        Nominal step [s].
+    unit : str
+        SI unit of the input.
     """
     quality = examine_signal(time, samples, step)
     if quality.constant or quality.stepped or quality.levels or quality.ramped:

@@ -58,6 +58,17 @@ def decimated(
 ) -> Iterator[FloatArray]:
     """The same as `decimate` of columns of any length, shape (k, m), piece after piece.
 
+    Parameters
+    ----------
+    time : FloatArray, shape (N,)
+        Time stamps [s].
+    columns : sequence of FloatArray, each of shape (N,)
+        Samples of k signals.
+    t_out : FloatArray, shape (m,)
+        Uniform times [s].
+    interval : float
+        Their interval [s].
+
     Notes
     -----
     Cost: every sample meets its four kernels once, 4 N kernel values of 17 flops and 4 (k + 2) N multiply-adds,
@@ -259,7 +270,19 @@ _STEEPEST = 1.5
 
 
 def interpolated(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smooth: bool) -> Iterator[FloatArray]:
-    """The same as `interpolate` of columns of any length, piece after piece."""
+    """The same as `interpolate` of columns of any length, piece after piece.
+
+    Parameters
+    ----------
+    time : FloatArray, shape (N,)
+        Time stamps [s].
+    samples : FloatArray, shape (N,)
+        The signal.
+    t_out : FloatArray, shape (m,)
+        Times that are asked for [s].
+    smooth : bool
+        By a cubic spline instead of lines.
+    """
     for first in range(0, t_out.size, CHUNK):
         points = t_out[first : first + CHUNK]
         low, high = np.searchsorted(time, points[[0, -1]])

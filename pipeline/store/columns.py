@@ -106,7 +106,7 @@ RECORD_COLUMNS = (
     Column("v1", "v1", "{v}", "first input: measured voltage of the left membrane"),
     Column("v2", "v2", "{v2}", "second input: measured voltage of the right membrane"),
     Column("velocity", "q̇", "{q}/s", "measured velocity, where there is such a channel"),
-    Column("segment", "", "1", "number of the gap-free stretch; -1 where the row is masked", dtype="int32"),
+    Column("segment", "", "1", "number of the gap-free segment; -1 where the row is masked", dtype="int32"),
 )
 RATE_COLUMNS = (Column("qdot", "q̇", "{q}/s", "velocity"), Column("qddot", "q̈", "{q}/s²", "acceleration"))
 TUBE_COLUMNS = (

@@ -29,7 +29,7 @@ from ..system.package import program_version
 from ..system.plain_files import read_plain
 from .atomic import move, not_written, reading, refuse_link, sweep, write_text
 from .hashing import file_sha256, flatten, json_sha256
-from .schemas import ADVICE, checked_notes, first_mistake
+from .schemas import ADVICE, Document, first_mistake
 
 MANIFEST = "manifest.json"
 NEXT_MANIFEST = ".manifest.next.json"
@@ -201,7 +201,7 @@ def load_manifest(root: Path) -> Manifest:
     if not intact:
         raise CorruptArtifactError(f"{path}: was changed after it was written; {ADVICE}")
     for name, record in manifest.artifacts.items():
-        notes = checked_notes(record.notes, f"{path}: artifacts.{name}.notes")
+        notes = Document(record.notes, f"{path}: artifacts.{name}.notes")
         recipe = replace(record.recipe, settings=translated(record.recipe.settings, used=True))
         manifest.artifacts[name] = replace(record, recipe=recipe, notes=notes)
     _INTACT.add(digest)

@@ -108,6 +108,17 @@ def _list(files: dict[str, Any]) -> str:
 def check_places(folder: Path, names: Iterable[str], command: str, *, force: bool | None) -> None:
     """Refuse to write where files of others lie, before any work is done for it.
 
+    Parameters
+    ----------
+    folder : Path
+        Folder of the files.
+    names : iterable of str
+        Their paths in it.
+    command : str
+        Who writes.
+    force : bool or None
+        As of `new_outputs`.
+
     Raises
     ------
     InputError

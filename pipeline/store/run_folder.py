@@ -1,6 +1,7 @@
 """A run folder: artifacts by name, checked against the manifest whenever they are read."""
 
 import hashlib
+import json
 import time
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
@@ -33,7 +34,7 @@ from .manifest import (
     staging_place,
     to_json,
 )
-from .schemas import Schema, misfit
+from .schemas import Document, Schema, misfit
 from .tables import read_buffer
 
 # Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
@@ -232,6 +233,11 @@ class RunFolder:
         table = self.read_table(name)
         return [dict(zip(table, map(to_json, row), strict=True)) for row in zip(*table.values(), strict=True)]
 
+    def read_document(self, name: str) -> Document:
+        """Read a JSON artifact; errors as for `read_bytes`, also where a key is asked for that is not there."""
+        remedy = f"`debist {layout.command_of(name) or 'run'}` makes it anew"
+        return Document(json.loads(self.read_bytes(name)), str(self.path(name)), remedy)
+
     def read_tree(self, name: str, group: str = "/") -> trees.Tree:
         """Read an HDF5 artifact, or a branch of it, from bytes that were checked; errors as for `read_bytes`."""
         return trees.parse_tree(self.read_bytes(name), self.path(name), group)
@@ -282,19 +288,55 @@ class RunFolder:
         return problem
 
     def write_table(self, name: str, schema: Schema, columns: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
-        """Write a Parquet artifact; like all that is written, it counts from its commit on."""
+        """Write a Parquet artifact; like all that is written, it counts from its commit on.
+
+        Parameters
+        ----------
+        name : str
+            Name of the artifact.
+        schema : Schema
+            Resolved for the device.
+        columns : mapping of str to array-like, each of length N
+            Its columns.
+        notes : mapping
+            Notes on the result.
+        """
         return Written(tables.write_table(self._staged(name), schema, columns, within=self.root), notes)
 
     def write_pieces(
         self, name: str, schema: Schema, pieces: Iterable[Mapping[str, Any]], notes: Mapping[str, Any]
     ) -> Written:
-        """Write a Parquet artifact that comes in pieces, in the memory of a row group."""
+        """Write a Parquet artifact that comes in pieces, in the memory of a row group.
+
+        Parameters
+        ----------
+        name : str
+            Name of the artifact.
+        schema : Schema
+            Resolved for the device.
+        pieces : iterable of mapping
+            Consecutive rows of all columns.
+        notes : mapping
+            Notes on the result.
+        """
         return Written(tables.write_pieces(self._staged(name), schema, pieces, within=self.root), notes)
 
     def write_tree(
         self, name: str, tree: Mapping[str, Any], notes: Mapping[str, Any], columns: trees.Columns | None = None
     ) -> Written:
-        """Write an HDF5 artifact with the units and meanings of `columns`."""
+        """Write an HDF5 artifact with the units and meanings of `columns`.
+
+        Parameters
+        ----------
+        name : str
+            Name of the artifact.
+        tree : mapping
+            Nested arrays, numbers and texts.
+        notes : mapping
+            Notes on the result.
+        columns : callable, optional
+            Unit and meaning of an entry by its path.
+        """
         return Written(trees.write_tree(self._staged(name), tree, columns, within=self.root), notes)
 
     def write_text(self, name: str, text: str, notes: Mapping[str, Any]) -> Written:

@@ -1,13 +1,12 @@
-"""What the artifacts of a run hold: the columns of each table, and the kinds of the values in their notes."""
+"""Contents of the artifacts of a run: the columns of each table, and JSON objects whose keys are all there."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
-from types import GenericAlias
-from typing import Annotated, Any, Literal
+from typing import Any
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
+from pydantic import ValidationError
 
 from ..device.device import Device
 from ..errors import CorruptArtifactError
@@ -50,7 +49,19 @@ STUDIES = {study: Schema(f"study-{study}", columns) for study, columns in STUDY_
 
 
 def schema_of(schema: Schema, device: Device, *, phi: bool = False, tubes: bool = False) -> Schema:
-    """The schema with a device's units and inputs, see `resolve`."""
+    """The schema with a device's units and inputs, see `resolve`.
+
+    Parameters
+    ----------
+    schema : Schema
+        Columns with marks for units.
+    device : Device
+        Its units and inputs.
+    phi : bool
+        With the tip rotation.
+    tubes : bool
+        With the limits of the tubes.
+    """
     inputs = tuple(unit.symbol for unit in device.inputs)
     velocity = device.velocity is not None
     return resolve(
@@ -62,7 +73,23 @@ def resolve(
     schema: Schema, *, displacement: str, inputs: tuple[str, ...], phi: bool = False, velocity: bool = False,
     tubes: bool = False,
 ) -> Schema:  # fmt: skip
-    """The schema for a device: its units filled in; second input, φ, measured velocity, tubes left out if absent."""
+    """The schema for a device: its units filled in; second input, φ, measured velocity, tubes left out if absent.
+
+    Parameters
+    ----------
+    schema : Schema
+        Columns with marks for units.
+    displacement : str
+        SI unit of q.
+    inputs : tuple of str
+        SI unit of each input.
+    phi : bool
+        With the tip rotation.
+    velocity : bool
+        With the measured velocity.
+    tubes : bool
+        With the limits of the tubes.
+    """
     absent = {"v2": len(inputs) < 2, "phi": not phi, "velocity": not velocity}
     absent |= dict.fromkeys((column.key for column in TUBE_COLUMNS), not tubes)
     units = {"{q}": displacement, "{v}": inputs[0], "{v2}": inputs[-1]}
@@ -124,76 +151,37 @@ def _fits(values: np.ndarray[Any, Any], dtype: Dtype) -> bool:
 
 
 ADVICE = "restore it, or move the folder away and run again"
-Number = float | None
-"""JSON has no number that is not finite: null stands for it."""
 
 
-_AS_WRITTEN = ConfigDict(strict=True, extra="allow", allow_inf_nan=False)
-"""Values are not converted; what is not named may be there, as in documents of other versions."""
+_ELSEWHERE = "move the folder away and run again"
 
 
-def kind(**entries: Any) -> Any:
-    """The kind of a mapping with these entries; one that is a kind with a default may be missing."""
-    fields = {name: entry if isinstance(entry, tuple) else (entry, ...) for name, entry in entries.items()}
-    return create_model("Document", __config__=_AS_WRITTEN, **fields)  # type: ignore[call-overload]
-
-
-def list_of(entry: Any) -> Any:
-    """The kind of a list whose entries are of one kind."""
-    return GenericAlias(list, entry)
-
-
-_INTERVAL = kind(low=(Number, None), high=(Number, None))
-_HORIZON = kind(horizon_s=(float, 0.0), nrmse=(Number, None), interval=(_INTERVAL | None, None))
-_CHOICE = kind(
-    chosen=(str, ""), reason=(str, ""), held_out_error=(dict[str, Number], {}),
-    excess_of_the_other=(_INTERVAL | None, None),
-)  # fmt: skip
-_STRETCH = kind(alpha=(Number, None), noise_std=(Number, None), converged=(bool, True))
-_NOTES: type[BaseModel] = kind(
-    warnings=(list[str], []), accepted=(list[str], []), gaps=(int, 0), raw_rows=(int, 0), raw_step=(float, 0.0),
-    method=(str, ""), of=(str, ""), order=(int, 0), interval_s=(float, 0.0), unit_si=(float, 1.0),
-    stretches=(list_of(_STRETCH), []), identified=(Annotated[list[str], Field(min_length=1)], ["one"]),
-    choice=(_CHOICE | None, None), status=(Literal["ok", "diverged"], "ok"), diverged_at_s=(Number, None),
-    basis_functions=(int | None, None), outside_training=(Number, None), processor_time=(dict[str, Number], {}),
-    horizons=(GenericAlias(dict, (str, _HORIZON)), {}), outcomes=(kind(ambiguous=(list[bool], [])) | None, None),
-)  # fmt: skip
-"""Notes of all stages; each artifact has some of them, and those of an older debist may lack what is new."""
-
-
-class Notes(dict[str, Any]):
-    """Notes of an artifact, or a part of them; a missing key is an error.
+class Document(dict[str, Any]):
+    """JSON object of a run, or a part of one; a missing key is an error.
 
     Parameters
     ----------
     entries : mapping
     where : str
-        File and key, for who misses something.
+        File and key, for whoever misses something.
+    remedy : str
+        What to do then.
     """
 
-    def __init__(self, entries: Mapping[str, Any], where: str) -> None:
+    def __init__(self, entries: Mapping[str, Any], where: str, remedy: str = _ELSEWHERE) -> None:
+        self._missing = f"is missing; {remedy}"
         self._where = where
-        super().__init__({key: Notes(e, f"{where}.{key}") if isinstance(e, dict) else e for key, e in entries.items()})
+
+        def within(entry: Any, place: str) -> Any:
+            """The entry, its objects being documents."""
+            if isinstance(entry, list) and entry and isinstance(entry[0], dict):
+                return [within(each, f"{place}.{k}") for k, each in enumerate(entry)]
+            return Document(entry, place, remedy) if isinstance(entry, dict) else entry
+
+        super().__init__({key: within(entry, f"{where}.{key}") for key, entry in entries.items()})
 
     def __missing__(self, key: str) -> Any:
-        raise CorruptArtifactError(f"{self._where}: {key} is missing; move the folder away and run again")
-
-
-def checked_notes(notes: Mapping[str, Any], where: str) -> Notes:
-    """The notes, if every value is of the kind that is read from it; `where` is file and key.
-
-    Raises
-    ------
-    CorruptArtifactError
-        One is not; the text names it.
-    """
-    try:
-        _NOTES.model_validate(notes)
-    except ValidationError as error:
-        raise CorruptArtifactError(f"{where}.{first_mistake(error)}") from None
-    if notes.get("status") == "diverged" and notes.get("diverged_at_s") is None:
-        raise CorruptArtifactError(f"{where}: diverged, but diverged_at_s is null; {ADVICE}")
-    return Notes(notes, where)
+        raise CorruptArtifactError(f"{self._where}: {key} {self._missing}")
 
 
 def first_mistake(error: ValidationError) -> str:

@@ -42,6 +42,17 @@ def write_tree(
 
     The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it. Where it
     gets no memory while it closes a dataset, it reports nothing. So the bytes are read back first, which takes as long.
+
+    Parameters
+    ----------
+    target : Path
+        Where the file goes.
+    tree : mapping
+        Nested arrays, numbers and texts.
+    columns : callable, optional
+        Unit and meaning of an entry by its path.
+    within : Path, optional
+        As for `atomic_path`.
     """
     digest = tree_hash(tree)
     content = _laid_out(tree, columns)

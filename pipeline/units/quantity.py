@@ -64,6 +64,17 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
     """A value with its unit, and with ± where `spread` is known; a dash for None.
 
     `like` is a magnitude [SI] with which the value shares prefix and decimals: 20 nm reads 0.00 mm beside 12.3 mm.
+
+    Parameters
+    ----------
+    value : float or None
+        Value in SI.
+    unit : str
+        Its SI unit.
+    spread : float, optional
+        Half width of its interval, in SI.
+    like : float
+        Magnitude [SI] whose prefix and decimals it takes.
     """
     if value is None or not math.isfinite(value):
         return "–"
@@ -144,6 +155,17 @@ def interval(value: float | None, low: float, high: float, unit: str, like: floa
     """A value and the limits of its interval in one unit, that of `like` if it is larger.
 
     Two digits of half the interval are shown, but no more than five of the numbers.
+
+    Parameters
+    ----------
+    value : float or None
+        Value in SI.
+    low, high : float
+        Ends of its interval, in SI.
+    unit : str
+        Their SI unit.
+    like : float
+        Magnitude [SI] whose prefix they take.
     """
     largest = max(abs(low), abs(high), abs(value or 0.0), abs(like))
     shown, factor = scale(unit, largest)

@@ -61,7 +61,7 @@ class Task:
 
 
 class Observer(Protocol):
-    """Told what happens; the command prints it."""
+    """Receiver of what happens; the command prints it."""
 
     def planned(self, stages: Sequence[str]) -> None:
         """These tasks are to come, named by their stages, up-to-date ones too."""

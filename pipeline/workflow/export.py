@@ -43,7 +43,7 @@ def export_run(
     target : {"c", "controller", "crate", "fmu", "json", "matlab"}
         The form; "crate" is the whole run with its inputs, "controller" what `debist control design` made.
     model : str, optional
-        Name of an identified model or of a baseline, the headline if left out; none for a crate or a controller.
+        Name of an identified model or of a baseline, the main model if left out; none for a crate or a controller.
     output : Path, optional
         Folder of the files; ``RUN/exports`` if left out.
     force : bool

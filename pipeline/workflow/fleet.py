@@ -8,7 +8,7 @@ from typing import Any
 
 from ..errors import DebistError
 from ..reporting.fleet_report import fleet_report
-from ..reporting.fleet_table import Summary, failed, summary
+from ..reporting.fleet_table import Summary, summary
 from ..reporting.tables import disarmed
 from ..store import layout, schemas, tables
 from ..store.atomic import make_folder, write_text
@@ -87,18 +87,18 @@ def _write_facts(output: Path, members: Iterable[Summary]) -> None:
 
 def _member(output: Path, name: str, reason: str) -> Summary:
     if reason:
-        return failed(name, reason)
+        return Summary(name, reason)
     try:
         held = RunFolder.open(output / name).manifest.artifacts
         document = load_datasheet(output / name) if layout.DATASHEET in held else _scores_alone(output / name)
         paged = layout.REPORT in held
     except DebistError as error:
-        return failed(name, str(error))
+        return Summary(name, str(error))
     return summary(name, document, f"{name}/{layout.REPORT}" if paged else None)
 
 
 def _scores_alone(run: Path) -> dict[str, Any]:
-    """Entries of the page for a run without a datasheet: errors, without facts or a verdict."""
+    """Entries of the page for a run without a datasheet: errors, without facts or an assessment."""
     scores = load_scores(run)
     judged = next((row["model"] for row in scores if row["headline"]), scores[0]["model"])
     return {"scores": scores, "judged_model": judged, "facts": [], "verdict": {"data": "", "model": ""}}

@@ -58,6 +58,19 @@ def shortfalls(
     """Everything that falls short; `names` are those of the inputs; q is printed in `unit`, which is `factor` × SI.
 
     A device other than the `joint` needs no two wells; two places of rest are no wells yet.
+
+    Parameters
+    ----------
+    excitation : Excitation
+        What a log excites, in SI.
+    names : sequence of str
+        Names of the inputs.
+    factor : float
+        Printed number over the value in SI.
+    unit : str
+        Unit in which q is printed.
+    joint : bool
+        Whether the device needs two wells.
     """
     return [
         *(_wells(excitation, names) if joint else ()),
@@ -173,6 +186,12 @@ class LogExcitation:
     unit: str
     si: tuple[str, str]
     joint: bool
+
+    @property
+    def rests(self) -> tuple[float, float] | None:
+        """Left and right rest position in the unit that is shown; None where there are no two wells."""
+        wells = self.excitation.wells
+        return (self.factor * wells.left, self.factor * wells.right) if isinstance(wells, Wells) else None
 
 
 def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExcitation | str]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..device.device import device
 from ..device.parameters import JointParameters
-from ..models.kind import KnownCurves, Training
+from ..models.model_type import KnownCurves, Training
 from ..numerics.arrays import FloatArray, sample_interval
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
@@ -87,7 +87,19 @@ def sources(prototype: Prototype, *roles: Role) -> tuple[str, ...]:
 
 
 def load_motion(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Log:
-    """A log of a run, with its derivatives."""
+    """A log of a run, with its derivatives.
+
+    Parameters
+    ----------
+    run : RunFolder
+        The run.
+    prototype : Prototype
+        Its settings.
+    role : {"train", "validation"}
+        Role of the log.
+    log : str
+        Its name in the run.
+    """
     kinematics, fine = (run.read_table(artifact(role, log)) for artifact in (layout.kinematics, layout.record))
     unknown = run.record(layout.record(role, log)).notes.get(UNKNOWN, ())
     return motion(kinematics, fine, prototype, unknown)

@@ -1,7 +1,5 @@
-"""Prototypes of a batch: settings files, folders, fleet files and tables, under the names of their run folders."""
+"""Prototypes of a batch: settings files, folders and tables, under the names of their run folders."""
 
-import difflib
-import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,7 +9,6 @@ from ..errors import DebistError, InputError
 from ..settings.prototype import load_prototype
 from ..store import layout
 from ..system.names import part_holds, part_of, slug
-from ..system.plain_files import read_toml
 from .table import is_table, table_settings
 
 FLEET_TABLE = "fleet.parquet"
@@ -23,7 +20,6 @@ SETTINGS = "settings"
 """Folder for settings files that a batch writes."""
 FAILED = "failed"
 """Folder for what prototypes printed that failed."""
-_FLEET_KEY = "prototypes"
 
 
 class Shard(NamedTuple):
@@ -56,9 +52,7 @@ class Shard(NamedTuple):
 
 
 def prototype_files(places: Sequence[Path], output: Path, base: Path | None = None) -> list[Path]:
-    """The settings files that are meant: files, all ``*.toml`` of folders, the list of a fleet file, rows of a table.
-
-    A fleet file is a TOML file with the single key ``prototypes``, a list of paths relative to it.
+    """The settings files that are meant: files, all ``*.toml`` of folders, rows of a table.
 
     Parameters
     ----------
@@ -72,7 +66,7 @@ def prototype_files(places: Sequence[Path], output: Path, base: Path | None = No
     Raises
     ------
     InputError
-        A place that does not exist, a folder without settings files, or a fleet file or table with mistakes.
+        A place that does not exist, a folder without settings files, or a table with mistakes.
     """
     files: list[Path] = []
     of_rows: dict[Path, Path] = {}
@@ -89,36 +83,12 @@ def prototype_files(places: Sequence[Path], output: Path, base: Path | None = No
                 raise InputError(f"{place}: holds no settings file (*.toml)")
             files += inside
         else:
-            files += _fleet_members(place) or [place]
+            if not place.exists():
+                raise InputError(f"{place}: no such file or folder")
+            files.append(place)
     if base is not None and not of_rows:
         raise InputError("--base: is what the rows of a table share; name a table, such as fleet.csv")
     return list(dict.fromkeys(path.resolve() for path in files))
-
-
-def _fleet_members(place: Path) -> list[Path]:
-    """The files that a fleet file lists; none for a settings file."""
-    try:
-        document = read_toml(place)
-    except FileNotFoundError:
-        raise InputError(f"{place}: no such file or folder") from None
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
-        return []  # its own run names the mistake, and the others go on
-    if _FLEET_KEY not in document:
-        mistyped = difflib.get_close_matches(_FLEET_KEY, document)
-        if mistyped and "name" not in document:
-            raise InputError(f"{place}: unknown key {mistyped[0]!r}; did you mean {_FLEET_KEY!r}?")
-        return []
-    members = document[_FLEET_KEY]
-    is_list = isinstance(members, list) and members and all(isinstance(member, str) for member in members)
-    if set(document) != {_FLEET_KEY} or not is_list:
-        raise InputError(
-            f"{place}: a fleet file holds the key {_FLEET_KEY!r} alone, a list of paths such as ['P1.toml']"
-        )
-    paths = [place.parent / member for member in members]
-    for path in paths:
-        if path.is_dir():
-            raise InputError(f"{place}: {path} is a folder; list settings files, or give the folder to the command")
-    return paths
 
 
 @dataclass(frozen=True)

@@ -1,14 +1,13 @@
-"""Plot: one figure of one or several runs, drawn for a paper or a quick look."""
+"""Plot: one figure of a run, drawn for a paper or a quick look."""
 
 import difflib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import InputError
-from ..reporting.canvas import FORMATS, form_of, paper_figure
+from ..reporting.canvas import form_of, paper_figure
 from ..reporting.figure import Figure, of_models, window, x_range
 from ..reporting.plotted import paper_look, plotted
 from ..store.atomic import write_bytes
@@ -31,7 +30,7 @@ class Excerpt:
     Attributes
     ----------
     start, stop : float, optional
-        Stretch of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
+        Segment of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
     models : sequence of str
         The models that are drawn; without any those that the report shows.
     typeface : {"sans", "serif"}
@@ -80,7 +79,7 @@ class RunFigures:
         Raises
         ------
         InputError
-            No such figure or model, or an empty stretch.
+            No such figure or model, or an empty segment.
         """
         if name not in self.figures:
             close = difflib.get_close_matches(name, self.figures, n=1)
@@ -98,7 +97,7 @@ class RunFigures:
         if first >= last and part.start is not None and part.stop is not None:
             raise InputError(f"--from {first:g} is not below --to {last:g}; exchange them")
         if not max(low, first) < min(high, last):
-            raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a stretch inside")
+            raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a segment inside")
         return window(figure, first, last)
 
 
@@ -114,35 +113,31 @@ def run_figures(root: Path) -> RunFigures:
     return in_snapshot(root, read)
 
 
-def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, force: bool = False) -> Path:
+def plot_figure(root: Path, name: str, output: Path | None, part: Excerpt = WHOLE, *, force: bool = False) -> Path:
     """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.figure`.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    name : str
+        Name of the figure.
+    output : Path or None
+        The file; ``PROTOTYPE-FIGURE.svg`` if None.
+    part : Excerpt
+        What is drawn of it, and how.
+    force : bool
+        Whether a file of others may be replaced.
 
     Raises
     ------
     InputError
-        No such figure or model, another ending, an empty stretch, or a file of others there and no `force`.
+        No such figure or model, another ending, an empty segment, or a file of others there and no `force`.
     """
+    target = output or Path(f"{RunFolder.open(root).prototype.name}-{name}.svg")
     form = form_of(target)
     with new_outputs(target.parent, "plot", force=force, names=(target.name,)) as staged:
         run = run_figures(root)
         drawn = paper_figure(run.figure(name, part), run.models, form, typeface=part.typeface)
         write_bytes(staged / target.name, drawn[0])
     return target
-
-
-def plot_runs(
-    roots: Sequence[Path], name: str, output: Path | None, part: Excerpt = WHOLE, *, force: bool = False
-) -> list[Path]:
-    """The same figure of one or several runs.
-
-    `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
-    """
-    draw = partial(plot_figure, part=part, force=force)
-    if len(roots) == 1 and output is not None and output.suffix in FORMATS:
-        return [draw(roots[0], name, output)]
-    if output is not None and output.suffix in FORMATS:
-        raise InputError(f"{output}: {len(roots)} runs do not go into one file; name a folder")
-    folder = output or Path()
-    if folder.suffix[1:].isalpha() and not folder.is_dir():
-        raise InputError(f"{output}: figures are written as {', '.join(FORMATS)}; a folder's name has no such ending")
-    return [draw(root, name, folder / f"{RunFolder.open(root).prototype.name}-{name}.svg") for root in roots]

@@ -65,7 +65,7 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
         out. ``q`` and at least one of ``F``, ``d``, ``dC1_dq``, ``dC2_dq``; an empty cell is a place where that curve
         was not measured.
     plant : Device
-        Says whether q is a length or an angle.
+        States whether q is a length or an angle.
 
     Returns
     -------

@@ -6,7 +6,6 @@ For a prototype that failed there is a text file with what its process printed, 
 import os
 import re
 import stat
-from collections import Counter
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -33,26 +32,13 @@ STATES: dict[State, str] = {
 
 
 @dataclass(frozen=True)
-class Member:
+class MemberState:
     """One prototype of a batch: its state, why it failed, and when that was."""
 
     name: str
     state: State
     reason: str = ""
     since: datetime | None = None
-
-
-@dataclass(frozen=True)
-class FleetProgress:
-    """How far a batch is; the members in the order of the names."""
-
-    members: tuple[Member, ...]
-
-    @property
-    def counts(self) -> dict[str, int]:
-        """Prototypes by state."""
-        counted = Counter(member.state for member in self.members)
-        return {state: counted[state] for state in STATES}
 
 
 def is_fleet(folder: Path) -> bool:
@@ -62,7 +48,7 @@ def is_fleet(folder: Path) -> bool:
     return bool(_runs(folder) or failed_names(folder))
 
 
-def fleet_progress(output: Path) -> FleetProgress:
+def fleet_progress(output: Path) -> list[MemberState]:
     """The state of each run in a folder; artifacts are neither read nor hashed.
 
     Raises
@@ -73,7 +59,7 @@ def fleet_progress(output: Path) -> FleetProgress:
     names = sorted({*_runs(output), *failed_names(output)})
     if not names:
         raise InputError(f"{output}: holds no runs; name the DIR of `debist batch`")
-    return FleetProgress(tuple(_member(output, name) for name in names))
+    return [_member(output, name) for name in names]
 
 
 def _runs(output: Path) -> list[str]:
@@ -91,19 +77,19 @@ def _is_file(path: Path) -> bool:
         return False
 
 
-def _member(output: Path, name: str) -> Member:
+def _member(output: Path, name: str) -> MemberState:
     run = output / name
     if _is_file(run / HOLDER) and is_held(run):  # the lock itself is tried only where a note names its holder
-        return Member(name, "running", since=_time(run / HOLDER))
+        return MemberState(name, "running", since=_time(run / HOLDER))
     if (failed := failure(output, name)) is not None:
-        return Member(name, "failed", failed.reason, datetime.fromtimestamp(failed.time, UTC))
+        return MemberState(name, "failed", failed.reason, datetime.fromtimestamp(failed.time, UTC))
     if not _is_file(run / MANIFEST):
-        return Member(name, "stopped")
+        return MemberState(name, "stopped")
     try:
         state: State = "done" if layout.SCORES in load_manifest(run).artifacts else "stopped"
     except DebistError as error:
-        return Member(name, "failed", str(error))
-    return Member(name, state, since=_time(run / MANIFEST))
+        return MemberState(name, "failed", str(error))
+    return MemberState(name, state, since=_time(run / MANIFEST))
 
 
 def _time(path: Path) -> datetime | None:
@@ -128,7 +114,21 @@ def failure_file(output: Path, name: str) -> Path:
 
 
 def keep_failure(output: Path, name: str, exit_code: int, reason: str, printed: str) -> None:
-    """Write down how a prototype failed, with what its process printed."""
+    """Write down how a prototype failed, with what its process printed.
+
+    Parameters
+    ----------
+    output : Path
+        Folder of the batch.
+    name : str
+        Name of the prototype.
+    exit_code : int
+        Exit code of its process.
+    reason : str
+        Cause in one line.
+    printed : str
+        Standard error of the process.
+    """
     head = f"exit code {exit_code}: {' '.join(reason.split())}\n"
     write_text(failure_file(output, name), f"{head}\n{printed}", within=output)
 

@@ -11,13 +11,12 @@ from ..device.device import Device, device
 from ..diagnostics.facts.run_data import WHY, LogData, RunData, Study
 from ..errors import DebistError
 from ..models.base import DynamicModel
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
 from ..settings.logs import LogPart, Role
 from ..settings.prototype import Prototype
 from ..store import layout, schemas
 from ..store.columns import StudyName
-from ..store.documents import read_document
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import log_title, true_name
 from ..units.units import ALPHA_UNIT
@@ -27,7 +26,19 @@ from .run_models import CHOICE, IDENTIFIED, identified_models
 
 
 def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> RunData:
-    """Read logs, free runs, models and scores, every artifact checked against the manifest."""
+    """Read logs, free runs, models and scores, every artifact checked against the manifest.
+
+    Parameters
+    ----------
+    run : RunFolder
+        The run.
+    prototype : Prototype
+        Its settings.
+    models : sequence of str
+        Models that are shown, the main model first.
+    studies : sequence of str
+        Studies that are shown.
+    """
     plant = device(prototype)
     loaded, unreadable = _models(run, prototype, models)
     rows = run.read_records(layout.SCORES)
@@ -68,7 +79,7 @@ def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:
     """The rows of `debist check`; none in a run of before they were made."""
     if layout.CHECK not in run.manifest.artifacts:
         return ()
-    return tuple(read_document(run, layout.CHECK)["rows"])
+    return tuple(run.read_document(layout.CHECK)["rows"])
 
 
 def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
@@ -211,7 +222,7 @@ def load_datasheet(root: Path) -> dict[str, Any]:
     CorruptArtifactError
         It is damaged.
     """
-    return in_snapshot(root, lambda run: read_document(run, layout.DATASHEET))
+    return in_snapshot(root, lambda run: run.read_document(layout.DATASHEET))
 
 
 def ingested(run: RunFolder) -> list[dict[str, Any]]:
@@ -232,7 +243,7 @@ def ingested(run: RunFolder) -> list[dict[str, Any]]:
 
 
 def differentiated(run: RunFolder) -> list[dict[str, Any]]:
-    """Of each log the method, and of each of its stretches α and the noise, in units that the settings have α in."""
+    """Of each log the method, and of each of its segments α and the noise, in units that the settings have α in."""
     unit = ALPHA_UNIT[device(run.prototype).displacement.symbol][0]
     results = []
     for role, log, path in layout.logs(run.prototype):
@@ -254,7 +265,7 @@ def differentiated(run: RunFolder) -> list[dict[str, Any]]:
 
 
 def identified(run: RunFolder) -> list[dict[str, Any]]:
-    """Of each identified model its processor time [s], whether it is the headline, and why where "auto" chose it."""
+    """Of each identified model its processor time [s], whether it is the main model, and why where "auto" chose it."""
     notes = run.record(layout.MODELS).notes
     choice = notes.get(CHOICE, {})
     return [

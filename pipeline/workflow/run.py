@@ -42,7 +42,7 @@ def run_prototype(
     output : Path or None
         The run folder; None: ``runs/NAME``, or the run folder that was given.
     observer : Observer
-        Told what happens.
+        Receives what happens.
     only : str, optional
         A stage: this one only.
     with_report : bool
@@ -76,6 +76,17 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
     """Bring one stage of an existing run up to date, by the settings that the run holds.
 
     `figures` is the typeface of the figures for a paper, which the report makes if given, or if the run holds some.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    stage : str
+        Name of the stage.
+    observer : Observer
+        Receives what happens.
+    figures : {"sans", "serif"}, optional
+        Typeface of the figures for a paper, which the report then makes; without one it keeps those of the run.
 
     Raises
     ------

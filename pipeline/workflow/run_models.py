@@ -1,4 +1,4 @@
-"""The models that a run holds: their names, the headline first, how one is loaded, and what control made of them."""
+"""The models that a run holds: their names, the main model first, how one is loaded, and what control made of them."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -9,11 +9,10 @@ from ..device.device import device
 from ..errors import InputError
 from ..models.base import DynamicModel
 from ..models.free_runs import start_of
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..settings.prototype import Prototype
 from ..signals.log import Log
 from ..store import layout
-from ..store.documents import read_document
 from ..store.run_folder import RunFolder
 from ..system.names import shell_word
 from .logs import load_logs, load_motion
@@ -22,7 +21,7 @@ if TYPE_CHECKING:
     from ..export.subject import Subject, Validity
 
 IDENTIFIED = "identified"
-"""Note of ``model.h5``: names of its models, the headline first."""
+"""Note of ``model.h5``: names of its models, the main model first."""
 
 CHOICE = "choice"
 """Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
@@ -34,7 +33,7 @@ TITLES = ("linear", "map", "pulse-to-right", "pulse-to-left", "design")
 
 
 def identified_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
-    """Names of the identified models, the headline first; as the settings say ("auto") before there are any."""
+    """Names of the identified models, the main model first; as the settings say ("auto") before there are any."""
     made = run.manifest.artifacts.get(layout.MODELS)
     return tuple(made.notes.get(IDENTIFIED, prototype.identify.models)) if made else prototype.identify.models
 
@@ -45,7 +44,7 @@ def compared_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
 
 
 def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tuple[str, str]:
-    """Name of a model, the headline if none is given, and the artifact that holds it.
+    """Name of a model, the main model if none is given, and the artifact that holds it.
 
     Raises
     ------
@@ -70,7 +69,7 @@ def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tu
 
 
 def controlled_model(run: RunFolder, prototype: Prototype) -> tuple[str, str]:
-    """Name of the model on which control is designed, the joint beside the headline if there is one; its artifact."""
+    """Name of the model on which control is designed, the joint beside the main model if there is one; its artifact."""
     return model_artifact(run, prototype, _beside(run))
 
 
@@ -92,7 +91,7 @@ def load_design(run: RunFolder) -> dict[str, Any]:
     makes = f"`debist control design {shell_word(run.root)}`"
     if name not in run.manifest.artifacts:
         raise InputError(f"{run.root}: no controller was designed yet; {makes} does it")
-    document = read_document(run, name)
+    document = run.read_document(name)
     if document["origin"] != run.record(layout.MODELS).content_hash:
         raise InputError(f"{run.root}: its controller was designed for another model; {makes} renews it")
     return document
@@ -110,7 +109,7 @@ def made_control(run: RunFolder) -> tuple[str, ...]:
 
 def control_documents(run: RunFolder, titles: Sequence[str]) -> dict[str, dict[str, Any]]:
     """What was made, by title."""
-    return {title: read_document(run, layout.control(title)) for title in titles}
+    return {title: run.read_document(layout.control(title)) for title in titles}
 
 
 def failed_validations(run: RunFolder, name: str) -> list[str]:
@@ -128,7 +127,7 @@ def failed_validations(run: RunFolder, name: str) -> list[str]:
 
 
 def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> DynamicModel:
-    """An identified model or a baseline of the run; the headline if none is named.
+    """An identified model or a baseline of the run; the main model if none is named.
 
     Raises
     ------
@@ -140,7 +139,7 @@ def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None
 
 
 def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
-    """A model of the run, the headline if none is named, and what travels along with it."""
+    """A model of the run, the main model if none is named, and what travels along with it."""
     chosen, artifact = model_artifact(run, prototype, name)
     model = load_run_model(run, prototype, chosen)
     check = _check_log(run, prototype)
@@ -155,6 +154,21 @@ def subject_on(
     """A model called `name`, identified from the kinematics of `logs`, with the log `check` that travels along.
 
     The clock of that log begins at zero, as an exported model does: `hybrid` takes a later one for time in use.
+
+    Parameters
+    ----------
+    check : Log
+        The log that travels along.
+    model : DynamicModel
+        The model.
+    prototype : Prototype
+        Settings of the run.
+    logs : sequence of Log
+        Training logs, whose ranges bound the model.
+    name : str
+        Name of the model.
+    origin : str
+        Content hash of what holds it.
     """
     from ..export.subject import Subject
 

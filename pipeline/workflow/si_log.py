@@ -69,11 +69,11 @@ def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[
     path : Path
         The log.
     prototype : Prototype
-        Says which channel is which.
+        States which channel is which.
     plant : Device
-        Says in which units.
+        States in which units.
     progress : callable, optional
-        Told the share of the samples that are read.
+        Receives the share of the samples that are read.
 
     Raises
     ------

@@ -54,7 +54,7 @@ def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
     from ..diagnostics.rows import check_rows, remarks
 
     findings = examine(run, prototype)
-    accepted = verdict(findings, prototype)
+    accepted = assess(findings, prototype)
     document = {"rows": [asdict(row) for row in check_rows(findings)], "accepted": accepted}
     notes: dict[str, Any] = {"warnings": [*remarks(findings), *accepted], "accepted": accepted}
     text = json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
@@ -122,7 +122,7 @@ def declared(prototype: Prototype) -> "Declared":
     )
 
 
-def verdict(findings: "list[Finding]", prototype: Prototype) -> list[str]:
+def assess(findings: "list[Finding]", prototype: Prototype) -> list[str]:
     """What the settings accept of what would make the model wrong.
 
     Raises

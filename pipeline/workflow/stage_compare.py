@@ -9,8 +9,8 @@ from typing import Any
 from ..device.device import device
 from ..device.parameter_sets import parameter_values
 from ..device.parameters import JointParameters
-from ..models.kind import kind
 from ..models.model_file import columns_of
+from ..models.model_type import model_type
 from ..settings.models import ENTRIES
 from ..settings.prototype import FILM, Prototype
 from ..store import layout
@@ -46,7 +46,7 @@ def _write_fit(
     run: RunFolder, prototype: Prototype, parameters: JointParameters | None, name: str, settings: Mapping[str, Any]
 ) -> Mapping[str, Written]:
     began = time.process_time()
-    model = kind(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
+    model = model_type(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
     columns = columns_of(device(prototype), {name: type(model)})

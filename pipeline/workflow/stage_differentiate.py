@@ -1,4 +1,4 @@
-"""Differentiate: velocity and acceleration of every log, stretch by stretch."""
+"""Differentiate: velocity and acceleration of every log, segment by segment."""
 
 from collections.abc import Mapping
 from functools import partial

@@ -14,8 +14,8 @@ from ..device.parameters import JointParameters
 from ..diagnostics.gates import accepted_settings, judge
 from ..diagnostics.sentences import not_converged
 from ..errors import DataRefusedError
-from ..models.kind import HEADLINE, StoredModel, Training, kind
 from ..models.model_file import columns_of
+from ..models.model_type import MAIN_MODEL, StoredModel, Training, model_type
 from ..settings.models import AUTO, ENTRIES
 from ..settings.prototype import FILM, Prototype, TrainingGate
 from ..signals.findings import Finding
@@ -78,7 +78,7 @@ def _identify(
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
         **{name: model.to_tree() for name, model in models.items()},
-        HEADLINE: notes[IDENTIFIED][0],
+        MAIN_MODEL: notes[IDENTIFIED][0],
     }
     if CHOICE in notes:
         tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
@@ -93,10 +93,23 @@ def identified(
     prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
 ) -> tuple[dict[str, StoredModel], dict[str, Any]]:
-    """Models of logs by name, the headline first, and notes on how they came about.
+    """Models of logs by name, the main model first, and notes on how they came about.
 
     Where "auto" fits the joint's equations and chooses the network, both are among the models; only the network is
     named in the note `IDENTIFIED`. An `rbf` beside "auto" that the training logs refuse is left out, with a warning.
+
+    Parameters
+    ----------
+    data : list of Log
+        Training logs.
+    prototype : Prototype
+        Settings.
+    parameters : JointParameters or None
+        Parameter set of the analytical joint.
+    prior_knowledge : PriorKnowledge, optional
+        Curves and prior beside the logs.
+    on_progress : callable
+        Receives what a fit is doing, and its share.
 
     Raises
     ------
@@ -143,11 +156,11 @@ def identified(
 
 
 def _put_first(models: Mapping[str, StoredModel], whole: Training, notes: dict[str, Any]) -> None:
-    """The headline first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
-    from ..models.choose import headline
+    """The main model first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
+    from ..models.choose import main_model
 
     names = notes[IDENTIFIED]
-    best, reason = headline({name: models[name] for name in names}, whole)
+    best, reason = main_model({name: models[name] for name in names}, whole)
     if best == names[0]:
         return
     if names[0] == "hybrid":
@@ -174,7 +187,7 @@ def _asked(
 ) -> StoredModel | None:
     """A model that the settings name; no `rbf` beside "auto" where the logs refuse one, which `warnings` then state."""
     if wanted != "rbf" or AUTO not in prototype.identify.models:
-        return kind(wanted).fit(given)
+        return model_type(wanted).fit(given)
     try:
         return _network(given, data, prototype)
     except DataRefusedError as refused:
@@ -187,13 +200,13 @@ def _choose(given: Training, data: list[Log], prototype: Prototype) -> "Choice":
 
     if given.known_curves is not None:
         return Choice(_network(given, data, prototype), "only rbf keeps the measured curves of plant.curves", {})
-    return choose(given, kind("hybrid").fit, lambda part: _network(part, data, prototype))
+    return choose(given, model_type("hybrid").fit, lambda part: _network(part, data, prototype))
 
 
 def _network(given: Training, data: list[Log], prototype: Prototype) -> StoredModel:
     """The data-driven model; what the joint's equations would know the data must show."""
     judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in({"rbf"}))
-    return kind("rbf").fit(given)
+    return model_type("rbf").fit(given)
 
 
 def _findings(data: list[Log], prototype: Prototype) -> list[Finding]:

@@ -102,7 +102,7 @@ def _ingest(
 
 @dataclass(frozen=True)
 class Examined:
-    """A raw log that was not refused: its usable stretches, its nominal step [s], and what was noticed."""
+    """A raw log that was not refused: its usable segments, its nominal step [s], and what was noticed."""
 
     usable: "Survey"
     raw_step: float

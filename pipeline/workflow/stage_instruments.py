@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..models.base import DynamicModel
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
 from ..signals.corrections import Corrections
@@ -19,7 +19,7 @@ from .corrections import corrections
 from .engine import Task
 from .logs import fitted_parts, load_motion, sources
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 
 Logs = Mapping[tuple[Role, str], Log]
 """Logs by role and name."""

@@ -53,7 +53,7 @@ def tasks(
     parameters : JointParameters or None
         Parameter set of a DE joint, for φ; None for another device.
     models : sequence of str
-        Models with free runs of the present kinematics, the headline first.
+        Models with free runs of the present kinematics, the main model first.
     studies : sequence of str
         Hyperparameter studies that the run holds (`made_studies`).
     figures : {"sans", "serif"}, optional
@@ -126,7 +126,21 @@ def prepare(
     studies: Sequence[StudyName] = (),
     control: Sequence[str] = (),
 ) -> Prepared:
-    """Read a run and evaluate everything that its page and its figures show."""
+    """Read a run and evaluate everything that its page and its figures show.
+
+    Parameters
+    ----------
+    run : RunFolder
+        The run.
+    prototype : Prototype
+        Its settings.
+    models : sequence of str
+        Models that are shown, the main model first.
+    studies : sequence of str
+        Studies that are shown.
+    control : sequence of str
+        Titles of the control documents that are shown.
+    """
     from ..diagnostics.facts.datasheet import make_datasheet
     from ..reporting.run_report import figures_of
     from .report_data import read_run
@@ -141,12 +155,12 @@ def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared]) -> Mappi
     from ..reporting.run_report import run_report
 
     contents = prepared(run)
-    verdict = contents.sheet.grades
+    assessment = contents.sheet.grades
     page = run_report(contents.data, contents.sheet, contents.figures)
     document = json.dumps(contents.sheet.to_json(contents.data), indent=1, ensure_ascii=False, allow_nan=False)
     return {
-        layout.REPORT: run.write_text(layout.REPORT, page, {"verdict": verdict}),
-        layout.DATASHEET: run.write_text(layout.DATASHEET, document + "\n", {"verdict": verdict}),
+        layout.REPORT: run.write_text(layout.REPORT, page, {"verdict": assessment}),
+        layout.DATASHEET: run.write_text(layout.DATASHEET, document + "\n", {"verdict": assessment}),
     }
 
 

@@ -33,7 +33,7 @@ ALGORITHM = "11"
 
 
 def task(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> Task:
-    """Score these models, the headline first, on every log."""
+    """Score these models, the main model first, on every log."""
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
         stage="scores",

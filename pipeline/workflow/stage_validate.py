@@ -18,7 +18,7 @@ from ..diagnostics.facts.characteristics import believed_wells, stable_rests
 from ..models.analytical.statics import RotationMap, rotation_map
 from ..models.base import DynamicModel, FreeRun, HasTubes, predictor
 from ..models.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
-from ..models.kind import model_from_tree
+from ..models.model_type import model_from_tree
 from ..models.tubes import Tubes
 from ..numerics.arrays import FloatArray
 from ..scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
@@ -42,7 +42,21 @@ def tasks(prototype: Prototype, parameters: JointParameters | None, models: Sequ
 
 
 def task(prototype: Prototype, parameters: JointParameters | None, stage: str, model: str, source: str) -> Task:
-    """The free runs of `model`, which the artifact `source` holds."""
+    """The free runs of `model`, which the artifact `source` holds.
+
+    Parameters
+    ----------
+    prototype : Prototype
+        Settings.
+    parameters : JointParameters or None
+        Parameter set of a joint, for φ.
+    stage : str
+        Stage that the free runs belong to.
+    model : str
+        Name of the model.
+    source : str
+        Artifact that holds it.
+    """
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
         stage=stage,

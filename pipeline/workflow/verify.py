@@ -1,11 +1,11 @@
-"""Verify: everything in a run, or in all runs of a folder, against what was written."""
+"""Verify: everything in a run against what was written."""
 
 import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..errors import DebistError, InputError, SupersededError
+from ..errors import InputError, SupersededError
 from ..store.atomic import TEMPORARY_MARK
 from ..store.hashing import file_sha256
 from ..store.lock import HOLDER, LOCK, is_held
@@ -87,24 +87,18 @@ def _stage_manifests(run: RunFolder) -> Iterator[tuple[str, str, str]]:
 
 
 def _written_files(root: Path) -> Iterator[tuple[str, str, str]]:
-    """File, command and what is wrong, for what was written beside the artifacts."""
+    """File, command and what is wrong, for what was written beside the artifacts (`pipeline.store.outputs`)."""
     for folder in EXTRA_FOLDERS:
-        for name, command, problem in file_problems(root / folder):
-            yield f"{folder}/{name}", command, f"{problem}; write it anew"
-
-
-def file_problems(folder: Path) -> Iterator[tuple[str, str, str]]:
-    """File, command and what is wrong, for the files in the list of a folder (`pipeline.store.outputs`)."""
-    for name, entry in sorted(written_files(folder).items()):
-        try:
-            same = file_sha256(folder / name) in (entry.get("sha256"), entry.get("replaces"))
-            problem = "" if same else "does not have the bytes that were written"
-        except FileNotFoundError:
-            problem = "is missing"
-        except OSError as error:
-            problem = f"cannot be read: {error.strerror}"
-        if problem:
-            yield name, str(entry.get("command", folder.name)), problem
+        for name, entry in sorted(written_files(root / folder).items()):
+            try:
+                same = file_sha256(root / folder / name) in (entry.get("sha256"), entry.get("replaces"))
+                problem = "" if same else "does not have the bytes that were written"
+            except FileNotFoundError:
+                problem = "is missing"
+            except OSError as error:
+                problem = f"cannot be read: {error.strerror}"
+            if problem:
+                yield f"{folder}/{name}", str(entry.get("command", folder)), f"{problem}; write it anew"
 
 
 def _others(run: RunFolder) -> Iterator[str]:
@@ -126,23 +120,6 @@ def _is_leftover(path: str) -> bool:
     return temporary or path == HOLDER
 
 
-_DEEPEST = 3
-
-
-@dataclass(frozen=True)
-class VerifiedRun:
-    """One run of a folder: the result of its check, or why it could not be checked."""
-
-    root: Path
-    result: Verified
-    failure: str = ""
-
-    @property
-    def intact(self) -> bool:
-        """Nothing is wrong with it."""
-        return not self.failure and self.result.intact
-
-
 def verify_everything(root: Path) -> Verified:
     """Check the files of a run, in one state of it though another process may go on writing.
 
@@ -154,35 +131,3 @@ def verify_everything(root: Path) -> Verified:
         Its manifest is damaged.
     """
     return in_snapshot(root, verified)
-
-
-def verify_all(folder: Path) -> list[VerifiedRun]:
-    """Check every run in a folder, and the tables of a fleet there.
-
-    Raises
-    ------
-    InputError
-        No run there.
-    """
-    roots = sorted({path.parent for depth in range(_DEEPEST + 1) for path in folder.glob("*/" * depth + MANIFEST)})
-    if not roots:
-        raise InputError(f"{folder}: holds no runs")
-    tables = _fleet_tables(folder)
-    return [*map(_verified_run, roots), *([tables] if tables is not None else [])]
-
-
-def _verified_run(root: Path) -> VerifiedRun:
-    try:
-        return VerifiedRun(root, verify_everything(root))
-    except DebistError as error:
-        return VerifiedRun(root, Verified(0), str(error))
-
-
-def _fleet_tables(folder: Path) -> VerifiedRun | None:
-    listed = [name for name, entry in written_files(folder).items() if entry.get("command") == "batch"]
-    problems = [
-        {"artifact": name, "stage": "batch", "problem": f"{problem}; `debist batch --collect` writes it anew"}
-        for name, command, problem in file_problems(folder)
-        if command == "batch"
-    ]
-    return VerifiedRun(folder, Verified(len(listed), problems)) if listed else None

@@ -200,33 +200,6 @@ def test_memory_that_runs_out_ends_the_prototype_that_takes_it(tmp_path: Path) -
     assert outcome.exit_code == 1 and outcome.reason.startswith("a bug of debist: MemoryError")
 
 
-def test_a_fleet_file_names_its_members(tmp_path: Path) -> None:
-    (tmp_path / "sub").mkdir()
-    one = _prototype(tmp_path / "sub", "one")
-    fleet = tmp_path / "fleet.toml"
-    fleet.write_text('prototypes = ["sub/one.toml"]')
-    assert prototype_files([fleet, one], tmp_path) == [one.resolve()]
-    fleet.write_text('prototypes = ["sub/one.toml"]\njobs = 2')
-    with pytest.raises(InputError, match="'prototypes' alone"):
-        prototype_files([fleet], tmp_path)
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ('prototypes = "one.toml"', "a list of paths"),
-        ("prototypes = [1]", "a list of paths"),
-        ('prototype = ["one.toml"]', "did you mean 'prototypes'"),
-        ('prototypes = ["sub"]', "sub is a folder; list settings files"),
-    ],
-)
-def test_a_mistake_in_a_fleet_file_is_said_before_anything_runs(tmp_path: Path, text: str, said: str) -> None:
-    (tmp_path / "sub").mkdir()
-    (tmp_path / "fleet.toml").write_text(text)
-    with pytest.raises(InputError, match=f"fleet.toml: .*{said}"):
-        prototype_files([tmp_path / "fleet.toml"], tmp_path)
-
-
 def test_what_is_not_there_is_said(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no settings file"):
         prototype_files([tmp_path], tmp_path)

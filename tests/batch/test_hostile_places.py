@@ -159,6 +159,6 @@ def test_the_status_of_a_folder_with_links_and_fifos_ends(tmp_path):
     (tmp_path / "e").mkdir()
     (tmp_path / "e" / MANIFEST).write_text("{}")
     assert is_fleet(tmp_path)
-    assert [(member.name, member.state) for member in fleet_progress(tmp_path).members] == [
+    assert [(member.name, member.state) for member in fleet_progress(tmp_path)] == [
         ("e", "failed"), ("x", "stopped"),
     ]  # fmt: skip

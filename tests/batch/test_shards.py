@@ -77,7 +77,7 @@ def test_each_state_is_shown(tmp_path: Path) -> None:
     assert states == {"failing": ("failed", "no wells"), "held": ("running", ""), "stopped": ("stopped", "")}
     assert shown["counts"] == {"done": 0, "running": 1, "failed": 1, "stopped": 1}
     assert "no wells" in RUNNER.invoke(app, ["status", str(tmp_path)]).stdout
-    assert [member.state for member in fleet_progress(tmp_path).members] == ["failed", "stopped", "stopped"]
+    assert [member.state for member in fleet_progress(tmp_path)] == ["failed", "stopped", "stopped"]
 
 
 def test_a_failure_that_was_mended_since_is_none(tmp_path: Path) -> None:

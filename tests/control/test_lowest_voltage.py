@@ -9,7 +9,7 @@ from control_joints import model
 from pipeline.control.ensemble import Converters, ensemble_at, ensemble_of
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import plant_of
-from pipeline.control.switching_map import LowestVoltage, Well, lowest_voltage, pulses, uncertain
+from pipeline.control.switching_map import LowestVoltage, Well, lowest_voltage, pulses, with_voltage_error
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
@@ -84,11 +84,11 @@ def test_draws_of_a_map_err_by_what_the_lowest_voltage_errs_and_the_estimate_doe
     joint = only(("left.log C0", 0.3))
     converters = Converters(EXACT.lags, 0.0, 0.003)
     one, few = found(joint, converters), ensemble_of(joint, 32, converters)
-    gains = uncertain(few, [None, one]).gains
+    gains = with_voltage_error(few, [None, one]).gains
     assert gains[0] == 1.0
     assert np.log(gains[1:]).std() == pytest.approx(np.hypot(one.of_parameters, 0.003), rel=0.05)
     assert np.log(gains[1:]).mean() == pytest.approx(0.0, abs=1e-12)
-    assert np.all(uncertain(few, [None, None]).gains == few.gains)
+    assert np.all(with_voltage_error(few, [None, None]).gains == few.gains)
 
 
 def test_where_a_higher_voltage_no_longer_switches_it_swings_back() -> None:

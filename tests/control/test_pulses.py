@@ -56,7 +56,7 @@ def test_a_voltage_that_cannot_switch_is_told(monkeypatch: pytest.MonkeyPatch) -
             ensemble_of(joint, 0, converters(3e-3)), left, right, right - left, 300.0,
             on_progress=lambda _, share: shares.append(share),
         )  # fmt: skip
-    assert len(set(shares)) > 8 and shares == sorted(shares) and 0.0 == shares[0] < shares[-1] <= 1.0
+    assert len(set(shares)) > 3 and shares == sorted(shares) and 0.0 == shares[0] < shares[-1] <= 1.0
 
 
 def test_settling_times_are_those_of_the_last_entry_into_the_band() -> None:
@@ -72,9 +72,9 @@ def test_the_map_is_sure_far_from_its_boundary_and_knows_its_own_runs() -> None:
     left, saddle, right = (each.q for each in wells_and_saddle(plant_of(joint)))
     some = ensemble_of(joint, 3, converters(3e-3))
     found = switching_map(some, (left, saddle, right), "right")
-    assert np.all(found.probability[0] == 0.0)  # 0.9 kV never
+    assert np.all(found.probability[0] == 0.0)  # 0.6 kV never
     assert found.probability[-1, -1] == 1.0  # 3 kV for 1 s always
     assert np.all((found.low <= found.probability) & (found.probability <= found.high))
-    for i, j in ((24, 25), (16, 24), (32, 8)):
+    for i, j in ((18, 15), (12, 14), (24, 5)):
         volts = pulses(found.voltages[[i]], found.durations[[j]], 0)
         assert found.probability[i, j] == pytest.approx(np.mean(some.run(volts, left)[0, 1:, -1] > saddle))

@@ -1,4 +1,4 @@
-"""What the verdict says of rows that are no measurement, and of how to mend it."""
+"""What the assessment says of rows that are no measurement, and of how to mend it."""
 
 from dataclasses import replace
 

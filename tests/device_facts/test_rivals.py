@@ -1,4 +1,4 @@
-"""Which other model the verdict names where the headline is worse, or diverged."""
+"""Which other model the assessment names where the main model is worse, or diverged."""
 
 from dataclasses import replace
 from typing import Any

@@ -1,20 +1,25 @@
 """Instruments by the score test: planted errors come back, honest logs are silent, corrections undo errors."""
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import pytest
 
 from pipeline.device.parameters import NOMINAL
+from pipeline.diagnostics.facts.series import RunFact, instrument_facts
 from pipeline.diagnostics.instruments import SIGNIFICANCE, InstrumentTest, Reading
 from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.parameters import DEVIATIONS as PARAMETERS
 from pipeline.models.hybrid.parameters import NAMES as DEVIATIONS
 from pipeline.models.hybrid.parameters import static_slope_ratio
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
+from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.excitation import command, random_excitation
 from pipeline.signals.corrections import Corrections, corrected, exchanged, mirrored
 from pipeline.signals.log import Log
 
+PRIOR_STD = {entry.name: entry.prior_std for entry in PARAMETERS}
 DURATION, INTERVAL, FINE, NOISE = 8.0, 0.01, 10, 2e-6
 
 
@@ -133,3 +138,108 @@ def test_corrections_one_after_the_other_are_those_of_both(logs: list[Log]) -> N
     np.testing.assert_allclose(one.t, both.t, rtol=1e-12)
     np.testing.assert_allclose(one.drive, both.drive, atol=1e-6)
     assert first.then(second).act
+
+
+def _facts(instruments: InstrumentTest, log: Log) -> dict[str, RunFact]:
+    """What a series shows of the instruments of a later run, beyond four standard errors."""
+    facts = {fact.key: fact for fact in instrument_facts(instruments, [log], "m")}
+    return {key: fact for key, fact in facts.items() if abs(fact.value) > SIGNIFICANCE * fact.error}
+
+
+def test_a_series_holds_drifts_of_instruments_apart_from_those_of_the_device(
+    instruments: InstrumentTest, logs: list[Log]
+) -> None:
+    drifted = _facts(instruments, corrected(logs[1], Corrections((1.0, 1.0), 1e-4)))
+    assert drifted.keys() == {"reading_zero_q"}
+    assert drifted["reading_zero_q"].value == pytest.approx(1e-4, rel=0.1)
+    assert drifted["reading_zero_q"].unit == "m"
+    stiffer = _log(_joint(**{"log E": 0.5}), 2)
+    assert not list(instrument_facts(instruments, [stiffer], "m")), "no instrument explains a stiffer beam"
+
+
+def test_more_capacitance_reads_as_voltages_that_are_low(instruments: InstrumentTest) -> None:
+    """The force goes with C v²: logs of q and v hold 2 % of the voltage for 4 % of the capacitance."""
+    more = {name: 0.04 / PRIOR_STD[name] for name in ("left.log C0", "right.log C0")}
+    aged = _log(_joint(**{**more, "left.log C0": 0.5 + more["left.log C0"]}), 2)
+    read = _facts(instruments, aged)
+    assert read.keys() == {"reading_gain_v1", "reading_gain_v2"}
+    assert [fact.value for fact in read.values()] == pytest.approx([-0.02, -0.02], rel=0.2)
+    assert all("or of the device" in fact.title for fact in read.values())
+
+
+GRAVITY, DAMPING, TORQUE = 40.0, 1.5, 60.0
+
+
+def _pendulum(theta: FloatArray, log: Log, gain: float, start: tuple[float, float]) -> FloatArray:
+    """Angle [rad] of q̈ = k v − g sin q − d q̇ under an observer, by the midpoint rule between the samples."""
+    strength, weight, damping = theta
+    x, p = start
+    angles = []
+    h = 0.5 * log.interval
+    for n in range(len(log.t)):
+        angles.append(x)
+        ends = log.q[n], log.q[min(n + 1, len(log.t) - 1)]
+        drive = log.fine[n, :, 0]
+        for place in (0, 1):
+            middle = ends[0] + (0.25 + 0.5 * place) * (ends[1] - ends[0])
+            v = drive[(5 * place + 2)]
+
+            def rates(x: float, p: float, v: float = v, seen: float = middle) -> tuple[float, float]:
+                error = seen - x
+                return p + 2.0 * gain * error, (strength * v - weight * np.sin(x) - damping * p + gain**2 * error)
+
+            dx, dp = rates(x, p)
+            dx, dp = rates(x + 0.5 * h * dx, p + 0.5 * h * dp)
+            x, p = x + h * dx, p + h * dp
+    return np.array(angles)
+
+
+@dataclass(frozen=True)
+class _PendulumProblem:
+    log: Log
+
+    def residual(self, theta: FloatArray, gain: float) -> FloatArray:
+        return _pendulum(theta, self.log, gain, (self.log.q[0], self.log.qdot[0])) - self.log.q
+
+    def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
+        steps = 1e-4 * np.diag(theta)
+        columns = [(self.residual(theta + s, gain) - self.residual(theta - s, gain)) / (2.0 * s.sum()) for s in steps]
+        return self.residual(theta, gain), np.column_stack(columns)
+
+
+@dataclass(frozen=True)
+class _PendulumModel:
+    """A driven pendulum with 1 % of uncertainty in each parameter."""
+
+    theta: FloatArray = field(default_factory=lambda: np.array([TORQUE, GRAVITY, DAMPING]))
+    coupling: float = 20.0
+
+    @property
+    def spread(self) -> FloatArray:
+        return 0.01 * np.diag(self.theta)
+
+    def observed(self, parts: Sequence[Log]) -> _PendulumProblem:
+        return _PendulumProblem(parts[0])
+
+
+def _angle_log(seed: int) -> Log:
+    """An angle [rad] under sines of one linear input, with noise of 0.2 mrad."""
+    rng = np.random.default_rng(seed)
+    t = INTERVAL * np.arange(800)
+    times = INTERVAL / FINE * np.arange(FINE * len(t))
+    phases = rng.uniform(0.0, 2.0 * np.pi, 8)
+    sines = np.sin(2.0 * np.pi * np.outer(times, np.linspace(0.2, 2.5, 8)) + phases).sum(axis=1)
+    fine = 0.15 * sines.reshape(len(t), FINE, 1)
+    still = Log(t, 0.0 * t, 0.0 * t, 0.0 * t, fine[:, 0], fine=fine)
+    q = _pendulum(_PendulumModel().theta, still, 0.0, (0.0, 0.0)) + 2e-4 * rng.standard_normal(len(t))
+    return replace(still, q=q)
+
+
+def test_instruments_of_an_angle_under_one_linear_input() -> None:
+    """A pendulum: gravity sets the scale of the angle, and no other model or unit is in the way."""
+    instruments = InstrumentTest(_PendulumModel(), [[_angle_log(1)]])
+    assert [each.name for each in instruments.quantities] == ["gain_v1", "zero_q", "gain_q", "delay", "clock"]
+    assert _beyond(instruments.of([_angle_log(2)]), instruments) == {}
+    wrong = corrected(_angle_log(2), Corrections((1.03,), 0.02, 1.02, 2.5e-3))
+    found = _beyond(instruments.of([wrong]), instruments)
+    assert found == pytest.approx({"gain_v1": 0.03, "zero_q": 0.02, "gain_q": 0.02, "delay": 2.5e-3}, rel=0.15)

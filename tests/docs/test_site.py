@@ -30,7 +30,7 @@ def test_the_site_builds_strictly_and_fetches_nothing(tmp_path: Path) -> None:
         assert not FETCHED.search(text), f"{page.name} fetches from elsewhere"
         assert "mermaid" not in text, "mermaid would be fetched"
     functions = (tmp_path / "site" / "reference" / "functions.html").read_text(encoding="utf-8")
-    assert 'id="pipeline.models.kind.load_model"' in functions
+    assert 'id="pipeline.models.model_type.load_model"' in functions
 
 
 @pytest.mark.parametrize("page", pages())

@@ -10,7 +10,7 @@ from joints import COMPILER, STRICT, Subject, data_driven, held_slider, hybrid, 
 
 from pipeline.errors import DebistError
 from pipeline.export.sources import c_sources
-from pipeline.models.kind import model_from_tree
+from pipeline.models.model_type import model_from_tree
 
 MODELS = {
     "hybrid": hybrid, "rbf": data_driven, "turning arm": turning_arm, "held": held_slider, "paper": paper,

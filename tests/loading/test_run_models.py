@@ -1,4 +1,4 @@
-"""Which models a run holds, and why the headline was chosen."""
+"""Which models a run holds, and why the main model was chosen."""
 
 from dataclasses import replace
 from pathlib import Path

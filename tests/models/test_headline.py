@@ -1,4 +1,4 @@
-"""Which of the identified models is the headline, by what each makes of the training logs."""
+"""Which of the identified models is the main model, by what each makes of the training logs."""
 
 from dataclasses import dataclass
 
@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from pipeline.models.base import FreeRun
-from pipeline.models.choose import headline
-from pipeline.models.kind import Training
+from pipeline.models.choose import main_model
+from pipeline.models.model_type import Training
 from pipeline.settings.prototype import Identify
 from pipeline.signals.log import Log
 
@@ -56,6 +56,6 @@ class Errs:
     ids=["first holds", "first lost", "all lost", "diverged", "free run", "both", "chaos", "equal in chaos"],
 )
 def test_the_headline(models, best):
-    name, reason = headline(models, TRAINING)
+    name, reason = main_model(models, TRAINING)
     assert name == best
     assert bool(reason) == (best != next(iter(models)))

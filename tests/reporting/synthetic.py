@@ -107,7 +107,7 @@ def scores(log: LogData) -> list[dict[str, Any]]:
 
 @cache
 def run_data() -> RunData:
-    """Two logs, a headline model with a posterior, and a baseline that diverges."""
+    """Two logs, a main model with a posterior, and a baseline that diverges."""
     logs = (log_data("train", "train-1", 0), log_data("validation", "other", 1, gap=True))
     return RunData(
         prototype=PROTOTYPE.model_copy(update={"name": "P1" + HOSTILE}),

@@ -21,7 +21,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.figure import extreme_places
 from pipeline.reporting.fleet_report import LISTED, fleet_report
-from pipeline.reporting.fleet_table import failed, summary
+from pipeline.reporting.fleet_table import Summary, summary
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.signals.log import voltages
@@ -45,7 +45,7 @@ def report_page() -> str:
 def fleet_page() -> str:
     document = json.loads(json.dumps(run_sheet().to_json(run_data())))
     members = [summary(f"P{i:02}", _varied(document, i), f"P{i:02}/report.html") for i in range(12)]
-    members.append(failed(f"bad{HOSTILE}", f"no log {HOSTILE}"))
+    members.append(Summary(f"bad{HOSTILE}", f"no log {HOSTILE}"))
     return fleet_report(members, f"fleet{HOSTILE}")
 
 
@@ -55,7 +55,7 @@ def large_fleet_page() -> str:
     varied = [_varied(document, i) for i in range(12)]
     names = [f"P{i:04}" for i in range(LISTED + 100)]
     members = [summary(n, varied[i % 12], f"{n}/report.html") for i, n in enumerate(names) if i % 50]
-    members += [failed(f"bad{i}{HOSTILE}", f"no log {i} {HOSTILE}") for i in range(3)]
+    members += [Summary(f"bad{i}{HOSTILE}", f"no log {i} {HOSTILE}") for i in range(3)]
     return fleet_report(iter(members), f"fleet{HOSTILE}")
 
 
@@ -144,7 +144,7 @@ def test_a_run_without_models_or_notes_still_has_a_page() -> None:
     assert "Characteristic curves" not in page
     assert "Phase portrait" in page
     assert sheet.model is None
-    assert sheet.headline == "rbf"
+    assert sheet.main_model == "rbf"
 
 
 def test_figures_are_well_formed_and_without_inline_style() -> None:

@@ -1,4 +1,4 @@
-"""Which models a run has beside its headline: the network is a row of its own, and nothing is fitted twice."""
+"""Which models a run has beside its main model: the network is a row of its own, and nothing is fitted twice."""
 
 from collections import Counter
 from types import SimpleNamespace
@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from pipeline.models.choose import Choice
-from pipeline.models.kind import Training
+from pipeline.models.model_type import Training
 from pipeline.settings.prototype import Identify, parse_prototype
 from pipeline.workflow import stage_identify as identify
 
@@ -31,7 +31,7 @@ def fitted(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often each model was fitted; "auto" chooses `hybrid`."""
     count = Counter[str]()
 
-    def kind(name: str) -> Any:
+    def model_type(name: str) -> Any:
         def fit(_: Training) -> Named:
             count[name] += 1
             return Named(name)
@@ -40,7 +40,7 @@ def fitted(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
 
     monkeypatch.setattr(identify, "_findings", lambda *_: [])
     monkeypatch.setattr(identify, "training", lambda *_: WHOLE)
-    monkeypatch.setattr(identify, "kind", kind)
+    monkeypatch.setattr(identify, "model_type", model_type)
     return count
 
 

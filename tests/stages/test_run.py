@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.api.run import open_run
-from pipeline.models.kind import model_from_tree
+from pipeline.models.model_type import model_from_tree
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.run import run_status

@@ -1,6 +1,5 @@
 """`debist series`: planted drifts of one device, in order of their days, and what is refused."""
 
-import csv
 import json
 import shutil
 import sys
@@ -95,8 +94,6 @@ def test_a_planted_drift_is_claimed_and_nothing_else(drifting, tmp_path):
     assert not {"asymmetry_wells", "damping_left"} & facts.keys()
     shown = invoke(*drifting, *AT).stdout
     assert "changed: barrier_left" in " ".join(shown.split())
-    rows = list(csv.DictReader(invoke(*drifting, *AT, "--format", "csv").stdout.splitlines()))
-    assert float({row["key"]: row for row in rows}["barrier_left"]["slope"]) == slope
     text = page.read_text(encoding="utf-8")
     assert text.count('class="chart"') == len(facts) and "µJ a day" in text
 

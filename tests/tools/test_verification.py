@@ -2,7 +2,6 @@
 
 import json
 import random
-import shutil
 from pathlib import Path
 
 import pytest
@@ -10,7 +9,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.store.lock import run_lock
-from pipeline.workflow.verify import Verified, verify_all, verify_everything
+from pipeline.workflow.verify import Verified, verify_everything
 from tests.faults.conftest import Bench, spoil
 from tests.faults.small_run import drawn_once
 from tests.prototypes import content, logs_read_once
@@ -108,28 +107,6 @@ def test_a_run_removes_what_an_interrupted_one_left(bench, run):
         (run / name).write_text("x")
     bench.make()
     assert verify_everything(run).intact
-
-
-def test_all_runs_of_a_folder_are_verified_and_the_fleet_tables(run, tmp_path):
-    from pipeline.workflow.fleet import collect_batch
-    from pipeline.workflow.members import Member
-
-    for name in ("a", "b"):
-        shutil.copytree(run, tmp_path / name)
-    collect_batch([Member(name, tmp_path / f"{name}.toml") for name in ("a", "b")], tmp_path)
-    assert [(found.root.name, found.intact) for found in verify_all(tmp_path)] == [
-        ("a", True),
-        ("b", True),
-        (tmp_path.name, True),
-    ]
-    (tmp_path / "a" / "manifest.json").write_text("{}")
-    (tmp_path / "b" / "scores.parquet").write_text("x")
-    (tmp_path / "fleet.csv").write_text("x")
-    assert [found.intact for found in verify_all(tmp_path)] == [False, False, False]
-    result = debist("verify", "--all", tmp_path)
-    assert result.exit_code == 4 and "3 of 3 are not intact" in result.stderr
-    document = json.loads(debist("verify", "--all", tmp_path, "--json").stdout)
-    assert len(document["runs"]) == 3
 
 
 def test_a_run_sets_aside_what_is_damaged_and_makes_it_anew(bench, run):

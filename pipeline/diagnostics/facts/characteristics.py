@@ -201,6 +201,17 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
 
     On the way the input's force must exceed the restoring one everywhere: u > max F/g_k over the path. None where the
     input pushes the other way, or not at all, somewhere on the way.
+
+    Parameters
+    ----------
+    curves : Curves
+        Curves of a model.
+    k : int
+        Number of the input, from zero.
+    start : float
+        Rest position [m or rad].
+    saddle : float
+        Unstable equilibrium [m or rad].
     """
     low = min(start, saddle)
     high = max(start, saddle)

@@ -1,4 +1,4 @@
-"""The verdict on the measurement: gaps, noise, rails, excitation, and whether validation stays inside training."""
+"""The assessment of the measurement: gaps, noise, rails, excitation, and whether validation stays inside training."""
 
 import re
 
@@ -136,7 +136,7 @@ def _signal_numbers(data: RunData) -> tuple[float, float, float]:
 
 
 def _noise_of_residual(data: RunData, log: LogData) -> float:
-    """Noise of q in the residual of the headline's free run, infinite where the residual does not show the sensor.
+    """Noise of q in the residual of the main model's free run, infinite where the residual does not show the sensor.
 
     Where the device moves within a few samples, differences of q take motion for noise (1.0 mV on an electronic
     resonator whose model errs by 0.24 mV); those of the residual have less of it. A log that was decimated has lost

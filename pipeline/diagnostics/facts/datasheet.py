@@ -76,19 +76,14 @@ class DatasheetFact:
     @property
     def doubt(self) -> str:
         """Text in place of an interval where too few draws have the fact; empty otherwise."""
-        return doubt(self.low, self.in_draws)
+        if self.low is not None or self.in_draws is None or self.in_draws >= COVERAGE:
+            return ""
+        return f"not certain: in {100.0 * self.in_draws:.0f} % of the draws"
 
     @property
     def half_width(self) -> float | None:
         """Half of the interval of `value`."""
         return None if self.low is None or self.high is None else (self.high - self.low) / 2.0
-
-
-def doubt(low: float | None, in_draws: float | None) -> str:
-    """See `DatasheetFact.doubt`."""
-    if low is not None or in_draws is None or in_draws >= COVERAGE:
-        return ""
-    return f"not certain: in {100.0 * in_draws:.0f} % of the draws"
 
 
 def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
@@ -147,7 +142,7 @@ class Datasheet:
     ----------
     model : str or None
         Name of the model that the facts come from; None if no model has curves.
-    headline : str
+    main_model : str
         Name of the model that is judged.
     curves, draws : of that model
         On the training range; draws from its posterior for bands.
@@ -155,7 +150,7 @@ class Datasheet:
 
     name: str
     model: str | None
-    headline: str
+    main_model: str
     facts: tuple[DatasheetFact, ...]
     checks: tuple[Check, ...]
     wells: Wells | NoWells
@@ -165,12 +160,12 @@ class Datasheet:
 
     @property
     def refused(self) -> bool:
-        """Whether the facts come from a model that the verdict rejects."""
-        return self.model == self.headline and is_refused([vars(check) for check in self.checks])
+        """Whether the facts come from a model that the assessment rejects."""
+        return self.model == self.main_model and is_refused([vars(check) for check in self.checks])
 
     @property
     def grades(self) -> dict[str, Grade]:
-        """The verdict on the data and on the model: the worst grade of the checks of each."""
+        """The assessment of the data and on the model: the worst grade of the checks of each."""
         return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
 
     def to_json(self, data: RunData) -> dict[str, Any]:
@@ -179,7 +174,7 @@ class Datasheet:
             "format": FORMAT,
             "name": self.name,
             "facts_from": self.model,
-            "judged_model": self.headline,
+            "judged_model": self.main_model,
             "choice": None if data.choice is None else dict(data.choice),
             "level_of_intervals": COVERAGE,
             "facts": [asdict(fact) for fact in self.facts],
@@ -190,7 +185,7 @@ class Datasheet:
 
 
 def is_refused(checks: Iterable[Mapping[str, Any]]) -> bool:
-    """Whether the checks of a verdict, as its JSON has them, say not to use the model: a constant does better."""
+    """Whether the checks of an assessment, as its JSON has them, say not to use the model: a constant does better."""
     return any(check["name"] == "constant" and check["grade"] == "poor" for check in checks)
 
 
@@ -215,13 +210,13 @@ def make_datasheet(data: RunData) -> Datasheet:
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, in_draws, rests, wells, events)
-    headline = data.model_names[0]
+    main_model = data.model_names[0]
     checks = (
         *data_checks(data, wells),
-        *model_checks(data, headline, _rest_errors(events, values, rests, wells), wells),
+        *model_checks(data, main_model, _rest_errors(events, values, rests, wells), wells),
         *fact_checks(facts),
     )
-    return Datasheet(data.prototype.name, source, headline, facts, checks, wells, rests, curves, draws)
+    return Datasheet(data.prototype.name, source, main_model, facts, checks, wells, rests, curves, draws)
 
 
 def _by_model(

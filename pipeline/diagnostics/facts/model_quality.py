@@ -1,4 +1,4 @@
-"""The verdict on the headline model: errors, wells, rivals, generalisation, trust."""
+"""The assessment of the main model: errors, wells, rivals, generalisation, trust."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -25,7 +25,19 @@ WORST = 0.15
 def model_checks(
     data: RunData, model: str, rest_errors: tuple[float, float] | None, wells: Wells | NoWells
 ) -> list[Check]:
-    """The headline model: free-run error, wells, generalisation, and by how much its two rests err."""
+    """The main model: free-run error, wells, generalisation, and by how much its two rests err.
+
+    Parameters
+    ----------
+    data : RunData
+        The run.
+    model : str
+        The main model.
+    rest_errors : (float, float) or None
+        Errors of its rests left and right, as shares of the range.
+    wells : Wells or NoWells
+        The wells in the data.
+    """
     by_role = {
         role: [s for s in data.scores if s["model"] == model and s["role"] == role and s["signal"] == "q"]
         for role in ("train", "validation")

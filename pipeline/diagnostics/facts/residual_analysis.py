@@ -19,7 +19,7 @@ LONGEST_LAG = 1.0
 FEWEST_LAGS = 50
 SHARE = 8
 """Largest lag [s]; of a slow device, or a log too short for that, so many samples; and how many times as long as the
-largest lag a stretch is at least."""
+largest lag a segment is at least."""
 
 SEGMENTS = 8
 """Parts that overlap by half and whose spectra are averaged (Welch)."""
@@ -61,7 +61,7 @@ class Residual:
 def analyse_residual(
     measured: FloatArray, calculated: FloatArray, inputs: FloatArray, interval: float
 ) -> Residual | None:
-    """Analyse the longest stretch in which both signals are known; None if it is shorter than eight times the lags.
+    """Analyse the longest segment in which both signals are known; None if it is shorter than eight times the lags.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
     return frequency[1:], density[1:]
 
 
-def headline_residual(data: RunData, log: LogData) -> Residual | None:
+def main_residual(data: RunData, log: LogData) -> Residual | None:
     """Analysis of its free run's residual of q against what acts on the device; None of a short or missing run."""
     model = data.model_names[0]
     if model not in log.predictions:

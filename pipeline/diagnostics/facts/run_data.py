@@ -86,7 +86,7 @@ class RunData:
         Units, law of the inputs and mass, by the settings.
     logs : tuple of LogData
     models : mapping of str to DynamicModel
-        In the order of the settings; the first is the headline.
+        In the order of the settings; the first is the main model.
     descriptions : mapping of str to mapping
         `describe()` of each.
     scores : sequence of records
@@ -134,13 +134,13 @@ class RunData:
 
     @property
     def why_chosen(self) -> str:
-        """Why "auto" chose the headline; empty where it had no choice, as the joint's equations hold for no other."""
+        """Why "auto" chose the main model; empty where it had no choice, as the joint's equations hold for no other."""
         choice = self.choice or {}
         return str(choice.get("reason") or "") if self.device.joint or choice.get("held_out_error") else ""
 
     @property
     def model_names(self) -> tuple[str, ...]:
-        """Every model with a free run, the headline first."""
+        """Every model with a free run, the main model first."""
         names = dict.fromkeys(self.models)
         for log in self.logs:
             names |= dict.fromkeys(log.predictions)
@@ -157,7 +157,7 @@ def wells_of_run(data: RunData) -> Wells | NoWells:
 
 
 def judged_log(data: RunData) -> LogData:
-    """The log on which the headline model errs most: of the validation logs, or of the training logs without any."""
+    """The log on which the main model errs most: of the validation logs, or of the training logs without any."""
     logs = data.role("validation") or data.role("train")
     errors = {
         (s["role"], s["log"]): np.inf if s["nrmse"] is None else float(s["nrmse"])

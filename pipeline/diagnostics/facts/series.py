@@ -28,8 +28,14 @@ _QUANTITIES = {
 }
 """Quantities of `hybrid` that age, and what people call them."""
 
-READINGS = {"gain_v1": "gain of v1", "gain_v2": "gain of v2", "zero_q": "zero of q", "gain_q": "gain of q"}
-"""Names of readings for people, where they differ from those in files."""
+READINGS = {
+    "gain_v1": "gain of v1 or of the device",
+    "gain_v2": "gain of v2 or of the device",
+    "zero_q": "zero of q",
+    "gain_q": "gain of q",
+}
+"""Names of readings for people, where they differ from those in files. Logs do not separate the gain of an input from
+that of the device: the force of a joint goes with C v², so 2 % of capacitance read as 1 % of voltage."""
 
 
 @dataclass(frozen=True)

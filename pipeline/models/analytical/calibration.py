@@ -124,7 +124,7 @@ def calibrate(
     jobs : int
         Threads for the windows.
     report : callable, optional
-        Told about the progress.
+        Receives the progress.
 
     Notes
     -----

@@ -13,8 +13,8 @@ from ...numerics.arrays import FloatArray
 from ...numerics.stiff import STATES
 from ...signals.log import Log
 from ..base import FreeRun, checked
-from ..kind import Kind, Training
 from ..model_file import JointSet, ModelFile
+from ..model_type import ModelType, Training
 from .full_order import rest_state, simulate
 from .reduced_order import CURVES, reduce_joint
 from .windows import voltage_knots
@@ -41,6 +41,17 @@ class AnalyticalModel(ModelFile):
         """Free run from the static shape at ``q0`` that moves with ``qdot0``; v is left and right [V].
 
         Cost: 0.1 s of processor time for 37.5 s, at 10 ms samples.
+
+        Parameters
+        ----------
+        t : FloatArray, shape (N,)
+            Times [s].
+        v : FloatArray, shape (N, 2) or (N, r, 2)
+            Voltages [V] at the samples, or at r times of each interval.
+        q0 : float
+            Displacement [m] at the first sample.
+        qdot0 : float
+            Velocity [m/s] there.
         """
         knots = voltage_knots(t, v)
         start = rest_state(self.parameters, q0, qdot0, knots.v[0])
@@ -114,7 +125,7 @@ def _parameters(training: Training) -> JointParameters:
 
 
 _read = partial(AnalyticalModel.read, name="analytical", command="compare")
-ANALYTICAL = Kind(lambda training: AnalyticalModel(parameters=_parameters(training)), _read)
-ANALYTICAL_CALIBRATED = Kind(
+ANALYTICAL = ModelType(lambda training: AnalyticalModel(parameters=_parameters(training)), _read)
+ANALYTICAL_CALIBRATED = ModelType(
     lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), _read
 )

@@ -19,8 +19,8 @@ from ...numerics.metrics import rms
 from ...signals.inputs import MOST_SAMPLES
 from ...signals.log import Log, operating_range, within
 from ..free_runs import scale_on
-from ..kind import Kind, Training, fitted_samples
 from ..model_file import read_part
+from ..model_type import ModelType, Training, fitted_samples
 from . import parameters as condensed_parameters
 from .kernels import CURVES
 from .model import HybridModel
@@ -396,4 +396,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 
-HYBRID = Kind(_fit, partial(read_part, HybridModel, name="hybrid", command="identify"), "export.hybrid:realise")
+HYBRID = ModelType(_fit, partial(read_part, HybridModel, name="hybrid", command="identify"), "export.hybrid:realise")

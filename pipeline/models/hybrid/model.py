@@ -181,6 +181,19 @@ class HybridModel:
     ) -> tuple[FloatArray, FloatArray]:
         """Free runs of an ensemble drawn from the parameters' posterior: what the data leave open.
 
+        Parameters
+        ----------
+        t : FloatArray, shape (N,)
+            Times [s].
+        v : FloatArray, shape (N, 2) or (N, r, 2)
+            Voltages [V] at the samples, or at r times of each interval.
+        q0 : float
+            Displacement at the first sample [m].
+        qdot0 : float
+            Velocity there [m/s].
+        count : int
+            Number of draws.
+
         Returns
         -------
         q : FloatArray, shape (count, N)

@@ -20,14 +20,13 @@ import numpy as np
 from pydantic import model_validator
 
 from ...errors import InputError
-from ...numerics.arrays import FloatArray, IntArray
+from ...numerics.arrays import FloatArray, IntArray, sample_interval
 from ...numerics.compiled import compiled
-from ...numerics.fixed_step import escape_bounds
+from ...numerics.fixed_step import escape_bounds, run_status
+from ...numerics.linear_filters import finite_difference
 from ...scoring.cross_validation import free_run_error, held_out_blocks, simplest_within_one_standard_error
 from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked
-from ..difference_equation import check_interval, sampled_run
-from ..kind import Kind
 from ..model_file import (
     MOST_INPUTS,
     Exponents,
@@ -39,6 +38,7 @@ from ..model_file import (
     Table,
     Unit,
 )
+from ..model_type import ModelType
 from ..polynomial_dynamics import monomials
 
 MOST_LAGS = 64
@@ -90,6 +90,37 @@ def _run(
     return len(q)
 
 
+def _sampled_run(t: FloatArray, q: FloatArray, reached: int, interval: float) -> FreeRun:
+    """A free run from its displacement at the samples; q̇ and q̈ are differences of sixth order.
+
+    Parameters
+    ----------
+    t, q : FloatArray, shape (N,)
+        Time [s] and displacement [m], NaN after a divergence.
+    reached : int
+        Samples within the bounds.
+    interval : float
+        Sample interval [s] of the model.
+    """
+    qdot, qddot = np.full((2, q.size), np.nan)
+    qdot[:reached] = finite_difference(q[:reached], interval, 1)
+    qddot[:reached] = finite_difference(q[:reached], interval, 2)
+    return FreeRun(t, q, qdot, qddot, *run_status(t, reached))
+
+
+def _check_interval(t: FloatArray, interval: float, name: str) -> None:
+    """Refuse a record whose sample interval differs by more than a thousandth from that of a model [s].
+
+    Raises
+    ------
+    InputError
+        It does.
+    """
+    given = sample_interval(t)
+    if abs(given / interval - 1.0) > 1e-3:
+        raise InputError(f"the model {name} steps at {interval:g} s, the record at {given:g} s; resample the log")
+
+
 class NarxModel(ModelFile):
     """A difference equation for q at a fixed sample interval, and its file.
 
@@ -137,14 +168,14 @@ class NarxModel(ModelFile):
         InputError
             The record has another sample interval than the equation.
         """
-        check_interval(t, self.interval_s, self.name)
-        return sampled_run(t, *self.run(v, q0, qdot0), self.interval_s)
+        _check_interval(t, self.interval_s, self.name)
+        return _sampled_run(t, *self.run(v, q0, qdot0), self.interval_s)
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
     ) -> Iterator[FloatArray]:
         """Predictions from the measured past that the equation looks at; see `pipeline.models.base.Predicts`."""
-        check_interval(t, self.interval_s, self.name)
+        _check_interval(t, self.interval_s, self.name)
         rows = np.arange(len(seen))
         reach = int(self.structure.max())
         unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, rows))
@@ -336,7 +367,7 @@ def _error(model: NarxModel, x: Log, span: float) -> float:
     return free_run_error(x.q, q, span)
 
 
-NARX = Kind(
+NARX = ModelType(
     lambda data: identify_narx(data.segments, inputs=data.inputs, most=data.compare.candidates),
     partial(NarxModel.read, name="narx", command="compare"),
 )

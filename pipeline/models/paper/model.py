@@ -33,8 +33,8 @@ from ...numerics.linear_filters import first_order_lag
 from ...settings.models import CENTRES, LAG_START, SMOOTHING
 from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked
-from ..kind import Kind, Training
 from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
+from ..model_type import ModelType, Training
 from .lag_search import LagSearch, LagStretch, search_lag
 from .lagged_free_run import LaggedLaw, lagged_rbf_run
 
@@ -122,7 +122,19 @@ class RbfPaperModel(ModelFile):
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
+        """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity.
+
+        Parameters
+        ----------
+        t : FloatArray, shape (N,)
+            Times [s].
+        v : FloatArray, shape (N, K)
+            Inputs.
+        q : FloatArray, shape (N,)
+            Displacement.
+        qdot : FloatArray, shape (N,)
+            Velocity.
+        """
         z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag_s)
         signals = curve_signals(q, z, input_signal(v, self.inputs))
         curves = basis_values(q, self.centres, self.width) @ self.weights.T
@@ -278,4 +290,6 @@ def _fit(training: Training) -> RbfPaperModel:
     )
 
 
-RBF_PAPER = Kind(_fit, partial(RbfPaperModel.read, name="rbf-paper", command="identify"), "export.lagged:realise_paper")
+RBF_PAPER = ModelType(
+    _fit, partial(RbfPaperModel.read, name="rbf-paper", command="identify"), "export.lagged:realise_paper"
+)

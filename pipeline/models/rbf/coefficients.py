@@ -92,7 +92,21 @@ def shapes(c, inputs):
 
 @shared
 def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray, curvatures: FloatArray) -> None:
-    """The basis (4 + M,) and its derivative at x, and the second derivative of the Gaussians (M,)."""
+    """The basis (4 + M,) and its derivative at x, and the second derivative of the Gaussians (M,).
+
+    Parameters
+    ----------
+    x : float
+        Dimensionless displacement.
+    c : Coefficients
+        Numbers of the joint.
+    values : FloatArray, shape (4 + M,)
+        Takes the basis.
+    slopes : FloatArray, shape (4 + M,)
+        Takes its derivative.
+    curvatures : FloatArray, shape (M,)
+        Takes the second derivative of the Gaussians.
+    """
     head = _powers((x,)) if c.arm[1] == 0.0 else _turning_arm((x, c.arm[0], c.arm[1]))
     for i in range(POLYNOMIALS):
         values[i], slopes[i] = head[i], head[POLYNOMIALS + i]

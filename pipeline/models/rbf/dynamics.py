@@ -91,7 +91,19 @@ class ObservedJoint(NamedTuple):
 
 @inlined
 def move(system, x, u, dx):
-    """Rates of the state without the observer, and what their derivatives need."""
+    """Rates of the state without the observer, and what their derivatives need.
+
+    Parameters
+    ----------
+    system : NamedTuple
+        The joint with its arrays.
+    x : FloatArray, shape (n,)
+        State.
+    u : FloatArray, shape (K,)
+        Inputs that act.
+    dx : FloatArray, shape (n,)
+        Takes the rates.
+    """
     c = system.c
     inputs = len(u)
     p = x[1]

@@ -22,7 +22,7 @@ from ...settings.models import RBF_TIME_LIMIT
 from ...signals.log import Log, operating_range
 from ...system.progress import OnProgress, silent
 from ..free_runs import scale_on
-from ..kind import Kind, KnownCurves, Training
+from ..model_type import KnownCurves, ModelType, Training
 from .candidates import (
     Candidate,
     RbfChoice,
@@ -94,7 +94,7 @@ def identify_rbf(
         data and limit give the same model on every machine. The structure search takes at most 0.6 of it. Where a
         structure is searched on more than `SAMPLES_OF_LIMIT` samples, it is as many times as long.
     on_progress : callable
-        Told what is going on, with the present error, and which share of the limit is spent.
+        Receives what is going on, with the present error, and which share of the limit is spent.
 
     Raises
     ------
@@ -282,4 +282,4 @@ def _fit(training: Training) -> RbfModel:
     )
 
 
-RBF = Kind(_fit, RbfModel.from_tree, "export.data_driven:realise")
+RBF = ModelType(_fit, RbfModel.from_tree, "export.data_driven:realise")

@@ -100,6 +100,19 @@ class RbfModel:
     ) -> tuple[FloatArray, FloatArray]:
         """Free runs of an ensemble drawn from the parameters' posterior: what the data leave open.
 
+        Parameters
+        ----------
+        t : FloatArray, shape (N,)
+            Times [s].
+        v : FloatArray, shape (N, K) or (N, r, K)
+            Inputs at the samples, or at r times of each interval.
+        q0 : float
+            Displacement at the first sample [m or rad].
+        qdot0 : float
+            Velocity there.
+        count : int
+            Number of draws.
+
         Returns
         -------
         q : FloatArray, shape (count, N)

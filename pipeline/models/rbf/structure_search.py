@@ -13,7 +13,7 @@ from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import Log
 from ...system.progress import OnProgress, silent
-from ..kind import KnownCurves
+from ..model_type import KnownCurves
 from .candidates import Candidate, Offer
 from .parameter_layout import ParameterLayout
 from .prior import joint_prior, pin_curves, population
@@ -137,10 +137,10 @@ class Setting:
         return (p, *pin_curves(p, start, prior, self.measured)) if self.measured else (p, start, prior)
 
     def progress(self, what: str, half: float) -> Callable[[float, float], None]:
-        """Tells of a fit: level and present error in millimetres or milliradians."""
+        """Report of a fit: level and present error in millimetres or milliradians."""
 
         def report(gain: float, rms: float) -> None:
-            """Tell of a level: observer gain, error in half ranges."""
+            """Report a level: observer gain, error in half ranges."""
             level = f"observer {gain:g}" if gain else "free run"
             self.on_progress(
                 f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.limit)

@@ -15,7 +15,6 @@ from ...scoring.cross_validation import mean_over_folds
 from ...signals.log import Log
 from ...units.units import DISPLACEMENT, INPUT
 from ..base import FreeRun, checked
-from ..kind import Kind
 from ..model_file import (
     MOST_INPUTS,
     Exponents,
@@ -27,6 +26,7 @@ from ..model_file import (
     Table,
     Unit,
 )
+from ..model_type import ModelType
 from ..polynomial_dynamics import (
     FIRST_INPUT,
     FRICTION,
@@ -358,14 +358,14 @@ def _terms(dynamics: PolynomialDynamics) -> int:
     return int(np.count_nonzero(dynamics.coefficients[1]))
 
 
-SINDY = Kind(
+SINDY = ModelType(
     lambda data: identify_sindy(
         data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
     ),
     partial(SindyModel.read, name="sindy", command="compare"),
     "export.lagged:realise_polynomial",
 )
-SINDY_DEFAULT = Kind(
+SINDY_DEFAULT = ModelType(
     lambda data: identify_default_sindy(
         data.segments, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
     ),

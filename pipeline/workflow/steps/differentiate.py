@@ -64,7 +64,7 @@ def derivatives(
     Parameters
     ----------
     fine : Table
-        A uniform record with its stretches, and perhaps the measured ``velocity``.
+        A uniform record with its segments, and perhaps the measured ``velocity``.
     t : FloatArray, shape (N,)
         Times [s] on the record's grid.
     prototype : Prototype
@@ -77,7 +77,7 @@ def derivatives(
     qdot, qddot : FloatArray, shape (N,)
         NaN where the record is masked.
     notes : dict
-        For each stretch its parameters, noise (in the same unit) and convergence.
+        For each segment its parameters, noise (in the same unit) and convergence.
     """
     from ...signals.differentiate import differentiate
 

@@ -68,6 +68,17 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
     """The scores of a free run over kinematics, one row per signal, by the columns of ``scores.parquet``.
 
     Errors by horizon, outcomes and what else a stage noted of the run are columns where its notes hold them.
+
+    Parameters
+    ----------
+    plant : Device
+        Units of the device.
+    measured : Log
+        The log with its derivatives.
+    compared : ComparedRun
+        The free run, with its notes.
+    wells : Wells or NoWells
+        The wells in the data.
     """
     from ...scoring.scores import score_run
     from ...scoring.step_responses import response_errors

@@ -18,7 +18,7 @@ from ...numerics.metrics import rms
 from ...rig.bench import Bench, random_bench
 from ...rig.excitation import MAX_VOLTAGE, load_sequence
 from ...rig.joint import saddle, tip_displacement, wells
-from ...rig.log import LAYOUTS, PER_SI
+from ...rig.log import LAYOUTS, RawLog
 from ...rig.loop import ClosedLoop, Controller, Scenario, bench_from_json, played, python_controller, run_loop
 from ...rig.parameters import RigParameters, from_json, nominal, table1
 from ...rig.random_joint import Family, random_joint
@@ -138,6 +138,17 @@ def _controller(run: Path | None, play: Path | None) -> Controller:
 def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
     """Write a run as a raw log with the reference, and the settings with which debist reads it, beside one another.
 
+    Parameters
+    ----------
+    path : Path
+        The log.
+    form : str
+        Layout of the log.
+    run : ClosedLoop
+        The run.
+    name : str
+        Name of the prototype.
+
     Returns
     -------
     list of Path
@@ -145,13 +156,13 @@ def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
     """
     layout = LAYOUTS[form]
     unit = layout.v1[1]
-    readings = {layout.q: run.q, layout.v1: run.v1, layout.v2: run.v2}
-    channels = {key: (PER_SI[u] * values, u) for (key, u), values in readings.items()}
-    channels["target"] = (PER_SI[layout.q[1]] * run.target, layout.q[1])
-    channels["command_left"] = (PER_SI[unit] * run.command1, unit)
-    channels["command_right"] = (PER_SI[unit] * run.command2, unit)
+    more = {
+        ("target", layout.q[1]): run.target,
+        ("command_left", unit): run.command1,
+        ("command_right", unit): run.command2,
+    }
     path.parent.mkdir(parents=True, exist_ok=True)
-    layout.write(path, run.t, channels)
+    layout.save(RawLog(run.t, run.q, run.v1, run.v2), path, more)
     toml = path.with_suffix(".toml")
     head = f'# Simulated by the virtual rig in closed loop.\nname = "{name}"\n\n[logs]\ntrain = ["{path.name}"]\n\n'
     plant = '[plant]\ninputs = "squared"\nparameters = "nominal"\n'
@@ -166,7 +177,7 @@ def with_side(scenario: Scenario, joint: VirtualJoint) -> Scenario:
     return replace(scenario, side=1 if near else -1)
 
 
-class Push(SettingsTable):
+class TipForce(SettingsTable):
     """A force on the tip."""
 
     start_s: Number = Field(ge=0.0)
@@ -177,7 +188,7 @@ class Push(SettingsTable):
     """How long it lasts."""
 
 
-class Shake(Push):
+class Shake(TipForce):
     """A force that swings."""
 
     frequency_Hz: Number = Field(gt=0.0)
@@ -204,9 +215,9 @@ class ScenarioFile(SettingsTable):
     """Time constant of the converters; left out, the joint's."""
     highest_V: Number = Field(default=MAX_VOLTAGE, gt=0.0)
     """Largest voltage of the converters."""
-    pushes: tuple[Push, ...] = ()
+    pushes: tuple[TipForce, ...] = ()
     """Constant forces on the tip."""
-    hands: tuple[Push, ...] = ()
+    hands: tuple[TipForce, ...] = ()
     """Forces that rise and fall, as a hand pushes and lets go."""
     shakes: tuple[Shake, ...] = ()
     """Forces that swing, as of a table that shakes."""

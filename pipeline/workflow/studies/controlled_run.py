@@ -16,7 +16,6 @@ from ...scoring.wells import Wells, wells_of
 from ...settings.prototype import Prototype
 from ...signals.log import log_of
 from ...store import layout
-from ...store.documents import read_document
 from ...store.lock import run_lock
 from ...store.run_folder import RunFolder, Written
 from ...system.names import shell_word
@@ -25,7 +24,7 @@ from ..engine import Observer, Task
 from ..run_models import WORST, controlled_model, failed_validations, load_run_model
 from ..schedule import bring_up_to_date
 
-ALGORITHM = "21"
+ALGORITHM = "22"
 _MISSED = 0.09
 _UNSEEN = 2e-3
 """RMS residual on the training logs above which no control is designed on a model: a share of the wells' distance, or
@@ -193,7 +192,21 @@ def kept_document(
     observer: Observer,
     work: Callable[[ControlRun, OnProgress], dict[str, Any]],
 ) -> dict[str, Any]:
-    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change."""
+    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    title : str
+        Title of the document.
+    settings : mapping
+        What decides it beside the model.
+    observer : Observer
+        Receives what happens.
+    work : callable
+        Computes the document.
+    """
     with run_lock(root):
         joint_run = control_run(root)
         name = layout.control(title)
@@ -207,4 +220,4 @@ def kept_document(
         inputs = (joint_run.artifact, *joint_run.records)
         task = Task("control", title, ALGORITHM, settings, inputs, (name,), write, reports=True)
         bring_up_to_date(joint_run.run, [task], observer)
-        return read_document(joint_run.run, name)
+        return joint_run.run.read_document(name)

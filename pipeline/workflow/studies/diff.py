@@ -237,6 +237,17 @@ CURVE_PLACES = 201
 def write_diff_page(roots: Sequence[Path], names: Sequence[str], tables: Sequence[DiffTable], target: Path) -> None:
     """Write the page of some runs with what differs, their curves and their free runs.
 
+    Parameters
+    ----------
+    roots : sequence of Path
+        Run folders.
+    names : sequence of str
+        What each is called.
+    tables : sequence of DiffTable
+        What differs.
+    target : Path
+        The page.
+
     Raises
     ------
     DebistError
@@ -254,7 +265,7 @@ def _drawn(name: str, pairs: Pairs, run: RunFolder) -> DrawnRun:
     plant = device(prototype)
     q = np.zeros(0)
     curves = dict[str, FloatArray]()
-    headline = identified_models(run, prototype)[0]
+    main_model = identified_models(run, prototype)[0]
     if layout.MODELS in run.manifest.artifacts:
         model = load_run_model(run, prototype)
         displacements = np.concatenate([log.q for log in load_logs(run, prototype, "train")])
@@ -264,7 +275,7 @@ def _drawn(name: str, pairs: Pairs, run: RunFolder) -> DrawnRun:
     units = {key: plant.curve_units["dC" if key.startswith("dC") else key] for key in curves}
     logs = {}
     for role, log, _ in layout.logs(prototype):
-        simulated = layout.predictions(role, log, headline)
+        simulated = layout.predictions(role, log, main_model)
         if simulated in run.manifest.artifacts:
             source = ", ".join(run.record(layout.record(role, log)).recipe.inputs.values())
             motion = run.read_table(layout.kinematics(role, log))

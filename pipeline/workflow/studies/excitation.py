@@ -56,7 +56,7 @@ class ExcitationSource:
     run : Path or None
         A run whose model takes the place of the parameter set.
     model : str
-        The run's model; the headline if left out.
+        The run's model; the main model if left out.
     joints : int
         Joints made after the drawing, with tolerances; a run is one joint.
     seed : int
@@ -106,6 +106,21 @@ def excite(
     report: Callable[[float], None] | None = None,
 ) -> tuple[Design | NextLog, tuple[Path, ...]]:
     """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
+
+    Parameters
+    ----------
+    output : Path
+        The sequence.
+    source : ExcitationSource
+        Joint or run that it is designed for.
+    wanted : Requirements
+        Duration, bursts and candidates.
+    limits : ExcitationLimits
+        Largest voltage and field.
+    rate : float
+        Sampling rate of the file [Hz].
+    report : callable, optional
+        Receives the share that is done.
 
     Returns
     -------

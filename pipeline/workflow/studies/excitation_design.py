@@ -19,7 +19,16 @@ from ...fitting.coverage import FEW, Coverage, coverage
 from ...fitting.information import Conditioning, ScaledRegressor, conditioning, log_information
 from ...numerics.arrays import FloatArray
 from ...rig.bench import Converter
-from ...rig.excitation import BURSTS, Burst, BurstKind, alternating_pulses, command, draw_burst, draw_pause
+from ...rig.excitation import (
+    BURSTS,
+    Burst,
+    BurstKind,
+    alternating_pulses,
+    command,
+    draw_burst,
+    draw_pause,
+    random_excitation,
+)
 from ...scoring.wells import NoWells, Wells, find_wells, snaps
 from ...settings.models import CENTRES, SMOOTHING
 
@@ -27,14 +36,8 @@ Simulator = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
 """Times (N,) [s] and voltages (N, 2) [V] to q (N,) [m] and q̇ (N,) [m/s], from rest; NaN after a divergence."""
 
 INTERVAL = 5e-3  # s, of the simulated samples
-COVERAGE_WEIGHT = 1.0  # nats per weight that full coverage is worth
 _SHORTEST = 0.3  # s, of room that is worth another burst
 _FADE_OUT = 0.2  # s without voltage at the end
-_PROBED = (0.1, 0.2, 0.4, 0.7, 1.0)
-_PROBED_SHARES = (1.0, 0.8, 0.6)
-_PROBED_REST = 1.2
-"""Lengths [s] of the pulses by which the wells are found, shares of the largest voltage, and the rest [s] behind each:
-a pulse of one length and height may leave a joint swinging so that it always falls back."""
 
 
 @dataclass(frozen=True)
@@ -149,7 +152,7 @@ def design_excitation(
     wanted : Requirements
         Length, limits, shapes, effort.
     report : callable, optional
-        Told the share that is designed.
+        Receives the share that is designed.
 
     Raises
     ------
@@ -185,6 +188,17 @@ def greedy_bursts(
 
     `criterion` takes bursts and where they end [s]; −∞ refuses them.
 
+    Parameters
+    ----------
+    criterion : callable
+        Bursts and their end [s] → value; −∞ refuses them.
+    rng : numpy.random.Generator
+        Draws the candidates.
+    wanted : Requirements
+        Duration, kinds of bursts and candidates.
+    report : callable, optional
+        Receives the share that is done.
+
     Raises
     ------
     InputError
@@ -217,15 +231,29 @@ def greedy_bursts(
 def assess(
     simulators: Sequence[Simulator], weights: ScaledRegressor, wells: Wells, bursts: list[Burst], duration: float
 ) -> Assessment:
-    """Play a sequence on every simulator; the information of its motions on the weights."""
-    runs = [_play(simulate, bursts, duration) for simulate in simulators]
+    """Play a sequence on every simulator; the information of its motions on the weights.
+
+    Parameters
+    ----------
+    simulators : sequence of Simulator
+        Joints on which the sequence is played.
+    weights : ScaledRegressor
+        Regressor of the weights.
+    wells : Wells
+        Wells of the joints.
+    bursts : list of Burst
+        The sequence.
+    duration : float
+        Its length [s].
+    """
+    runs = [_simulated(simulate, bursts, duration) for simulate in simulators]
     information = [weights.information(*run, INTERVAL) for run in runs]
     coverages = [_coverage(weights, run) for run in runs]
     mean = float(np.mean([log_information(matrix) for matrix in information]))
     covered = float(np.mean([_covered(coverage) for coverage in coverages]))
     crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
     judged = conditioning(information[0])
-    return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, coverages[0], judged, crossings)
+    return Assessment(mean + covered, mean, covered, coverages[0], judged, crossings)
 
 
 def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
@@ -239,7 +267,7 @@ def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, sid
     return burst, min(start + burst.duration + draw_pause(rng), wanted.duration)
 
 
-def _play(simulate: Simulator, bursts: list[Burst], duration: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _simulated(simulate: Simulator, bursts: list[Burst], duration: float) -> tuple[FloatArray, FloatArray, FloatArray]:
     """q, q̇ and the voltages behind the converters; cut where the simulation diverged."""
     t: FloatArray = INTERVAL * np.arange(round(duration / INTERVAL), dtype=np.float64)
     v = behind_converters(command(bursts, t), INTERVAL)
@@ -261,11 +289,11 @@ def _criterion(
     """Mean criterion; −∞ where a simulation diverges, for then nothing is known of the device either."""
     values = []
     for simulate in simulators:
-        run = _play(simulate, bursts, duration)
+        run = _simulated(simulate, bursts, duration)
         if len(run[0]) < round(duration / INTERVAL):
             return -np.inf
         covered = _covered(_coverage(weights, run))
-        values.append(log_information(weights.information(*run, INTERVAL)) + COVERAGE_WEIGHT * covered)
+        values.append(log_information(weights.information(*run, INTERVAL)) + covered)
     return float(np.mean(values))
 
 
@@ -282,22 +310,17 @@ def _covered(visits: Coverage) -> float:
 
 
 def probed_wells(simulate: Simulator, voltage: float) -> Wells:
-    """The wells of the device as drawn, as pulses of several lengths and of heights up to `voltage` [V] show them.
+    """The wells of the device as drawn, as drawn pulses of up to `voltage` [V] show them.
+
+    Their lengths and heights differ: equal pulses may leave a joint swinging so that it always falls back.
 
     Raises
     ------
     InputError
         The pulses do not take the joint from well to well.
     """
-    none = np.empty(0)
-    bursts = []
-    end = _PROBED_REST
-    for duration in _PROBED:
-        for share in _PROBED_SHARES:
-            for sides in ((share * voltage, 0.0), (0.0, share * voltage)):
-                bursts.append(Burst("pulse", end, duration, *sides, none, none))
-                end += duration + _PROBED_REST
-    q, _, v = _play(simulate, bursts, end)
+    bursts = random_excitation(np.random.default_rng(0), excitation="pulses", top=voltage)
+    q, _, v = _simulated(simulate, bursts, bursts[-1].start + bursts[-1].duration)
     wells = find_wells([(q, v, INTERVAL)], joint=True)
     if isinstance(wells, NoWells):
         raise InputError(
@@ -309,7 +332,7 @@ def probed_wells(simulate: Simulator, voltage: float) -> Wells:
 
 def _weights(simulate: Simulator, plain: list[Burst], wanted: Requirements) -> ScaledRegressor:
     """The weights over the range that full pulses reach on the device as drawn."""
-    q, qdot, _ = _play(simulate, plain, wanted.duration)
+    q, qdot, _ = _simulated(simulate, plain, wanted.duration)
     if q.size < wanted.duration / INTERVAL - 1:
         raise InputError("the simulator follows no full pulse; take another model or a lower voltage")
     largest = np.full(2, wanted.voltage)

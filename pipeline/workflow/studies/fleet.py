@@ -18,7 +18,6 @@ from ...models.hybrid.siblings import Learnt, column, learn, to_tree
 from ...numerics.arrays import FloatArray
 from ...signals.log import Log
 from ...store import layout
-from ...store.documents import read_document
 from ...store.manifest import MANIFEST
 from ...store.run_folder import RunFolder, in_snapshot
 from ...store.trees import write_tree
@@ -177,7 +176,7 @@ def _times(text: str, count: int) -> FloatArray:
 def _read(run: RunFolder) -> _Run:
     if layout.DATASHEET not in run.manifest.artifacts:
         raise InputError(f"{run.root}: has no datasheet; `debist report {shell_word(run.root)}` makes one")
-    sheet = read_document(run, layout.DATASHEET)
+    sheet = run.read_document(layout.DATASHEET)
     prototype = run.prototype
     if sheet["facts_from"] is None:
         raise InputError(f"{run.root}: no model has curves, so there are no facts to follow; identify hybrid or rbf")

@@ -14,7 +14,7 @@ from ...device.parameter_sets import parameter_set, parameter_values
 from ...device.parameters import JointParameters
 from ...diagnostics.facts.characteristics import believed_wells, stable_rests
 from ...errors import DataRefusedError, DebistError, InputError
-from ...models.kind import kind
+from ...models.model_type import model_type
 from ...numerics.arrays import BoolArray
 from ...scoring.cross_validation import (
     NRMSE_COLUMNS,
@@ -77,7 +77,7 @@ def run_folds(
     root : Path
         Run folder with kinematics.
     observer : Observer
-        Told what is done.
+        Receives what is done.
     by : {"blocks", "logs"}
         What is left out.
     folds : int, optional
@@ -212,7 +212,7 @@ class _Judge:
         return row, "", seconds
 
     def _fit(self, logs: list[Log]) -> Any:
-        return kind(self.model).fit(training(logs, self.prototype, self.parameters, self.prior_knowledge))
+        return model_type(self.model).fit(training(logs, self.prototype, self.parameters, self.prior_knowledge))
 
 
 def _segments(logs: Sequence[Log]) -> list[Log]:

@@ -82,7 +82,19 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
 
 
 def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *, force: bool) -> list[Path]:
-    """Write linear models as JSON, MAT (v5) and one CSV of the matrices for each equilibrium."""
+    """Write linear models as JSON, MAT (v5) and one CSV of the matrices for each equilibrium.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    document : mapping
+        The linear models.
+    output : Path or None
+        Folder of the files; None: the exports of the run.
+    force : bool
+        Whether files of others may be replaced.
+    """
     from scipy.io import savemat
 
     folder = output or root / layout.EXPORTS

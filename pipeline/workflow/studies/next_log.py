@@ -5,7 +5,7 @@ is the expected standard deviation of the free run (`pipeline.models.hybrid.next
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
@@ -15,13 +15,12 @@ from ...errors import InputError
 from ...models.hybrid.model import HybridModel
 from ...models.hybrid.next_log import Uncertainty, slopes, uncertainty
 from ...numerics.arrays import FloatArray
-from ...rig.excitation import EXCITATIONS, MAX_VOLTAGE, Burst, command, load_sequence, random_excitation
+from ...rig.excitation import EXCITATIONS, Burst, command, load_sequence, random_excitation
 from .excitation_design import Requirements, behind_converters, greedy_bursts
 
 INTERVAL = 0.01  # s, of the simulated samples
-USUAL = "training"
 DRAWS = 3
-"""The excitation that a designed log is compared with, and how many of it are drawn."""
+"""Training excitations that a designed log is compared with."""
 
 
 @dataclass(frozen=True)
@@ -77,7 +76,7 @@ def design_next_log(
     wanted : Requirements
         Length, limits, shapes, effort.
     report : callable, optional
-        Told the share that is designed.
+        Receives the share that is designed.
 
     Raises
     ------
@@ -93,8 +92,11 @@ def design_next_log(
     if unsure is None:
         raise InputError(f"--programme {programme}: the free run of the model diverges; take another programme")
     expected = partial(_expected, unsure, start)
-    bursts = greedy_bursts(lambda chosen, end: -2.0 * np.log(expected(chosen, end)), rng, wanted, report=report)
-    usual = [expected(_usual(USUAL, wanted, rng), wanted.duration) for _ in range(DRAWS)]
+    bursts = greedy_bursts(lambda bursts, end: -2.0 * np.log(expected(bursts, end)), rng, wanted, report=report)
+    usual = [
+        expected(random_excitation(rng, duration=wanted.duration, top=wanted.voltage), wanted.duration)
+        for _ in range(DRAWS)
+    ]
     designed = expected(bursts, wanted.duration)
     mean = float(np.mean(usual))
     return NextLog(wanted, bursts, programme, unsure.error(), designed, mean, 1e-3 * unsure.stroke)
@@ -111,7 +113,8 @@ def _voltages(programme: str, wanted: Requirements, rng: np.random.Generator) ->
     """Times [s] and voltages [V] of the programme."""
     if programme in EXCITATIONS:
         t = _clock(wanted.duration)
-        return t, behind_converters(command(_usual(programme, wanted, rng), t), INTERVAL)
+        drawn = random_excitation(rng, duration=wanted.duration, excitation=programme, top=wanted.voltage)
+        return t, behind_converters(command(drawn, t), INTERVAL)
     if not Path(programme).is_file():
         raise InputError(f"--programme {programme}: no such file; name one, or one of {', '.join(EXCITATIONS)}")
     sequence = load_sequence(Path(programme))
@@ -121,10 +124,3 @@ def _voltages(programme: str, wanted: Requirements, rng: np.random.Generator) ->
 
 def _clock(duration: float) -> FloatArray:
     return INTERVAL * np.arange(round(duration / INTERVAL), dtype=np.float64)
-
-
-def _usual(excitation: str, wanted: Requirements, rng: np.random.Generator) -> list[Burst]:
-    """A drawn excitation within the largest voltage."""
-    share = wanted.voltage / MAX_VOLTAGE
-    drawn = random_excitation(rng, duration=wanted.duration, excitation=excitation)
-    return [replace(burst, left=share * burst.left, right=share * burst.right) for burst in drawn]

@@ -119,7 +119,7 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
     output : Path, optional
         Folder of the recipe's run; ``RUN-paper`` or ``runs/NAME-paper`` if left out.
     observer : Observer
-        Told of every task.
+        Receives every task.
     """
     prototype, prototype_file, root = _opened(source)
     recipe, root = paper_settings(prototype), output or root
@@ -233,7 +233,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
 
 
 def _alpha_study(kinematics: Mapping[str, Any]) -> tuple[FloatArray, AlphaStudy]:
-    """Figure 11c: the record's longest stretch differentiated with each α [mm·s], around its fastest moment t [s]."""
+    """Figure 11c: the record's longest segment differentiated with each α [mm·s], around its fastest moment t [s]."""
     segments = kinematics["segment"]
     longest = max(np.unique(segments[segments >= 0]), key=lambda n: np.sum(segments == n))
     rows = segments == longest

@@ -25,6 +25,15 @@ def energy_over_q(
     """Displacement q [m] and the total potential U − ½ΣC_i v_i² − F q [J] of the joint whose tip is held at q.
 
     None where the beam snaps although its tip is held: no curve over q exists then.
+
+    Parameters
+    ----------
+    joint : JointParameters
+        The joint.
+    v1, v2 : float
+        Voltages [V] of the left and the right membrane.
+    force : float
+        External force along q [N].
     """
     from ...models.analytical.bifurcation import SHOWN
     from ...models.analytical.statics import static_path
@@ -93,14 +102,27 @@ def calibrate(
     search: SearchFile,
     report: Callable[[str, float], None] | None = None,
 ) -> "Calibration":
-    """Fit the named parameters to the gap-free stretches of `kinematics.parquet` files.
+    """Fit the named parameters to the gap-free segments of `kinematics.parquet` files.
 
     Voltages between the samples come from the ``record.parquet`` beside each, where there is one.
+
+    Parameters
+    ----------
+    kinematics : sequence of Path
+        Tables of runs.
+    parameters : JointParameters
+        Set to start from.
+    names : sequence of str
+        Parameters that are fitted.
+    search : SearchFile
+        Starts, seed and threads.
+    report : callable, optional
+        Receives what is done, and its share.
 
     Raises
     ------
     InputError
-        A table lacks a column, or none has a stretch of motion.
+        A table lacks a column, or none has a segment of motion.
     """
     from ...models.analytical.calibration import calibrate as fit
     from ...signals.log import log_of

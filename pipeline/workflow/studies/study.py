@@ -73,6 +73,17 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
     """Do a study of a run, or take it from the run if it is up to date.
 
     Writes ``studies/NAME.parquet`` and its figure ``studies/NAME.svg``.
+
+    Parameters
+    ----------
+    root : Path
+        Run folder.
+    name : {"alpha", "basis", "data", "online"}
+        The study.
+    observer : Observer
+        Receives what happens.
+    jobs : int
+        Processes at a time.
     """
     with run_lock(root):
         run = RunFolder.open(root)
@@ -82,7 +93,19 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
 
 
 def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
-    """Read a study that was made, and draw it beside its table; `models` decides their colours."""
+    """Read a study that was made, and draw it beside its table; `models` decides their colours.
+
+    Parameters
+    ----------
+    run : RunFolder
+        The run.
+    prototype : Prototype
+        Its settings.
+    name : str
+        The study.
+    models : sequence of str
+        Models in the order of their colours.
+    """
     study = read_study(run, name, device(prototype))
     notes = dict(run.record(layout.study(name)).notes)
     columns = dict(study.columns)

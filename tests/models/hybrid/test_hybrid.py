@@ -15,7 +15,7 @@ from pipeline.models.hybrid.identify import BASIS_FUNCTIONS, HYBRID, identify_hy
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.start import prior_root
-from pipeline.models.kind import Training
+from pipeline.models.model_type import Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import Identify
 from pipeline.signals.log import Log

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.models.kind import KnownCurves
+from pipeline.models.model_type import KnownCurves
 from pipeline.models.rbf.candidates import FRICTION, Candidate, RbfChoice
 from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.model import RbfModel

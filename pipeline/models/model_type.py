@@ -1,4 +1,4 @@
-"""Kinds of models: how each is fitted, read from trees and files, and exported; and the data that a fit takes."""
+"""Types of models: how each is fitted, read from trees and files, and exported; and the data that a fit takes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -153,11 +153,11 @@ class StoredModel(DynamicModel, Protocol):
     """A model that can be filed."""
 
     def to_tree(self) -> dict[str, Any]:
-        """The model as a dictionary of arrays, numbers and texts, which its kind reads back."""
+        """The model as a dictionary of arrays, numbers and texts, which its type reads back."""
 
 
 @dataclass(frozen=True)
-class Kind:
+class ModelType:
     """Functions that make a model.
 
     Attributes
@@ -175,12 +175,12 @@ class Kind:
     equations: str = ""
 
 
-HEADLINE = "headline"
+MAIN_MODEL = "headline"
 """Entry of ``model.h5`` that names the model which the settings put first, or held-out data chose."""
 
 
-def kind(name: str) -> Kind:
-    """The kind of the model called `name`; its module is imported here.
+def model_type(name: str) -> ModelType:
+    """The type of the model called `name`; its module is imported here.
 
     Raises
     ------
@@ -191,7 +191,7 @@ def kind(name: str) -> Kind:
     if listed is None:
         every = ", ".join(sorted(model.name for model in ENTRIES))
         raise InputError(f"there is no model {name!r}; choose one of {every}")
-    loaded: Kind = object_at(listed.kind)
+    loaded: ModelType = object_at(listed.model_type)
     return loaded
 
 
@@ -205,7 +205,7 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
     CorruptArtifactError
         A tree that lacks what the model needs.
     """
-    family = kind(name)
+    family = model_type(name)
     if name == "rbf" and tree.get("kind") == "hybrid":
         raise CorruptArtifactError(
             "an older debist made this run and called the joint's equations with corrections `rbf`; they are now "
@@ -223,7 +223,7 @@ def load_model(path: Path | str) -> DynamicModel:
     Parameters
     ----------
     path : Path or str
-        The file; of the models in ``model.h5`` it is the headline.
+        The file; of the models in ``model.h5`` it is the main model.
 
     Raises
     ------
@@ -238,7 +238,7 @@ def load_model(path: Path | str) -> DynamicModel:
     held = [model.name for model in ENTRIES if model.name in tree]
     if not held:
         raise CorruptArtifactError(f"{path}: holds no model; run `debist run` again")
-    headline = str(tree.get(HEADLINE, held[0]))
-    if headline not in held:
-        raise CorruptArtifactError(f"{path}: holds no model {headline!r}, which it names; run `debist run` again")
-    return model_from_tree(headline, tree[headline])
+    main_model = str(tree.get(MAIN_MODEL, held[0]))
+    if main_model not in held:
+        raise CorruptArtifactError(f"{path}: holds no model {main_model!r}, which it names; run `debist run` again")
+    return model_from_tree(main_model, tree[main_model])
