@@ -17,7 +17,8 @@ from pipeline.numerics.metrics import nrmse
 from pipeline.store import layout
 from pipeline.store.run_folder import RunFolder
 from pipeline.system.machine import one_thread
-from pipeline.workflow.logs import load_logs, training
+from pipeline.workflow.logs import load_logs
+from pipeline.workflow.steps.training import training
 
 VARIANTS = (("hybrid", "none"), ("hybrid", "always"), ("rbf", "auto"))
 """Model, and what the settings say of its corrections."""

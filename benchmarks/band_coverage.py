@@ -27,6 +27,7 @@ from scipy.optimize import minimize, root
 
 import debist
 from debist import open_run
+from pipeline.device.device import JOINT
 from pipeline.diagnostics.facts.characteristics import Curves, curves_from, device_facts, intervals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.compiled import compiled
@@ -191,9 +192,9 @@ class Tally:
             self.halves[f"{kind} {name}"].append((0.5 * (high - low))[coarse])
             self.sizes[f"{kind} {name}"].append(float(np.nanmax(np.abs(truth[name]))))
         if all(np.isfinite(values).all() for values in truth.values()):
-            true, own = (device_facts(_curves(values, q), joint=True) for values in (truth, found))
+            true, own = (device_facts(_curves(values, q), plant=JOINT) for values in (truth, found))
             rows = [{name: drawn[name][i] for name in drawn} for i in range(DRAWS)]
-            limits = intervals(own, [device_facts(_curves(row, q), joint=True) for row in rows])
+            limits = intervals(own, [device_facts(_curves(row, q), plant=JOINT) for row in rows])
             for name, value in true.items():
                 if name in limits and value is not None:
                     group = f"{kind} {name.split('_')[0]}"

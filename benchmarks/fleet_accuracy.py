@@ -17,14 +17,15 @@ from pathlib import Path
 
 import numpy as np
 
+from pipeline.device.device import JOINT
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.rig.bench import TIME_STEP
 from pipeline.rig.fleet import Experiment, draw
 from pipeline.rig.joint import simulate
 from pipeline.scoring.wells import SURE, rests
+from pipeline.store.manifest import TIMES
 from pipeline.store.run_folder import RunFolder
 from pipeline.store.tables import Table, read_table
-from pipeline.workflow.engine import TIMES
 
 WRONG_VOLTAGES = (-0.01, -0.005, -0.002, -0.001, 0.001, 0.002, 0.005, 0.01)
 INTERVAL = 0.01  # s
@@ -121,7 +122,7 @@ def margins(fleet: Path, names: list[str]) -> None:
 def flips(v: FloatArray, q: FloatArray, runs: list[FloatArray]) -> str:
     """Ends [s] of the pulses whose outcome changes, with the smallest wrong voltage that does it."""
     texts = []
-    for rest in rests(v, INTERVAL, joint=True):
+    for rest in rests(v, INTERVAL, plant=JOINT):
         end = rest.stop - 1
         changed = [abs(d) for d, run in zip(WRONG_VOLTAGES, runs, strict=True) if (run[end] > 0.0) != (q[end] > 0.0)]
         if changed:

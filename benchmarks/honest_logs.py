@@ -12,12 +12,12 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from pipeline.commands.console import Progress
+from pipeline.device.device import device
 from pipeline.diagnostics.check import check_logs, refusing
-from pipeline.diagnostics.declared import Declared
 from pipeline.diagnostics.sentences import sentences
 from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.rig.fleet import Experiment, write_prototype
-from pipeline.settings.prototype import load_prototype
+from pipeline.settings.prototype import Prototype, load_prototype
 from pipeline.signals.findings import Finding
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow import stage_ingest as ingest
@@ -28,8 +28,8 @@ PAIRS = 40
 EXCITATIONS = ("pulses", "both", "steps", "multisine", "mixed", "chirps", "training", "validation")
 
 
-def pairs(folder: Path) -> Iterator[tuple[str, list[LogSignals], Declared]]:
-    """Name, logs and declared device of every pair."""
+def pairs(folder: Path) -> Iterator[tuple[str, list[LogSignals], Prototype]]:
+    """Name, logs and settings of every pair."""
     for number in range(PAIRS):
         kind = "same" if number % 2 else "foreign"
         excitation = EXCITATIONS[number // 2 % len(EXCITATIONS)]
@@ -39,7 +39,7 @@ def pairs(folder: Path) -> Iterator[tuple[str, list[LogSignals], Declared]]:
         prototype = load_prototype(path)
         run = RunFolder.create(folder / "runs" / name, prototype.model_dump(mode="json"), path)
         bring_up_to_date(run, ingest.tasks(prototype, path), Progress(quiet=True))
-        yield name, *signals(run, prototype)
+        yield name, signals(run, prototype), prototype
 
 
 def inside(findings: list[Finding]) -> Iterator[tuple[str, bool]]:
@@ -60,8 +60,8 @@ def main() -> None:
     shares: dict[str, list[bool]] = {}
     refused = 0
     with TemporaryDirectory() as folder:
-        for name, logs, declared in pairs(Path(folder)):
-            findings = check_logs(logs, declared)
+        for name, logs, prototype in pairs(Path(folder)):
+            findings = check_logs(logs, device(prototype), prototype.ingest.sample_interval)
             wrong = refusing(findings)
             noted = [finding for finding in findings if finding.severity == "fair"]
             for kind, some in (("refused", wrong), ("noted", noted)):

@@ -30,8 +30,9 @@ from pipeline.settings.prototype import load_prototype
 from pipeline.signals.log import Log
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard
-from pipeline.workflow.logs import load_logs, training
+from pipeline.workflow.logs import load_logs
 from pipeline.workflow.run import run_prototype, run_stage
+from pipeline.workflow.steps.training import training
 
 LIMIT = 60.0
 """Time limit of a fit [s]: two logs."""

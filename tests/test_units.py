@@ -103,7 +103,6 @@ def test_a_hostile_unit_in_a_log_does_not_hang_the_run(tmp_path, form):
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    from pipeline.device.device import device
     from pipeline.settings.prototype import parse_prototype
     from pipeline.workflow.si_log import read_si
 
@@ -129,7 +128,7 @@ def test_a_hostile_unit_in_a_log_does_not_hang_the_run(tmp_path, form):
     channels = {"time": {"channel": time, "unit": "s"}, "q": {"channel": "q", "unit": "mm"}}
     channels["v1"] = {"channel": "u", "unit": "V"}
     prototype = parse_prototype({"name": "P", "logs": {"train": [path.name]}, "channels": channels}, "P.toml")
-    assert read_si(path, prototype, device(prototype)).q[1].size == 50
+    assert read_si(path, prototype).q[1].size == 50
 
 
 @pytest.mark.parametrize("unit", POWERS)

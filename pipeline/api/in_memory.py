@@ -28,17 +28,20 @@ from ..signals.inputs import UNKNOWN
 from ..signals.log import Log, log_of
 from ..signals.missing import code_remarks, codes_in, masked
 from ..signals.quality_gates import scale_suspicion
+from ..signals.raw_log import RawLog
 from ..store import layout
 from ..store.columns import TUBE_COLUMNS
 from ..store.run_folder import RunFolder
-from ..workflow.logs import load_motion, motion, training
+from ..workflow.logs import load_motion, motion
 from ..workflow.prior_knowledge import prior_knowledge_in
-from ..workflow.si_log import SiLog, on_uniform_clocks
-from ..workflow.stage_check import declared, log_signals
-from ..workflow.stage_identify import identified
-from ..workflow.stage_ingest import examined, record_columns, resamplings
+from ..workflow.si_log import on_uniform_clocks
+from ..workflow.stage_check import log_signals
 from ..workflow.steps.differentiate import kinematics
+from ..workflow.steps.identify import identified
+from ..workflow.steps.ingest import examined, record_columns, resamplings
+from ..workflow.steps.joint_angle import with_displacement
 from ..workflow.steps.score import ComparedRun, score_rows
+from ..workflow.steps.training import training
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -102,7 +105,8 @@ def settings(
     channels |= {f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)}
     plant: dict[str, Any] = {"inputs": action}
     if mass is not None:
-        plant["mass"] = {"value": mass, "unit": "kg m^2" if angle else "kg"}
+        turned = angle and parameters is None  # else the angle of a joint, which becomes its displacement
+        plant["mass"] = {"value": mass, "unit": "kg m^2" if turned else "kg"}
     if parameters is not None:
         plant["parameters"] = parameters
     document: dict[str, Any] = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
@@ -191,29 +195,31 @@ def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None
     plant = device(prototype)
     for name, size in sizes.items():
         unit = plant.displacement.symbol if name.startswith("q") else plant.inputs[0].symbol
-        factor = scale_suspicion(size, unit, joint=plant.joint)
-        if factor is not None and factor > 1.0 and plant.displacement.symbol != "V":
+        factor = scale_suspicion(size, plant.plausible_span(unit))
+        if factor is not None and factor > 1.0:
             raise InputError(
                 f"{name} is up to {size:.4g}, which looks {factor:g} times too large for {unit}: give SI units"
             )
 
 
 def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
-    """Clean signals, bring them to the uniform grid and differentiate them.
+    """Clean signals, bring them to the uniform grid and differentiate them; the angle of a joint becomes its q.
 
     Raises
     ------
     DataRefusedError
         The quality gates refuse them; the text begins with `where`.
     """
-    measured = signals.q[np.isfinite(signals.q)]
-    refuse_other_units({"q": float(np.ptp(measured)) if measured.size else 0.0}, prototype)
     stamps = np.ascontiguousarray(signals.t)
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
     q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
     of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts))
-    log = on_uniform_clocks(SiLog(q, tuple(inputs), notes=of_codes))
+    log = on_uniform_clocks(RawLog(q, tuple(inputs), notes=of_codes))
+    if signals.unit != "m":
+        log = with_displacement(log, device(prototype), parameter_set(prototype, _in_this_folder()))
+    measured = log.q[1][np.isfinite(log.q[1])]
+    refuse_other_units({"q": float(np.ptp(measured)) if measured.size else 0.0}, prototype)
     checked = examined(log, prototype, where)
     fine, coarse = (
         record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(checked, prototype.ingest)
@@ -222,6 +228,11 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     notes = {**checked.notes, "raw_step": checked.raw_step}
     remarks = tuple(f"{where}: {text}" for text in checked.notes["warnings"])
     return Cleaned(motion(moved, fine, prototype, notes.get(UNKNOWN, ())), log_signals(where, fine, notes), remarks)
+
+
+def _in_this_folder() -> Path:
+    """The settings file that paths in settings are relative to where there is none."""
+    return Path.cwd() / "settings.toml"
 
 
 def identify_signals(
@@ -236,14 +247,16 @@ def identify_signals(
     DataRefusedError
         The signals do not show what the model needs, or are in other units, as voltages in kV.
     """
-    settings_file = Path.cwd() / "settings.toml"
+    settings_file = _in_this_folder()
     parameters = parameter_set(prototype, settings_file)
     prior = prior_knowledge_in(settings_file, prototype, parameters)
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
     measured = [part.motion for part in parts]
     records = [part.signals for part in parts]
-    stated = declared(prototype)
-    findings = [*check_logs(records, stated), *shared_findings(records, shared_recordings(records))]
+    findings = [
+        *check_logs(records, device(prototype), prototype.ingest.sample_interval),
+        *shared_findings(records, shared_recordings(records)),
+    ]
     unaccepted = [finding for finding in refusing(findings) if finding.gate not in prototype.quality.accept]
     contradictions = [": ".join(sentences(finding)) for finding in unaccepted]
     if units := [text for finding, text in zip(unaccepted, contradictions, strict=True) if finding.gate == "scale"]:
@@ -269,7 +282,7 @@ def score_table(model: DynamicModel, log: Log, plant: Device) -> list[dict[str, 
     run = free_run(log, model)
     pairs = {name: (getattr(log, name), getattr(run, name)) for name in ("q", "qdot", "qddot")}
     rests = stable_rests(model, [log.q])
-    wells = believed_wells(wells_of([log], joint=plant.joint), model.name, rests, joint=plant.joint)
+    wells = believed_wells(wells_of([log], plant=plant), model.name, rests, plant=plant)
     compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
     return [
         {"signal": row["signal"], "fit_percent": _or_nan(fit_percent(*pairs[row["signal"]])), "unit": row["unit"]}

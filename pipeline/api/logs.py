@@ -29,7 +29,8 @@ def read_log(log: str | Path, settings: str | Path) -> "pd.DataFrame":
     Returns
     -------
     pandas.DataFrame
-        Columns t_s, q_m (q_rad), v1_V and v2_V at the stamps of q, as `identify` and `Model.score` take them. Inputs
+        Columns t_s, q_m (q_rad), v1_V and v2_V at the stamps of q, as `identify` and `Model.score` take them; q_m of
+        a joint whose angle is logged. Inputs
         with stamps of their own are interpolated; rows in which a value is missing are left out, and nothing is masked.
 
     Raises
@@ -39,13 +40,13 @@ def read_log(log: str | Path, settings: str | Path) -> "pd.DataFrame":
     """
     import numpy as np
 
-    from ..device.device import device
+    from ..device.parameter_sets import parameter_set
     from ..workflow.place import load_settings
     from ..workflow.si_log import read_si
     from .in_memory import frame, si_symbols
 
     prototype = load_settings(Path(settings))
-    signals = read_si(Path(log), prototype, device(prototype))
+    signals = read_si(Path(log), prototype, parameter_set(prototype, Path(settings)))
     t, q = signals.q
     columns = {"t": t, "q": q}
     for name, (own, samples) in signals.beside.items():

@@ -225,7 +225,7 @@ class Model:
         A model takes its hidden states from the measurement before. Cost: `ahead` simulated samples for each sample.
         """
         from ..scoring.horizons import predicted
-        from ..workflow.stage_validate import measured_path
+        from ..workflow.steps.validate import measured_path
         from .in_memory import frame
 
         log = self._measured(t, q, v1, v2)
@@ -335,7 +335,9 @@ class Model:
     def _check_columns(self, count: int, unit: str | None) -> None:
         if count != self.inputs:
             raise InputError(f"the log has {count} voltage(s), the model {self.name} {self.inputs}")
-        if unit not in (None, self._units[0]):
+        from ..device.device import device
+
+        if unit not in (None, self._units[0], device(self._prototype).logged.symbol):
             raise InputError(f"q of the log is in {unit}, that of the model {self.name} in {self._units[0]}")
 
 
@@ -359,8 +361,9 @@ def identify(
     ----------
     t, q, v1, v2 : array_like, shape (N,)
         Times [s], displacement [m, or rad for an angle] and one or two voltages [V], as raw as they are: any rate,
-        gaps in t and NaN allowed. Or one DataFrame with the columns t_s, q_m (q_rad), v1_V, v2_V, or a list of them,
-        one for a log. Both voltages may come as one array `v1` of shape (N, 2), as `Model.simulate` takes them.
+        gaps in t and NaN allowed. The angle of a joint with `parameters` becomes its displacement. Or one DataFrame
+        with the columns t_s, q_m (q_rad), v1_V, v2_V, or a list of them, one for a log. Both voltages may come as one
+        array `v1` of shape (N, 2), as `Model.simulate` takes them.
     mass : float, optional
         Moving mass [kg] (inertia [kg·m²] for an angle); without it the curves are per unit mass.
     parameters : str or Path, optional

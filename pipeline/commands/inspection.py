@@ -123,7 +123,7 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
 
 def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
     """The excitation in SI, without the signals themselves."""
-    left_out = ("factor", "unit", "si", "joint", "excitation")
+    left_out = ("factor", "unit", "si", "plant", "excitation")
     shown = {name: value for name, value in asdict(excitation).items() if name not in left_out}
     q, v = excitation.si
     facts = asdict(excitation.excitation)
@@ -176,7 +176,7 @@ def _emit_excitation(coverage: "LogExcitation") -> None:
     rows = [(shortfall.finding, shortfall.add) for shortfall in coverage.shortfalls]
     if rows:
         emit_table("Not excited", ("finding", "add"), rows, numeric_from=2)
-        if coverage.joint:
+        if coverage.plant.joint:
             emit_text("`debist rig excite` designs a sequence for a joint with two membranes")
     else:
         emit_text("everything is excited")

@@ -95,6 +95,9 @@ def show(run: Run, as_json: Json = False) -> None:
     emit_table(f"{shown.title}; ± half of the central 90 %, ring-downs of small motion", wells, shown.facts)
     if shown.seen:
         emit_table("measured in the logs, and in the model's free runs", wells, shown.seen)
+    if shown.elements:
+        heading = ("element", "RMS force", "of the restoring force")
+        emit_table("what acts along the training logs", heading, shown.elements)
     outcome.emit_instruments(run)
     emit_table(
         f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4

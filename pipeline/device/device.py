@@ -1,11 +1,12 @@
 """The device by its settings: units, law of the inputs, mass and limits, in SI."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from ..errors import InputError
+from ..numerics.arrays import FloatArray
 from ..settings.logs import LogColumn
 from ..settings.prototype import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
 from ..units.units import (
@@ -17,9 +18,13 @@ from ..units.units import (
     VELOCITY,
     SiUnit,
     curve_units,
-    of_joint,
     to_si,
 )
+
+_PLAUSIBLE_SPANS = {"m": (1e-5, 0.5), "rad": (1e-3, 20.0), "V": (0.5, 5e4)}
+_OTHER_SPANS = {"m": (1e-6, 10.0), "rad": (1e-4, 1e5), "V": (1e-3, 1e6)}
+"""Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides; and those of
+another device: a cart goes metres, a motor turns many times."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +36,7 @@ class Device:
     time : SiUnit or None
         None where the format carries its own time base.
     displacement : SiUnit
-        To m or rad.
+        To m or rad: the unit in which a run computes.
     inputs : tuple of SiUnit
         To V, or whatever the inputs measure; one or two.
     action : {"squared", "linear"}
@@ -42,6 +47,9 @@ class Device:
         To m/s or rad/s; None where the velocity was not measured.
     film_thickness, field_limit : float
         Thickness of the undeformed film [m], and the largest field in it [V/m].
+    angle : SiUnit or None
+        To rad, where the log has the angle of a joint in place of its displacement: the kinematics of its parameter set
+        make the one of the other.
     """
 
     time: SiUnit | None
@@ -52,6 +60,12 @@ class Device:
     velocity: SiUnit | None = None
     film_thickness: float = 1e-6 * FILM_THICKNESS
     field_limit: float = 1e6 * FIELD_LIMIT
+    angle: SiUnit | None = None
+
+    @property
+    def logged(self) -> SiUnit:
+        """Unit in which the log has q, or the angle in place of it."""
+        return self.angle or self.displacement
 
     @property
     def voltage_limit(self) -> float:
@@ -67,7 +81,7 @@ class Device:
     def curve_units(self) -> dict[str, str]:
         """SI units of its characteristic curves, see `pipeline.units.units.curve_units`."""
         return curve_units(
-            self.displacement.symbol, self.inputs[0].symbol, squared=self.action == "squared",
+            self.displacement.symbol, self.inputs[0].symbol, squared=self.squared,
             mass_known=self.known_mass is not None,
         )  # fmt: skip
 
@@ -85,9 +99,54 @@ class Device:
 
     @property
     def joint(self) -> bool:
-        """Whether it can be the bistable joint."""
-        units = [unit.symbol for unit in self.inputs]
-        return of_joint(self.displacement.symbol, units, squared=self.action == "squared")
+        """Whether it can be the bistable joint: two squared voltages on a length.
+
+        A device with one well, or one that turns to the other side, is no fault.
+        """
+        return self.squared and self.displacement.symbol == "m" and self.input_symbols == ("V", "V")
+
+    @property
+    def squared(self) -> bool:
+        """Whether its inputs act by their squares."""
+        return self.action == "squared"
+
+    @property
+    def input_symbols(self) -> tuple[str, ...]:
+        """SI units of its inputs."""
+        return tuple(unit.symbol for unit in self.inputs)
+
+    def acting(self, v: FloatArray) -> FloatArray:
+        """What of inputs v acts: their squares, or they themselves."""
+        squares: FloatArray = np.square(v)
+        return squares if self.squared else v
+
+    @property
+    def under_other_law(self) -> "Device":
+        """The device if its inputs acted by their other law."""
+        return replace(self, action="linear" if self.squared else "squared")
+
+    def peaks(self, v: FloatArray) -> FloatArray:
+        """Largest magnitude of each input, shape (K,), against which its steps and rests are seen.
+
+        Of the joint, whose voltages are of one kind, the larger one of both; of another device each input's own, but
+        not less than a twentieth of the largest, so that the noise of an unused one is no step.
+        """
+        own: FloatArray = np.max(np.abs(v), axis=0, initial=0.0)
+        largest = float(np.max(own, initial=0.0))
+        return np.full_like(own, largest) if self.joint else np.maximum(own, 0.05 * largest)
+
+    def plausible_span(self, symbol: str) -> tuple[float, float] | None:
+        """Least and largest span [SI] of its signals of this unit; None for a unit without known spans.
+
+        An electronic circuit is built for whatever voltages it was built for.
+        """
+        if self.displacement.symbol == "V":
+            return None
+        return (_PLAUSIBLE_SPANS if self.joint else _OTHER_SPANS).get(symbol)
+
+
+JOINT = Device(None, SiUnit(1e-3, "m"), (SiUnit(1e3, "V"), SiUnit(1e3, "V")), "squared", None)
+"""The bistable joint, of unknown mass."""
 
 
 def device(prototype: Prototype) -> Device:
@@ -97,34 +156,37 @@ def device(prototype: Prototype) -> Device:
     ------
     InputError
         A unit is unknown or measures something else, an acceleration would act by its square, or a parameter set is for
-        a joint and q is no length; the text names the key.
+        a joint and q is neither a length nor an angle; the text names the key.
     """
     channels = prototype.channels
     plant = prototype.plant
-    mass = prototype.plant.mass
+    mass = plant.mass
 
     def unit(key: str, stated: LogColumn | Quantity, *allowed: str) -> SiUnit:
         """The unit that is stated under a key, of what is allowed there."""
         return to_si(stated.unit, allowed, f"{prototype.name}: {key}.unit")
 
-    displacement = unit("channels.q", channels.q, *DISPLACEMENT)
+    logged = unit("channels.q", channels.q, *DISPLACEMENT)
     inputs = tuple(unit(f"channels.v{i}", channel, *INPUT) for i, channel in enumerate(channels.inputs, start=1))
-    if prototype.plant.inputs == "squared" and any(channel.symbol in ACCELERATION for channel in inputs):
+    if plant.inputs == "squared" and any(channel.symbol in ACCELERATION for channel in inputs):
         raise InputError(
             f'{prototype.name}: an acceleration acts by itself, not by its square; set [plant] inputs = "linear"'
         )
-    if prototype.plant.parameters is not None and displacement.symbol != "m":
+    if plant.parameters is not None and logged.symbol not in ("m", "rad"):
         raise InputError(
-            f"{prototype.name}: plant.parameters: q of the joint is a length, and this device's is in "
+            f"{prototype.name}: plant.parameters: q of the joint is a length or its angle, and this device's is in "
             f"{channels.q.unit}; leave the set out for another device"
         )
+    angle = logged if plant.parameters is not None and logged.symbol == "rad" else None
+    displacement = to_si("mm", ("m",), "") if angle else logged
     return Device(
         time=unit("channels.time", channels.time, *TIME) if channels.time else None,
         displacement=displacement,
         inputs=inputs,
-        action=prototype.plant.inputs,
+        action=plant.inputs,
         known_mass=mass.value * unit("plant.mass", mass, MASS[displacement.symbol]).factor if mass else None,
-        velocity=unit("channels.qdot", channels.qdot, VELOCITY[displacement.symbol]) if channels.qdot else None,
+        velocity=unit("channels.qdot", channels.qdot, VELOCITY[logged.symbol]) if channels.qdot else None,
         film_thickness=plant.film_thickness.value * unit("plant.film_thickness", plant.film_thickness, "m").factor,
         field_limit=plant.field_limit.value * unit("plant.field_limit", plant.field_limit, "V/m").factor,
+        angle=angle,
     )

@@ -12,10 +12,9 @@ on all logs gives them no different instruments. The derivatives at δ = 0 give 
 doi:10.1017/S0305004100023987; as a monitor of systems Benveniste, Basseville and Moustakides 1987,
 doi:10.1109/TAC.1987.1104683); steps are repeated until nothing moves, because far from zero a single one falls short.
 
-Errors e are serially correlated and partly the model's own. They are taken to have Student's t distribution, and the
-standard error of δ is the larger of two: that of noise with their correlation time, and that which groups of them in a
-row show (jackknife, `pipeline.fitting.posterior.robust_spread`). What is discrete, exchanged inputs and a mirrored q,
-is tried.
+Errors e are serially correlated and partly the model's own. The standard error of δ is the larger of two: that of noise
+with their correlation time, and that which groups of them in a row show (jackknife,
+`pipeline.fitting.posterior.robust_spread`). What is discrete, exchanged inputs and a mirrored q, is tried.
 """
 
 from collections.abc import Sequence
@@ -24,8 +23,7 @@ from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 import scipy.linalg
-from scipy.optimize import minimize
-from scipy.special import betaln, ndtr, stdtrit
+from scipy.special import ndtr, stdtrit
 
 from ..fitting.descent import ObservedProblem, Prior
 from ..fitting.posterior import GROUPS, robust_spread, whiteness
@@ -300,7 +298,7 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
         np.sqrt(np.diag(both.covariance[:count, :count])),
         *_compared(alone.errors, both.errors[-1]),
         np.concatenate([error / std for error, std in zip(both.errors, both.noise, strict=True)]),
-        np.concatenate([design / std[:, None] for design, std in zip(designs, both.noise, strict=True)]),
+        np.concatenate([design / std for design, std in zip(designs, both.noise, strict=True)]),
         Prior(np.diag(1.0 / widths), np.zeros(len(widths))),
         [
             start + rows
@@ -312,21 +310,21 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
 
 @dataclass(frozen=True)
 class _Solved:
-    """Least squares over logs: solution (P,) and its covariance (P, P); errors and their noise, (N,) of each log."""
+    """Least squares over logs: solution (P,) and its covariance (P, P), errors (N,) of each log, noise of each."""
 
     solution: FloatArray
     covariance: FloatArray
     errors: list[FloatArray]
-    noise: list[FloatArray]
+    noise: list[float]
 
 
 def _least_squares(
-    residuals: Sequence[FloatArray],
-    designs: Sequence[FloatArray],
-    widths: FloatArray,
-    known: Sequence[FloatArray | None],
+    residuals: Sequence[FloatArray], designs: Sequence[FloatArray], widths: FloatArray, known: Sequence[float | None]
 ) -> _Solved:
-    """Least squares of r + D x = e over logs with the prior x ~ N(0, widths²), reweighted until the noise is still.
+    """Least squares of r + D x = e over logs with the prior x ~ N(0, widths²), in two passes.
+
+    Where the noise of a log is not known it is first that of r, then that of e. Errors that last for τ samples count
+    as noise of √τ times their RMS.
 
     Parameters
     ----------
@@ -334,51 +332,24 @@ def _least_squares(
         r and D of each log.
     widths : FloatArray, shape (P,)
         Standard deviations of the prior.
-    known : sequence of FloatArray of shape (N,), or None
-        Noise of each error, in the unit of r; None: that of r first, and then that of e.
+    known : sequence of float or None
+        Noise of each log, in the unit of r.
     """
-    noise = [
-        np.full(len(residual), rms(residual)) if std is None else std
-        for std, residual in zip(known, residuals, strict=True)
-    ]
-    for _ in range(STEPS):
+    noise = [rms(residual) if std is None else std for std, residual in zip(known, residuals, strict=True)]
+    for _ in range(2):
         precision = np.diag(widths**-2.0)
         slope = np.zeros(len(widths))
         for residual, design, std in zip(residuals, designs, noise, strict=True):
-            scaled = design / std[:, None]
-            precision += scaled.T @ scaled
-            slope += scaled.T @ (residual / std)
+            precision += design.T @ design / std**2
+            slope += design.T @ residual / std**2
         factor = scipy.linalg.cho_factor(precision)
         solution = -scipy.linalg.cho_solve(factor, slope)
         errors = [residual + design @ solution for residual, design in zip(residuals, designs, strict=True)]
-        before = noise
-        noise = [_noise(error) if std is None else std for std, error in zip(known, errors, strict=True)]
-        if all(rms(np.log(new / old)) < STILL for new, old in zip(noise, before, strict=True)):
-            break
+        noise = [
+            rms(error) * np.sqrt(whiteness(error).integrated_correlation_time) if std is None else std
+            for std, error in zip(known, errors, strict=True)
+        ]
     return _Solved(solution, scipy.linalg.cho_solve(factor, np.eye(len(widths))), errors, noise)
-
-
-def _noise(error: FloatArray) -> FloatArray:
-    """Noise of each error, shape (N,), where errors have Student's t distribution: most of a model's are made at a few
-    fast places, which would drown the rest.
-
-    The weight of an error is then (ν + 1)/(ν + (e/s)²) over s² (Lange, Little and Taylor 1989,
-    doi:10.1080/01621459.1989.10478852), with ν and s of the largest likelihood. Errors that last for τ samples count as
-    noise of √τ times that.
-    """
-    size = rms(error)
-
-    def surprise(logs: FloatArray) -> float:
-        freedom, scale = np.exp(logs)
-        excess = 0.5 * (freedom + 1.0) * np.mean(np.log1p((error / (size * scale)) ** 2 / freedom))
-        return float(excess + logs[1] + betaln(0.5 * freedom, 0.5) + 0.5 * logs[0])
-
-    best = minimize(surprise, np.zeros(2), bounds=[(0.0, np.log(len(error))), (None, 0.0)]).x
-    freedom, scale = np.exp(best)
-    scale *= size
-    apart = scale * np.sqrt((freedom + (error / scale) ** 2) / (freedom + 1.0))
-    noise: FloatArray = apart * np.sqrt(whiteness(error / apart).integrated_correlation_time)
-    return noise
 
 
 def _compared(reference: Sequence[FloatArray], error: FloatArray) -> tuple[float, float]:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..device.device import Device
 from ..numerics.arrays import FloatArray, IntArray, samples_of
 from ..scoring.wells import NoWells, Wells, find_wells
 from ..signals.signal_quality import takes_both_signs
@@ -43,6 +44,8 @@ class LogFacts:
     Attributes
     ----------
     signals : LogSignals
+    sample_interval : float
+        Of the identification [s].
     pushes : tuple of InputForce or None
         One of each input; None where it hardly ever changes, or the log is too short.
     late : float
@@ -67,6 +70,7 @@ class LogFacts:
     """
 
     signals: LogSignals
+    sample_interval: float
     pushes: tuple[InputForce | None, ...]
     late: float
     peaks: FloatArray
@@ -80,7 +84,7 @@ class LogFacts:
     drift: float | None
 
 
-def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: bool) -> LogFacts:
+def log_facts(log: LogSignals, sample_interval: float, plant: Device) -> LogFacts:
     """Look at one log.
 
     Cost: 0.1 s for 40,000 samples, most of it the weak form.
@@ -91,24 +95,23 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: 
         The log.
     sample_interval : float
         Interval at which it is looked at [s].
-    squared : bool
-        Whether the inputs act by their squares.
-    joint : bool
-        Whether the device can be the bistable joint.
+    plant : Device
+        How its inputs act, and whether it is the joint.
     """
-    terms = weak_terms(log, sample_interval, squared=squared)
+    terms = weak_terms(log, plant.acting(log.v), sample_interval)
     every = samples_of(sample_interval, log.interval)
     t, q, v = log.every(every)
-    wells = find_wells([(q, v, every * log.interval)], joint=joint)
+    wells = find_wells([(q, v, every * log.interval)], plant=plant)
     both_signs = any(map(takes_both_signs, log.v.min(axis=0).tolist(), log.v.max(axis=0).tolist()))
     other_law = signed_monitor = None
     if terms is not None:
-        other_law = unexplained(under_inputs(terms, log, log.v, sample_interval, squared=not squared))
+        other_law = unexplained(under_inputs(terms, log, plant.under_other_law.acting(log.v), sample_interval))
     if terms is not None and both_signs and log.v.shape[1] == 1:
         sides = np.hstack([np.maximum(log.v, 0.0), np.maximum(-log.v, 0.0)])
-        signed_monitor = unexplained(under_inputs(terms, log, sides, sample_interval, squared=True))
+        signed_monitor = unexplained(under_inputs(terms, log, np.square(sides), sample_interval))
     return LogFacts(
         signals=log,
+        sample_interval=sample_interval,
         pushes=(None,) * log.v.shape[1] if terms is None else pushes(terms),
         late=0.0 if terms is None else late_answer(terms, sample_interval),
         peaks=np.max(np.abs(log.v), axis=0),
@@ -119,7 +122,7 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: 
         as_signed_monitor=signed_monitor,
         both_signs=both_signs,
         starts=undriven_starts(t, q, v),
-        drift=rest_drift(t, q, v, every * log.interval, wells, joint=joint),
+        drift=rest_drift(t, q, v, every * log.interval, wells, plant=plant),
     )
 
 

@@ -4,23 +4,23 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..device.device import Device
 from ..scoring.wells import Wells
 from ..signals.findings import Finding, Number, Severity
-from ..signals.quality_gates import plausible_span, scale_suspicion
+from ..signals.quality_gates import scale_suspicion
 from . import limits
-from .declared import Declared
 from .log_facts import LogFacts
 
 ROUNDING = 1e-9
 """Range of q over its largest value up to which it is constant but for the rounding of its unit."""
 
 
-def motion_findings(fact: LogFacts, declared: Declared) -> list[Finding]:
+def motion_findings(fact: LogFacts, plant: Device) -> list[Finding]:
     """The findings on the motion of a log."""
-    findings = [*_ranges(fact, declared), _resolution(fact, declared), _rate(fact)]
-    findings += [*_held(fact), *_wrapped(fact, declared), _rests(fact, declared)]
+    findings = [*_ranges(fact, plant), _resolution(fact, plant), _rate(fact)]
+    findings += [*_held(fact), *_wrapped(fact, plant), _rests(fact, plant)]
     if fact.drift is not None:
-        unit = declared.displacement
+        unit = plant.displacement.symbol
         moved = abs(fact.drift) * float(np.ptp(fact.signals.t))
         numbers = {"drift": Number(fact.drift, f"{unit}/s"), "moved": Number(moved, unit)}
         findings.append(Finding("drift", "fair", fact.signals.name, "q", numbers))
@@ -47,19 +47,18 @@ def starts(facts: Sequence[LogFacts]) -> list[Finding]:
     ]  # fmt: skip
 
 
-def _ranges(fact: LogFacts, declared: Declared) -> list[Finding]:
+def _ranges(fact: LogFacts, plant: Device) -> list[Finding]:
     """Ranges of q and of the inputs against those that a device can have."""
     findings = []
     names = ("q", *(f"v{i + 1}" for i in range(fact.peaks.size)))
     spans = (fact.span, *fact.peaks.tolist())
-    units = (declared.displacement, *declared.inputs)
+    units = (plant.displacement.symbol, *plant.input_symbols)
     for name, span, unit in zip(names, spans, units, strict=True):
-        circuit = declared.displacement == "V"  # which is built for whatever voltages it was built for
-        allowed = None if circuit else plausible_span(unit, joint=declared.joint)
-        times = None if circuit else scale_suspicion(span, unit, joint=declared.joint)
+        allowed = plant.plausible_span(unit)
+        times = scale_suspicion(span, allowed)
         still = name == "q" and span <= ROUNDING * float(np.nanmax(np.abs(fact.signals.q)))
         # A voltage too small may be one that is not used; if it pushes all the same, the coupling tells.
-        judged = declared.joint and (still or (times is not None and (name == "q" or times > 1.0)))
+        judged = plant.joint and (still or (times is not None and (name == "q" or times > 1.0)))
         severity: Severity = "poor" if judged else "fair" if still or times is not None else "good"
         numbers = {"range": Number(span, unit)}
         if allowed is not None:
@@ -71,9 +70,9 @@ def _ranges(fact: LogFacts, declared: Declared) -> list[Finding]:
     return findings
 
 
-def _resolution(fact: LogFacts, declared: Declared) -> Finding:
+def _resolution(fact: LogFacts, plant: Device) -> Finding:
     log = fact.signals
-    unit = declared.displacement
+    unit = plant.displacement.symbol
     numbers = {} if log.noise is None else {"noise": Number(log.noise, unit)}
     if log.resolution is None:
         return Finding("resolution", "good", log.name, "q", numbers)
@@ -95,9 +94,9 @@ def _held(fact: LogFacts) -> list[Finding]:
     return [Finding("held", "fair", fact.signals.name, "q", numbers)]
 
 
-def _wrapped(fact: LogFacts, declared: Declared) -> list[Finding]:
+def _wrapped(fact: LogFacts, plant: Device) -> list[Finding]:
     """An angle that jumps by a turn where it leaves the interval that it is kept in."""
-    if declared.displacement != "rad" or round(fact.span / (2.0 * np.pi)) != 1:
+    if plant.displacement.symbol != "rad" or round(fact.span / (2.0 * np.pi)) != 1:
         return []
     q = fact.signals.q
     jumps = int(np.count_nonzero(np.diff((np.abs(q[3:] - q[:-3]) > limits.WRAPPED * fact.span).astype(np.int8)) > 0))
@@ -107,11 +106,11 @@ def _wrapped(fact: LogFacts, declared: Declared) -> list[Finding]:
     return [Finding("wrapped", "poor", fact.signals.name, "q", numbers, "wrapped")]
 
 
-def _rests(fact: LogFacts, declared: Declared) -> Finding:
+def _rests(fact: LogFacts, plant: Device) -> Finding:
     name = fact.signals.name
-    unit = declared.displacement
+    unit = plant.displacement.symbol
     if not isinstance(fact.wells, Wells):
         return Finding("no_rests", "unseen", name, fact.wells.reason.partition(":")[0])
     numbers = {"left": Number(fact.wells.left, unit), "right": Number(fact.wells.right, unit)}
-    about_zero = not declared.joint or fact.wells.left < 0.0 < fact.wells.right
+    about_zero = not plant.joint or fact.wells.left < 0.0 < fact.wells.right
     return Finding("rests", "good" if about_zero else "fair", name, "q", numbers)

@@ -2,13 +2,14 @@
 
 import numpy as np
 
+from ..device.device import Device
 from ..numerics.arrays import FloatArray
 from ..scoring.wells import NoWells, Wells, end_of_rest, places_of_rest
 from . import limits
 
 
 def rest_drift(
-    t: FloatArray, q: FloatArray, v: FloatArray, interval: float, wells: Wells | NoWells, *, joint: bool
+    t: FloatArray, q: FloatArray, v: FloatArray, interval: float, wells: Wells | NoWells, plant: Device
 ) -> float | None:
     """The common slope of the rests in both wells over time, by least squares; None where it is not sure or small.
 
@@ -24,15 +25,15 @@ def rest_drift(
         Step of the times [s].
     wells : Wells or NoWells
         Where the device rests.
-    joint : bool
-        Whether the device can be the bistable joint.
+    plant : Device
+        Its inputs, and whether it is the joint.
 
     Returns
     -------
     float or None
         [m/s or rad/s].
     """
-    ends = [end_of_rest(rest, interval) for rest in places_of_rest(q, v, interval, joint=joint)]
+    ends = [end_of_rest(rest, interval) for rest in places_of_rest(q, v, interval, plant=plant)]
     reach = float(np.nanmax(q) - np.nanmin(q))
     ends = [rows for rows in ends if np.isfinite(q[rows]).all()]
     times = np.array([np.mean(t[rows]) for rows in ends])

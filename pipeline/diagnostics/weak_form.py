@@ -100,10 +100,11 @@ class WeakTerms:
         return np.concatenate([self.motion, late], axis=1)
 
 
-def weak_terms(log: LogSignals, sample_interval: float, *, squared: bool) -> WeakTerms | None:
+def weak_terms(log: LogSignals, acting: FloatArray, sample_interval: float) -> WeakTerms | None:
     """Average every term of a log, its first 600,000 samples if it is longer; None where too few bumps fit in.
 
-    A block of them must determine all weights. Cost: some 20 convolutions with the bump, 0.1 s for 40,000 samples.
+    `acting` (N, K) is what acts of the inputs. A block of them must determine all weights. Cost: some 20 convolutions
+    with the bump, 0.1 s for 40,000 samples.
     """
     half = _half_width(log, sample_interval)
     z, measured, size = _scaled(log)
@@ -114,14 +115,12 @@ def weak_terms(log: LogSignals, sample_interval: float, *, squared: bool) -> Wea
     motion = [_average(z**k, bump)[rows] for k in range(FORCE_ORDER + 1)]
     motion += [_average(z, slope)[rows], _average(z**3 / 3.0, slope)[rows]]  # z² ż is the rate of z³/3
     inertia = _average(z, curvature)[rows]
-    push = _pushes(log.v, z, bump, squared=squared)
+    push = _pushes(acting, z, bump)
     return WeakTerms(size, rows, z[rows], inertia, np.column_stack(motion), push, log.interval)
 
 
-def under_inputs(
-    terms: WeakTerms, log: LogSignals, v: FloatArray, sample_interval: float, *, squared: bool
-) -> WeakTerms:
-    """The terms of a log of the same motion with other inputs, or whose inputs act by their other law.
+def under_inputs(terms: WeakTerms, log: LogSignals, acting: FloatArray, sample_interval: float) -> WeakTerms:
+    """The terms of a log of the same motion with other inputs.
 
     Parameters
     ----------
@@ -129,16 +128,14 @@ def under_inputs(
         Terms of the log.
     log : LogSignals
         The log.
-    v : FloatArray, shape (N, K)
-        The other inputs.
+    acting : FloatArray, shape (N, K)
+        What acts of the other inputs.
     sample_interval : float
-        Interval of the terms [s].
-    squared : bool
-        Whether the inputs act by their squares.
+        Sample interval [s] of the identification.
     """
     z, _, _ = _scaled(log)
     bump, _, _ = _bump(_half_width(log, sample_interval), log.interval)
-    return replace(terms, push=_pushes(v, z, bump, squared=squared))
+    return replace(terms, push=_pushes(acting, z, bump))
 
 
 def solve(design: FloatArray, inertia: FloatArray) -> FloatArray:
@@ -181,9 +178,9 @@ def _scaled(log: LogSignals) -> tuple[FloatArray, BoolArray, float]:
     return np.where(measured, (q - middle) / (size or 1.0), 0.0), measured, size or 1.0
 
 
-def _pushes(v: FloatArray, z: FloatArray, bump: FloatArray, *, squared: bool) -> FloatArray:
-    """`WeakTerms.push` of inputs `v`, each over its largest drive."""
-    e = v[: len(z)] ** 2 if squared else v[: len(z)]
+def _pushes(acting: FloatArray, z: FloatArray, bump: FloatArray) -> FloatArray:
+    """`WeakTerms.push` of what acts of the inputs, each over its largest drive."""
+    e = acting[: len(z)]
     drive = np.max(np.abs(e), axis=0)
     e = e / np.where(drive > 0.0, drive, 1.0)
     push = np.empty((*e.shape, GAIN_TERMS))

@@ -42,7 +42,7 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
         inputs=joint.inputs,
         states=joint.states(),
         hysteresis_states=(),
-        base=joint.slips + 1,
+        base=1,
         step=interval / steps_per_sample(model.parameters, interval, model.theta),
         delay=float(np.exp(log_delay[0])) if len(log_delay) else 0.0,
         between="linear" if hold == "record" else hold,
@@ -89,15 +89,14 @@ class _Joint:
         """Graphs by name, see `Realisation`."""
         k = self.inputs
         size = len(self.states())
-        base = self.slips + 1
-        state = {"x": size, "z": 1, "base": base, "u": k}
+        state = {"x": size, "z": 1, "base": 1, "u": k}
         lag = {"lag": trace(self.behind, before=k, within=k, after=k, h=1, x=size)} if self.lagged else {}
         return lag | {
             "drive": trace(self.drive, v=k),
             "start": trace(self.start, q0=1, qdot0=1, u=k),
             "begin": trace(self.begin, x=size, z=1, h=1),
             "rates": trace(self.rates, **state),
-            "finish": trace(self.finish, base=base, x=size, z=1),
+            "finish": trace(self.finish, base=1, x=size, z=1),
             "flow": trace(self.flow, **state),
             "read": trace(self.read, x=size, dx=size),
             "within": trace(self.within, x=size),
@@ -130,12 +129,12 @@ class _Joint:
         return {"x": x + (before if self.lagged else []), "z": []}
 
     def begin(self, x: Values, z: Values, h: Values) -> Outputs:
-        """Friction states at the middle of the step, and where the step starts."""
-        return {"base": [*self._slid(x, 0.5 * h[0], x[1]), x[0]]}
+        """Where the step starts."""
+        return {"base": [x[0]]}
 
     def rates(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
-        """Friction holds its middle value, and `behind` has moved the lagged inputs."""
-        return {"dx": self._moved(x, base[:-1], self._acting(u)) + [0.0] * (len(x) - self.first)}
+        """Friction has followed the step so far, and `behind` has moved the lagged inputs."""
+        return {"dx": self._moved(x, self._slid(x, x[0] - base[0]), self._acting(u)) + [0.0] * (len(x) - self.first)}
 
     def finish(self, base: Values, x: Values, z: Values) -> Outputs:
         """Friction states moved with the step; the wall ends a motion."""
@@ -143,7 +142,7 @@ class _Joint:
         beyond = function("lt", WALL, function("abs", x[0]))
         at = choose(beyond, choose(function("lt", 0.0, x[0]), WALL, -WALL), x[0])
         moved = [at, choose(beyond, 0.0, x[1]), *x[2 : self.first]]
-        return {"x": [*moved, *self._slid(x, 1.0, x[0] - base[-1]), *x[last:]], "z": z}
+        return {"x": [*moved, *self._slid(x, x[0] - base[0]), *x[last:]], "z": z}
 
     def flow(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
         """Rates of all states, friction as Dahl's differential equation."""
@@ -179,11 +178,11 @@ class _Joint:
         drives = [value if self.zone is None else apply(PAST_ZONE, value, self.zone)[0] for value in bent]
         return [value * value if self.squared else value for value in drives]
 
-    def _slid(self, x: Values, share: Any, way: Any) -> Values:
-        """Friction states after a monotonous travel, a `share` of the way."""
+    def _slid(self, x: Values, way: Any) -> Values:
+        """Friction states after a monotonous travel."""
         slip, moved = np.empty((2, self.slips, 1), dtype=object)
         slip[:, 0] = x[self.first : self.first + self.slips]
-        slide(slip, share, way, np.empty(0), self.c, no_sensitivities(), moved)
+        slide(slip, way, np.empty(0), np.empty(0), self.c, no_sensitivities(), moved)
         return list(moved[:, 0])
 
     def _moved(self, x: Values, slip: Values, f: Values) -> Values:

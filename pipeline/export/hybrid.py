@@ -3,6 +3,7 @@
 from typing import Any
 
 from ..codegen.graph import apply, choose, clip, function, inline, square, trace
+from ..errors import InputError
 from ..generated.condensed_joint import (
     AT_REST,
     BENDS,
@@ -17,6 +18,7 @@ from ..generated.condensed_joint import (
     STOPS,
 )
 from ..generated.terms import FIRST_BELL, LAG, NEXT_BELL
+from ..models.hybrid.angle_reading import ANGLE_IS_READ
 from ..models.hybrid.kernels import CURVED, CURVES, INDEX, VALUES, WIDTHS, prepare
 from ..models.hybrid.model import HybridModel
 from ..numerics.arrays import FloatArray
@@ -53,8 +55,16 @@ def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
 
 
 def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation:
-    """The model for export, at the sample interval [s] of its run."""
+    """The model for export, at the sample interval [s] of its run.
+
+    Raises
+    ------
+    InputError
+        The angle of the joint was measured, which the exported equations do not read.
+    """
     condensed = model.joint
+    if condensed.angle:
+        raise InputError(ANGLE_IS_READ.format(name="hybrid", what="exports"))
     joint = _Joint(model)
     return Realisation(
         functions={

@@ -19,7 +19,6 @@ from ..signals.findings import Finding, Number, refusal
 from ..signals.noise import REACH, is_idle, noise_level
 from .coverage import ACTING, Coverage, coverage
 from .information import Conditioning, ScaledRegressor, conditioning
-from .regression import InputLaw, input_signal
 
 _POWER_SHARE = 0.95
 _SHORTEST = 64
@@ -93,11 +92,10 @@ def examine_excitation(
     v: FloatArray,
     segment: IntArray,
     interval: float,
+    plant: Device,
     *,
-    inputs: InputLaw = "squared",
     basis_functions: int = CENTRES,
     smoothing: float = SMOOTHING,
-    joint: bool,
 ) -> Excitation:
     """Examine a uniform record.
 
@@ -111,12 +109,10 @@ def examine_excitation(
         Number of the gap-free segment; negative where masked.
     interval : float
         Sample interval [s].
-    inputs : {"squared", "linear"}
-        How the inputs act.
+    plant : Device
+        How its inputs act, and whether it is the joint.
     basis_functions, smoothing : int, float
         M and σ_n of the curves that are to be identified.
-    joint : bool
-        Whether the device can be the bistable joint.
 
     Raises
     ------
@@ -139,10 +135,10 @@ def examine_excitation(
         largest,
         basis_functions=basis_functions,
         smoothing=smoothing,
-        inputs=inputs,
+        inputs=plant.action,
     )
     information: FloatArray = np.sum([weights.information(*each, interval) for each in motions], axis=0)
-    wells = find_wells([(q, v, interval)], joint=joint)
+    wells = find_wells([(q, v, interval)], plant=plant)
     acting: BoolArray = np.abs(v) > ACTING * np.maximum(largest, np.finfo(float).tiny)
     return Excitation(
         centres=weights.centres,
@@ -154,7 +150,7 @@ def examine_excitation(
         together=float(np.mean(acting.all(axis=1))) if v.shape[1] > 1 else 0.0,
         conditioning=conditioning(information),
         interval=interval,
-        signals=input_signal(v, inputs),
+        signals=plant.acting(v),
         displacement=max(motions, key=lambda each: each[0].size)[0],
     )
 
@@ -221,8 +217,8 @@ def excitation_findings(
     v: FloatArray,
     segment: IntArray,
     interval: float,
-    *,
     plant: Device,
+    *,
     basis_functions: int,
     smoothing: float,
     bistable: bool,
@@ -240,7 +236,7 @@ def excitation_findings(
     interval : float
         Sample interval [s].
     plant : Device
-        Law of its inputs, unit of its displacement, and whether it can be the bistable joint.
+        How its inputs act, and whether it is the joint.
     basis_functions, smoothing : int, float
         M and σ_n of the curves that are to be identified.
     bistable : bool
@@ -258,18 +254,18 @@ def excitation_findings(
     valid = (segment >= 0) & np.isfinite(q)
     if not valid.any() or _idle(q[valid]):
         return [refusal("idle", "idle")]
-    acting = input_signal(v, plant.action)
+    acting = plant.acting(v)
     undriven = [k for k in range(v.shape[1]) if _idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
     findings = [refusal("undriven", "undriven", subject=f"v{k + 1}") for k in undriven]
     try:
         excitation = examine_excitation(
-            q, v, segment, interval,
-            inputs=plant.action, basis_functions=basis_functions, smoothing=smoothing, joint=plant.joint,
-        )  # fmt: skip
+            q, v, segment, interval, plant, basis_functions=basis_functions, smoothing=smoothing
+        )
     except InputError as error:
         raise DataRefusedError(str(error)) from error
-    unit = plant.displacement.symbol
-    return findings + _of_places(excitation, basis_functions, unit, conditioned=not undriven, bistable=bistable)
+    return findings + _of_places(
+        excitation, basis_functions, plant.displacement.symbol, conditioned=not undriven, bistable=bistable
+    )
 
 
 def _of_places(

@@ -18,7 +18,7 @@ from ..scoring.cross_validation import free_run_error
 from ..scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 from ..scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
 from ..signals.log import Log
-from ..units.units import HORIZONS, of_joint
+from ..units.units import HORIZONS
 from .base import predictor
 from .model_type import StoredModel, Training, fitted_samples
 
@@ -163,9 +163,7 @@ def _first_parts(training: Training) -> tuple[Log, ...]:
 
 def _block(training: Training, *errors: FloatArray) -> int:
     """Samples over which errors are correlated."""
-    record, (displacement, voltage) = training.records[0], training.units
-    joint = of_joint(displacement, [voltage] * record.v.shape[1], squared=training.inputs == "squared")
-    return block_of(errors, record.interval, joint=joint)
+    return block_of(errors, training.records[0].interval, training.device)
 
 
 def _within(training: Training, limit: float) -> Training:
@@ -264,7 +262,7 @@ def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:
         v = record.drive if model.fine_voltages else record.v
         q, speed = (np.where(record.valid, signal, np.nan) for signal in (record.q, record.qdot))
         path = MeasuredPath(record.t, v, q, speed)
-        errors += horizon_errors(predictor(model), path, times, joint=False, most_starts=STARTS)
+        errors += horizon_errors(predictor(model), path, times, plant=None, most_starts=STARTS)
     return errors
 
 

@@ -294,6 +294,7 @@ _DIAGNOSTICS = {
     "lag_one": ("1", "correlation of neighbouring residuals"),
     "driven_visits_per_centre": ("1", "training samples around each centre while each input acts"),
     "effort_s": ("s", "processor time of the fit by the cost model"),
+    "elements/*": ("{F}", "RMS force of each element along the training logs; 0 where the structure has none"),
     "evaluations": ("1", "simulations of the training logs"),
     "test_function_half_width_s": ("s", "half width of the weak form's test functions"),
     "fitted": (TEXT, "names and units of the fitted parameters"),

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 
+from ..device.device import Device
 from ..errors import CorruptArtifactError, InputError
 from ..fitting.population import NormalPopulation
 from ..numerics.arrays import FloatArray
@@ -16,6 +17,7 @@ from ..signals.log import Log
 from ..store.trees import read_tree
 from ..system.package import object_at
 from ..system.progress import OnProgress, silent
+from ..units.units import SiUnit
 from .base import DynamicModel
 
 if TYPE_CHECKING:
@@ -110,6 +112,8 @@ class Training:
         Moving mass [kg] or inertia [kg·m²], if it is known.
     parameters : JointParameters or None
         Parameter set of the analytical joint, if one is given.
+    rotation : FloatArray, shape (K, 2), or None
+        q [m] and φ [rad] at rest, by which the measured angle of the joint was made its displacement.
     known_curves : KnownCurves or None
         Measured characteristic curves that a fit keeps.
     identify, compare : Identify, Compare
@@ -136,7 +140,14 @@ class Training:
     log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
     siblings: NormalPopulation | None = None
+    rotation: FloatArray | None = None
     on_progress: OnProgress = silent
+
+    @property
+    def device(self) -> Device:
+        """The device: its units, and how its inputs act."""
+        q, v = (SiUnit(factor, symbol) for factor, symbol in zip(self.log_units, self.units, strict=True))
+        return Device(None, q, (v,) * self.records[0].v.shape[1], self.inputs, self.known_mass)
 
     @property
     def fitted_segments(self) -> list[Log]:

@@ -78,12 +78,33 @@ def finish(system: Any, x: FloatArray) -> None:
     """Move what moves only with whole steps; x is the state at the end of the step."""
 
 
+def shown(system: Any, x: FloatArray, j: int, width: int) -> tuple[float, float]:
+    """Displacement and velocity of one of the systems side by side, as they are written out.
+
+    Parameters
+    ----------
+    system : NamedTuple
+        The systems.
+    x : FloatArray, shape (S,)
+        Their state.
+    j, width : int
+        Number of the system, and of all.
+    """
+    raise NotImplementedError
+
+
+def _first_states(system, x, j, width):
+    """For systems whose first states are what is written out."""
+    return x[j], x[width + j]
+
+
 class Methods(NamedTuple):
     """How systems of one type move: functions with the arguments of those above, by the same names."""
 
     begin: Callable[..., None]
     rates: Callable[..., None]
     finish: Callable[..., None]
+    shown: Callable[..., tuple[float, float]] = _first_states
 
 
 def no_begin(system, x, node):
@@ -123,6 +144,10 @@ def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
     @implement(finish, jit_options=_OPTIONS)
     def _finish(system, x):
         return own.finish if (own := of(system)) else None
+
+    @implement(shown, jit_options=_OPTIONS)
+    def _shown(system, x, j, width):
+        return own.shown if (own := of(system)) else None
 
 
 def workspace(x: FloatArray) -> FloatArray:
@@ -169,7 +194,7 @@ def integrate(
         if low > -np.inf and not (low <= x[0] <= high and np.isfinite(x[width])):
             return int(sample)
         for j in range(width):
-            out[sample, 0, j], out[sample, 1, j] = x[j], x[width + j]
+            out[sample, 0, j], out[sample, 1, j] = shown(system, x, j, width)
         for step in range(substeps if sample < samples - 1 else 1):
             node = 2 * (sample * substeps + step)
             begin(system, x, node)

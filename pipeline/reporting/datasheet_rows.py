@@ -36,11 +36,12 @@ Rows = list[tuple[str, ...]]
 
 @dataclass(frozen=True)
 class ShownDatasheet:
-    """A datasheet for the terminal: facts, what the logs show of them, checks, and the assessment in a line."""
+    """A datasheet for the terminal: facts, what the logs show of them, what acts, checks, and the assessment."""
 
     title: str
     facts: Rows
     seen: Rows
+    elements: Rows
     checks: Rows
     assessment: str
 
@@ -182,9 +183,22 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
         f"{document['name']}: {source}",
         [texts(row, lambda cell: cell.value) for row in sheet],
         [texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
+        element_rows(document.get("elements", ())),
         checks,
         line,
     )
+
+
+def element_rows(elements: Sequence[Mapping[str, Any]]) -> Rows:
+    """Element, RMS force and share of the restoring force, of what acts; "absent" of what does not."""
+    return [
+        (
+            element["name"],
+            quantity(element["force_rms"], element["unit"]) if element["force_rms"] else "absent",
+            "–" if element["share"] is None or not element["force_rms"] else percent(element["share"]),
+        )
+        for element in elements
+    ]
 
 
 LONGEST_LIST = 12

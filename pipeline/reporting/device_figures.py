@@ -22,7 +22,6 @@ from ..diagnostics.facts.phase_plane import (
 from ..diagnostics.facts.run_data import Columns, RunData, Study
 from ..numerics.arrays import BoolArray, FloatArray
 from ..numerics.metrics import NORMAL_95
-from ..signals.inputs import peaks
 from ..signals.log import voltages
 from ..units.quantity import power, quantity
 from .datasheet_rows import NOT_USED
@@ -236,7 +235,7 @@ def _circles(
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
-    largest = np.max([peaks(voltages(log.kinematics), joint=data.device.joint) for log in data.logs], axis=0)
+    largest = np.max([data.device.peaks(voltages(log.kinematics)) for log in data.logs], axis=0)
     roles = ("measured", "v1", "v2")
     cases = [(f"no {data.device.input_word}", np.zeros(len(curves.pushes)))]
     cases += [
@@ -287,7 +286,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
     if sheet.model is not None:
         curves = sheet.curves[sheet.model]
         points = _marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1))
-        wells = outer_wells(curves, joint=data.device.joint)
+        wells = outer_wells(curves, plant=data.device)
         if wells is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (

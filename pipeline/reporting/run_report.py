@@ -19,6 +19,7 @@ from .datasheet_rows import (
     Described,
     calibrated_rows,
     described,
+    element_rows,
     sheet_rows,
     structure_summary,
 )
@@ -82,6 +83,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "overlay": _view(first, models, judged.key),
         "calibrated": calibrated_rows(data, sheet),
         "structure": structure_summary(data, sheet),
+        "elements": element_rows(sheet.elements(data)),
         "timelines": [_timeline(data, views, kind) for kind in SECTION_TITLES],
         "charts": charts[""],
         "residuals": charts["residual"],

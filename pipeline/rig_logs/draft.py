@@ -183,7 +183,7 @@ def _plant_lines(log: Inspection) -> list[str]:
         "[plant]",
         '# mass = { value = 40.5, unit = "g" }         # moving mass, for forces in newtons; else per kilogram',
         f'{f"inputs = {quoted(law)}":<46}# "squared" (electrostatic) or "linear" ({why})',
-        '# parameters = "nominal"                      # the DE joint as drawn: adds φ and the analytical models only',
+        '# parameters = "nominal"                      # the DE joint as drawn: analytical models, φ, or q from φ',
     ]
 
 

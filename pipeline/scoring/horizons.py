@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..device.device import Device
 from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
 from ..numerics.metrics import rms, signal_range
 from .intervals import BLOCK, SEED, Interval, block_of, rms_interval
@@ -73,7 +74,7 @@ def horizon_errors(
     path: MeasuredPath,
     horizons: Sequence[float],
     *,
-    joint: bool,
+    plant: Device | None,
     most_starts: int = MOST_STARTS,
 ) -> list[HorizonError]:
     """Restart at evenly spread samples and compare q at each horizon, as a predictive controller would find it.
@@ -89,8 +90,8 @@ def horizon_errors(
         The log.
     horizons : sequence of float
         Times ahead [s]; rounded to samples, at least one.
-    joint : bool
-        Whether the device can be the bistable joint, see `pipeline.scoring.intervals.block_of`.
+    plant : Device or None
+        Whether it is the joint, see `pipeline.scoring.intervals.block_of`.
     most_starts : int
         Upper bound of the restarts of a horizon; they are at least one horizon apart, but for the one-step horizon.
 
@@ -110,7 +111,7 @@ def horizon_errors(
     return [
         _error(
             np.array([paths[start][ahead] - q[start + ahead] for start in chosen.tolist()]),
-            chosen, ahead, interval, span, joint=joint,
+            chosen, ahead, interval, span, plant=plant,
         )
         for ahead, chosen in zip(aheads, starts, strict=True)
     ]  # fmt: skip
@@ -138,7 +139,7 @@ def _predictions(predict: Predict, path: MeasuredPath, ahead: dict[int, int]) ->
 
 
 def _error(
-    errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, *, joint: bool
+    errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, plant: Device | None
 ) -> HorizonError:
     """What the errors `ahead` samples after the starts come to."""
     diverged = int(np.count_nonzero(~np.isfinite(errors)))
@@ -146,7 +147,7 @@ def _error(
         return HorizonError(ahead * interval, None, None, starts.size, diverged)
     errors = np.where(np.isfinite(errors), errors, span)
     spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
-    block = block_of((errors,), spacing, joint=joint)
+    block = block_of((errors,), spacing, plant=plant)
     band = rms_interval(errors / span, block, np.random.default_rng(SEED))
     return HorizonError(ahead * interval, rms(errors) / span, band, starts.size, diverged)
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.special
 
+from ..device.device import Device
 from ..numerics.arrays import FloatArray, samples_of
 
 BLOCK = 2.0
@@ -72,7 +73,7 @@ def _first_low_lag(series: FloatArray) -> int:
     return max(1, int(low[0]) if low.size else series.size)
 
 
-def block_of(errors: Sequence[FloatArray], interval: float, *, joint: bool) -> int:
+def block_of(errors: Sequence[FloatArray], interval: float, plant: Device | None) -> int:
     """Block length [samples] for error series that are resampled at the same blocks.
 
     That of the joint is known, `BLOCK`. Other devices are slower or faster by orders of magnitude: a block is then
@@ -85,11 +86,11 @@ def block_of(errors: Sequence[FloatArray], interval: float, *, joint: bool) -> i
         Calculated minus measured; NaN where masked.
     interval : float
         Sample interval [s].
-    joint : bool
-        Whether the device can be the bistable joint.
+    plant : Device or None
+        None where nothing is known of it.
     """
     shortest = samples_of(BLOCK, interval)
-    if joint:
+    if plant is not None and plant.joint:
         return shortest
     block = max([shortest, *(MEMORIES * decorrelation_lag(error) for error in errors)])
     samples = min((int(np.count_nonzero(np.isfinite(error))) for error in errors), default=0)
@@ -227,7 +228,7 @@ def median_interval(values: Sequence[float], rng: np.random.Generator) -> Interv
 
 
 def excess_over_lowest(
-    errors: Mapping[str, FloatArray], interval: float, seed: int, *, joint: bool
+    errors: Mapping[str, FloatArray], interval: float, seed: int, plant: Device
 ) -> dict[str, Interval | None]:
     """Paired bootstrap intervals of each model's RMS error less that of the model with the lowest.
 
@@ -238,7 +239,7 @@ def excess_over_lowest(
     ----------
     errors : mapping of model to FloatArray, shape (N,)
         Calculated minus measured; NaN where masked, the same rows for all.
-    interval, joint
+    interval, plant
         As in `block_of`; each model and the lowest have a block of their own.
     seed : int
         Of the bootstrap.
@@ -256,7 +257,7 @@ def excess_over_lowest(
     best = errors[lowest]
     return {
         model: rms_difference_interval(
-            error, best, block_of((error, best), interval, joint=joint), np.random.default_rng(seed)
+            error, best, block_of((error, best), interval, plant), np.random.default_rng(seed)
         )
         for model, error in errors.items()
         if model != lowest

@@ -6,6 +6,7 @@ from typing import Literal
 
 import numpy as np
 
+from ..device.device import Device
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import nrmse, rmse, signal_range
 from .intervals import Interval, block_of, mean_interval, rms_interval, share_interval
@@ -60,7 +61,7 @@ def score_run(
     status: Status,
     diverged_at_s: float | None,
     wells: Wells | NoWells,
-    joint: bool,
+    plant: Device,
     rng: np.random.Generator,
 ) -> tuple[Score, ...]:
     """Score every signal of a free run.
@@ -77,8 +78,8 @@ def score_run(
         Of the free run.
     wells : Wells or NoWells
         `find_wells` of all logs of the device.
-    joint : bool
-        Whether it can be the bistable joint, see `pipeline.scoring.intervals.block_of`.
+    plant : Device
+        Its inputs, and whether it is the joint.
     rng : numpy.random.Generator
         For the bootstrap.
     """
@@ -86,7 +87,7 @@ def score_run(
     for name, (measured, calculated) in signals.items():
         n = int(np.count_nonzero(np.isfinite(measured) & np.isfinite(calculated)))
         score = Score(name, None, None, None, n, status, diverged_at_s)
-        block = block_of((calculated - measured,), interval, joint=joint)
+        block = block_of((calculated - measured,), interval, plant=plant)
         if status == "ok":
             fraction = nrmse(measured, calculated)
             span = signal_range(measured)
@@ -95,7 +96,7 @@ def score_run(
             score = replace(score, nrmse=fraction, rmse=rmse(measured, calculated), nrmse_interval=of_range)
         if name == "q" and isinstance(wells, Wells):
             same = in_same_well(measured, calculated, wells)
-            switches = switch_accuracy(measured, calculated, v, interval, wells, joint=joint)
+            switches = switch_accuracy(measured, calculated, v, interval, wells, plant=plant)
             score = replace(
                 score,
                 well_agreement=float(np.nanmean(same)) if np.isfinite(same).any() else None,

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..device.device import Device
 from ..numerics.arrays import FloatArray, IntArray, samples_of
 from ..numerics.metrics import settling_index
-from ..signals.inputs import peaks
 from .intervals import Interval, median_interval
 from .wells import LONGEST_WINDOW, Wells
 
@@ -58,11 +58,11 @@ class ResponseErrors:
     settling_interval: Interval | None
 
 
-def voltage_steps(v: FloatArray, interval: float, *, joint: bool) -> IntArray:
+def voltage_steps(v: FloatArray, interval: float, plant: Device) -> IntArray:
     """The last rows before an input jumps by more than `STEP` of its `peaks`, one per jump, shape (n,)."""
     lag = samples_of(STEP_WINDOW, interval)
     jump = np.zeros(len(v), dtype=bool)
-    jump[lag:] = np.any(np.abs(v[lag:] - v[:-lag]) > STEP * peaks(v, joint=joint), axis=1)
+    jump[lag:] = np.any(np.abs(v[lag:] - v[:-lag]) > STEP * plant.peaks(v), axis=1)
     rises = np.flatnonzero(jump & ~np.concatenate([[False], jump[:-1]]))
     return np.asarray(rises - 1, dtype=np.int64)
 
@@ -99,7 +99,7 @@ def response_errors(
     wells: Wells,
     rng: np.random.Generator,
     *,
-    joint: bool,
+    plant: Device,
 ) -> ResponseErrors:
     """Compare the times of all switches.
 
@@ -118,12 +118,12 @@ def response_errors(
         The wells of the device.
     rng : numpy.random.Generator
         For the bootstrap.
-    joint : bool
-        Whether the device can be the bistable joint.
+    plant : Device
+        Its inputs, and whether it is the joint.
     """
     pairs: list[tuple[StepResponse, StepResponse]] = []
     switches = 0
-    for rows in _stretches(voltage_steps(v, interval, joint=joint), len(v), samples_of(SHORTEST_RESPONSE, interval)):
+    for rows in _stretches(voltage_steps(v, interval, plant=plant), len(v), samples_of(SHORTEST_RESPONSE, interval)):
         if not np.all(np.isfinite(measured[rows])) or not _switches(measured[rows], wells, interval):
             continue
         switches += 1

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..device.device import Device
 from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, samples_of
 from ..numerics.metrics import signal_range
-from ..signals.inputs import peaks
 from ..signals.log import Log
 from .intervals import decorrelation_lag
 
@@ -74,7 +74,7 @@ def outermost_pair(stable: Sequence[bool], height: Sequence[float]) -> tuple[int
     return (left, max(between, key=height.__getitem__), right) if between else None
 
 
-def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, joint: bool) -> list[slice]:
+def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, plant: Device) -> list[slice]:
     """Rows of at least the `shortest` time [s] in which all inputs are below `RESTING_VOLTAGE` of their `peaks`.
 
     They follow a pulse, but for those that begin with the first sample.
@@ -85,15 +85,15 @@ def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, jo
         Inputs.
     interval, shortest : float
         Sample interval and shortest rest [s].
-    joint : bool
-        Whether the device can be the bistable joint.
+    plant : Device
+        Its inputs, and whether it is the joint.
     """
-    quiet = np.all(np.abs(v) <= RESTING_VOLTAGE * peaks(v, joint=joint), axis=1)
+    quiet = np.all(np.abs(v) <= RESTING_VOLTAGE * plant.peaks(v), axis=1)
     return [rows for rows in runs_of(quiet) if (rows.stop - rows.start) * interval >= shortest]
 
 
 def places_of_rest(
-    q: FloatArray, v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, joint: bool
+    q: FloatArray, v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, plant: Device
 ) -> list[slice]:
     """The `rests` of a device in which q comes to rest too, as the joint does in each of them.
 
@@ -109,12 +109,12 @@ def places_of_rest(
         Inputs.
     interval, shortest : float
         Sample interval and shortest rest [s].
-    joint : bool
-        Whether the device can be the bistable joint.
+    plant : Device
+        Its inputs, and whether it is the joint.
     """
-    stretches = rests(v, interval, shortest, joint=joint)
+    stretches = rests(v, interval, shortest, plant=plant)
     span = signal_range(q)
-    if joint or not span:
+    if plant.joint or not span:
         return stretches
     memory = decorrelation_lag(q)
     return [rest for rest in stretches if rest.stop - rest.start >= LEAST_SAMPLES and _stands(q[rest] / span, memory)]
@@ -139,7 +139,7 @@ def end_of_rest(rest: slice, interval: float) -> slice:
 
 
 def find_wells(
-    records: Sequence[tuple[FloatArray, FloatArray, float]], shortest: float = SHORTEST_REST, *, joint: bool
+    records: Sequence[tuple[FloatArray, FloatArray, float]], shortest: float = SHORTEST_REST, *, plant: Device
 ) -> Wells | NoWells:
     """Two clusters of rest positions at zero voltage, with nothing in between.
 
@@ -157,8 +157,8 @@ def find_wells(
         device: one that visits a single well is then scored by the wells of the others.
     shortest : float
         Shortest rest [s].
-    joint : bool
-        Whether the device can be the bistable joint, see `places_of_rest`.
+    plant : Device
+        Its inputs, and whether it is the joint.
 
     Returns
     -------
@@ -170,7 +170,7 @@ def find_wells(
     for q, v, interval in records:
         low = min(low, float(np.min(q, where=np.isfinite(q), initial=np.inf)))
         high = max(high, float(np.max(q, where=np.isfinite(q), initial=-np.inf)))
-        for rest in places_of_rest(q, v, interval, shortest, joint=joint):
+        for rest in places_of_rest(q, v, interval, shortest, plant=plant):
             end = q[end_of_rest(rest, interval)]
             if np.any(np.isfinite(end)):
                 shortened = min(1.0, len(end) * interval / LONGEST_WINDOW)
@@ -182,9 +182,9 @@ def find_wells(
     return next((wells for wells in seen if isinstance(wells, Wells)), seen[1])
 
 
-def wells_of(logs: Sequence[Log], *, joint: bool) -> Wells | NoWells:
+def wells_of(logs: Sequence[Log], plant: Device) -> Wells | NoWells:
     """The wells of a device, the joint or another, from all its logs."""
-    return find_wells([(log.q, log.v, log.interval) for log in logs], joint=joint)
+    return find_wells([(log.q, log.v, log.interval) for log in logs], plant=plant)
 
 
 def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
@@ -257,7 +257,7 @@ class SwitchAccuracy:
 
 
 def switch_accuracy(
-    measured: FloatArray, calculated: FloatArray, v: FloatArray, interval: float, wells: Wells, *, joint: bool
+    measured: FloatArray, calculated: FloatArray, v: FloatArray, interval: float, wells: Wells, plant: Device
 ) -> SwitchAccuracy:
     """Compare the wells in which both rest after each voltage pulse.
 
@@ -275,11 +275,11 @@ def switch_accuracy(
         Sample interval [s].
     wells : Wells
         The wells of the device.
-    joint : bool
-        Whether it can be the bistable joint, see `places_of_rest`.
+    plant : Device
+        Its inputs, and whether it is the joint.
     """
     pulses = correct = 0
-    for rest in places_of_rest(measured, v, interval, joint=joint):
+    for rest in places_of_rest(measured, v, interval, plant=plant):
         rows = end_of_rest(rest, interval)
         finite = np.isfinite(measured[rows])
         if rest.start == 0 or not finite.any():

@@ -36,14 +36,15 @@ class Plant(SettingsTable):
     """What is known of the device."""
 
     mass: Quantity | None = None
-    """Moving mass [kg] (inertia [kg·m²] for an angle); left out, curves are per unit mass."""
+    """Moving mass [kg] (inertia [kg·m²] for an angle without `parameters`); left out, curves are per unit mass."""
     inputs: Literal["squared", "linear"] = "squared"
     """How inputs act: "squared" (electrostatic force) or "linear" (a force-like input)."""
     inputs_before: Literal["auto", "first", "zero"] = "auto"
     """What the inputs were before a log began: as at its "first" sample, or "zero" (a drive that was off), for every
     model alike; "auto": hidden states of `rbf` start by inner validation, those of other models under the first."""
     parameters: str | None = None
-    """Parameter set of the analytical model ("table1", "nominal" or a TOML file); left out for other devices."""
+    """Parameter set of the analytical model ("table1", "nominal" or a TOML file); left out for other devices. With
+    it, a q in deg or rad is the angle of the joint, and becomes its displacement."""
     curves: str | None = None
     """CSV file of characteristic curves measured on a test stand, which `rbf` keeps while it learns
     the friction: columns "q [mm]" and any of "F [N]", "dC1_dq [nF/m]", "dC2_dq [nF/m]"; needs mass."""

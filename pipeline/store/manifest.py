@@ -44,6 +44,8 @@ _Digest = Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
 _Stage = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
 _Path = Annotated[str, Field(pattern=r"^\.*[A-Za-z0-9_-][A-Za-z0-9._-]*(/\.*[A-Za-z0-9_-][A-Za-z0-9._-]*)*$")]
 """Inside the run on every system: slashes, no step up, no drive, no backslash."""
+TIMES = "processor_time"
+"""Notes under this key differ from run to run; they enter no artifact."""
 
 
 _RECORDED = (

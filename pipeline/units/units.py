@@ -2,7 +2,6 @@
 
 import math
 import re
-from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
@@ -25,14 +24,6 @@ HORIZONS = {"one_step": (0.0, "one step"), "100ms": (0.1, "0.1 s"), "1s": (1.0, 
 """How far ahead of a measured state models are scored: in s (one sample at least), and in words."""
 INPUT = ("V", "A", "N", "N·m", "Pa", "1", *ACCELERATION)
 TIME = ("s",)
-
-
-def of_joint(displacement: str, inputs: Sequence[str], *, squared: bool) -> bool:
-    """Whether signals of these SI units can be those of the bistable joint: two squared voltages on a length.
-
-    A device with one well, or one that turns to the other side, is no fault.
-    """
-    return squared and displacement == "m" and tuple(inputs) == ("V", "V")
 
 
 MASS = {"m": "kg", "rad": "kg·m²", "V": "kg"}

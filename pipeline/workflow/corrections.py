@@ -7,9 +7,9 @@ from ..settings.logs import Role
 from ..settings.prototype import Prototype
 from ..signals.columns import scaled
 from ..signals.corrections import Corrections
+from ..signals.raw_log import RawLog
 from ..store import layout
 from ..units.units import TIME, parse_quantity
-from .si_log import SiLog
 
 
 def corrections(prototype: Prototype) -> dict[tuple[Role, str], Corrections]:
@@ -36,7 +36,7 @@ def corrections(prototype: Prototype) -> dict[tuple[Role, str], Corrections]:
     return stated
 
 
-def corrected_log(log: SiLog, by: Corrections) -> SiLog:
+def corrected_log(log: RawLog, by: Corrections) -> RawLog:
     """A raw log whose readings are corrected; a measured velocity is left as its own sensor read it."""
     made: dict[tuple[int, float], FloatArray] = {}
 
@@ -50,4 +50,4 @@ def corrected_log(log: SiLog, by: Corrections) -> SiLog:
     ]
     q = base(log.q[0]), scaled(log.q[1], by.gain_q, by.zero)
     velocity = None if log.velocity is None else (base(log.velocity[0]), log.velocity[1])
-    return SiLog(q, tuple(inputs), velocity, log.notes)
+    return RawLog(q, tuple(inputs), velocity, log.notes)

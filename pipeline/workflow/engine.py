@@ -16,8 +16,6 @@ from ..store.run_folder import RunFolder, Written
 _TICK = 2_000_000_000
 """Nanoseconds; the coarsest clock by which a file system notes changes."""
 
-TIMES = "processor_time"
-"""Notes under this key differ from run to run; they enter no artifact."""
 FIRST_TIME = "first time"
 """The reason to make what was never made."""
 

@@ -1,7 +1,7 @@
 """Inspection: contents of a raw log, what it excites once its channels are named, and what to add."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import ValidationError
 
-from ..device.device import device
+from ..device.device import Device, device
 from ..device.parameter_sets import parameter_set
+from ..device.parameters import JointParameters
 from ..errors import DebistError, InputError
 from ..fitting.coverage import FEW
 from ..fitting.excitation import Excitation, examine_excitation
@@ -53,11 +54,11 @@ class Shortfall:
 
 
 def shortfalls(
-    excitation: Excitation, names: Sequence[str], factor: float, unit: str, *, joint: bool = True
+    excitation: Excitation, names: Sequence[str], factor: float, unit: str, plant: Device
 ) -> list[Shortfall]:
     """Everything that falls short; `names` are those of the inputs; q is printed in `unit`, which is `factor` × SI.
 
-    A device other than the `joint` needs no two wells; two places of rest are no wells yet.
+    A device other than the joint needs no two wells; two places of rest are no wells yet.
 
     Parameters
     ----------
@@ -69,14 +70,14 @@ def shortfalls(
         Printed number over the value in SI.
     unit : str
         Unit in which q is printed.
-    joint : bool
-        Whether the device needs two wells.
+    plant : Device
+        Whether it is the joint, which needs two wells.
     """
     return [
-        *(_wells(excitation, names) if joint else ()),
+        *(_wells(excitation, names) if plant.joint else ()),
         *_centres(excitation, factor, unit),
         *_driven(excitation, names, factor, unit),
-        *_levels(excitation, names, joint=joint),
+        *_levels(excitation, names, plant=plant),
         *_frequencies(excitation, names),
     ]
 
@@ -116,13 +117,13 @@ def _driven(excitation: Excitation, names: Sequence[str], factor: float, unit: s
             yield Shortfall(finding, f"pulses of {name}, also weak ones, while q is or swings there")
 
 
-def _levels(excitation: Excitation, names: Sequence[str], *, joint: bool) -> Iterator[Shortfall]:
+def _levels(excitation: Excitation, names: Sequence[str], plant: Device) -> Iterator[Shortfall]:
     top = float(excitation.largest.max())
     for k, name in enumerate(names):
         if excitation.largest[k] == 0.0:
             yield Shortfall(f"{name} never acts", f"pulses of {name}")
             continue
-        if joint and excitation.largest[k] < LEAST_LARGEST * top:
+        if plant.joint and excitation.largest[k] < LEAST_LARGEST * top:
             finding = f"{name} reaches {100 * excitation.largest[k] / top:.0f} % of the other input only"
             yield Shortfall(finding, f"pulses of {name} up to the same limit")
         if excitation.intermediate[k] < LEAST_INTERMEDIATE:
@@ -173,8 +174,8 @@ class LogExcitation:
         In what q is shown: `factor` × SI.
     si : (str, str)
         SI units of q and of the inputs.
-    joint : bool
-        Whether the device can be the bistable joint.
+    plant : Device
+        Its inputs, and whether it is the joint.
     """
 
     excitation: Excitation
@@ -185,7 +186,7 @@ class LogExcitation:
     factor: float
     unit: str
     si: tuple[str, str]
-    joint: bool
+    plant: Device
 
     @property
     def rests(self) -> tuple[float, float] | None:
@@ -208,36 +209,36 @@ def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExc
     if settings is not None:
         prototype = load_prototype(settings)
         csv = CsvOptions(**prototype.ingest.csv.model_dump())
-        return inspect_log(log, csv=csv), _excitation(log, prototype, assumed=False)
+        return inspect_log(log, csv=csv), _excitation(log, prototype, parameter_set(prototype, settings))
     inspection = inspect_log(log)
     try:
-        return inspection, _excitation(log, _supposed(inspection), assumed=True)
+        return inspection, replace(_excitation(log, _supposed(inspection), None), assumed=True)
     except DebistError as reason:
         return inspection, str(reason)
 
 
-def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitation:
+def _excitation(log: Path, prototype: Prototype, parameters: JointParameters | None) -> LogExcitation:
+    """The excitation of a log whose channels the settings name."""
     from ..signals.uniform_record import Resampling, survey
 
     plant = device(prototype)
     ingest = prototype.ingest
-    signals = read_si(log, prototype, plant)
+    signals = read_si(log, prototype, parameters)
     record = Resampling(survey(signals.q, signals.beside, time_reversal="split"), ingest.sample_interval).record()
     excitation = examine_excitation(
         record.q,
         record.v[:, : len(plant.inputs)],
         record.segment.astype(np.int64),
         ingest.sample_interval,
-        inputs=plant.action,
+        plant,
         basis_functions=prototype.identify.basis_functions,
         smoothing=prototype.identify.smoothing,
-        joint=plant.joint,
     )
     unit, factor = scale(plant.displacement.symbol, float(np.nanmax(np.abs(record.q))))
     names = tuple(channel.channel for channel in prototype.channels.inputs)
-    lacking = shortfalls(excitation, names, factor, unit, joint=plant.joint)
+    lacking = shortfalls(excitation, names, factor, unit, plant=plant)
     si = plant.displacement.symbol, plant.inputs[0].symbol
-    return LogExcitation(excitation, names, assumed, lacking, ingest.sample_interval, factor, unit, si, plant.joint)
+    return LogExcitation(excitation, names, False, lacking, ingest.sample_interval, factor, unit, si, plant)
 
 
 def _supposed(inspection: Inspection) -> Prototype:

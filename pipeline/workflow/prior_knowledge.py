@@ -6,7 +6,6 @@ Stage `ingest` writes both into the run, in SI units.
 import csv
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -23,11 +22,11 @@ from ..store import layout
 from ..store.columns import Column
 from ..store.run_folder import RunFolder, Written
 from ..store.schemas import Schema
-from ..store.tables import Table
 from ..store.trees import read_tree
 from ..system.plain_files import LARGEST_SETTINGS, read_plain
 from ..units.units import curve_units, to_si
 from .engine import Task
+from .steps.training import PriorKnowledge
 
 ALGORITHM = "1"
 MOST_ROWS = 100_000
@@ -154,14 +153,6 @@ def taught(tree: dict[str, Any], parameters: JointParameters | None) -> NormalPo
     if parameters is None or about != parameters:
         raise InputError("plant.siblings: they were learnt about another parameter set than plant.parameters; use that")
     return population
-
-
-@dataclass(frozen=True)
-class PriorKnowledge:
-    """What a fit takes beside the logs: measured characteristic curves, and what siblings teach."""
-
-    curves: Table | None = None
-    siblings: NormalPopulation | None = None
 
 
 def known_inputs(prototype: Prototype) -> tuple[str, ...]:

@@ -17,12 +17,13 @@ from ..settings.logs import LogPart, Role
 from ..settings.prototype import Prototype
 from ..store import layout, schemas
 from ..store.columns import StudyName
+from ..store.manifest import TIMES
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import log_title, true_name
 from ..units.units import ALPHA_UNIT
-from .engine import TIMES
 from .prior_knowledge import shown_siblings
-from .run_models import CHOICE, IDENTIFIED, identified_models
+from .run_models import identified_models
+from .steps.identify import CHOICE, IDENTIFIED
 
 
 def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> RunData:

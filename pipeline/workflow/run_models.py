@@ -16,17 +16,11 @@ from ..store import layout
 from ..store.run_folder import RunFolder
 from ..system.names import shell_word
 from .logs import load_logs, load_motion
+from .steps.identify import EQUATIONS, IDENTIFIED
 
 if TYPE_CHECKING:
     from ..export.subject import Subject, Validity
 
-IDENTIFIED = "identified"
-"""Note of ``model.h5``: names of its models, the main model first."""
-
-CHOICE = "choice"
-"""Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
-EQUATIONS = "equations"
-"""Note of ``model.h5``: name of the joint that "auto" fitted and did not choose; control is designed on it."""
 WORST = 0.15
 """NRMSE of q on a validation log above which a model does not know where the device is."""
 TITLES = ("linear", "map", "pulse-to-right", "pulse-to-left", "design")

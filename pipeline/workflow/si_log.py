@@ -3,13 +3,14 @@
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..device.device import Device
+from ..device.device import Device, device
+from ..device.parameters import JointParameters
 from ..diagnostics.gates import judge
 from ..errors import InputError
 from ..numerics.arrays import BoolArray, FloatArray, runs_of
@@ -20,11 +21,13 @@ from ..settings.prototype import Prototype
 from ..signals.columns import Signal, chunks, column, equal, finite, held, one_sign, scaled, select, sparse
 from ..signals.findings import Number, refusal
 from ..signals.missing import code_remarks, codes_in, masked
+from ..signals.raw_log import RawLog
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import span
 from ..signals.timebase import nominal_step, unwrapped
 from ..units.quantity import quantity
 from ..units.units import DISPLACEMENT, INPUT, SECONDS, TIME, VELOCITY, SiUnit, to_si
+from .steps.joint_angle import with_displacement
 
 if TYPE_CHECKING:
     from ..rig_logs import Recording
@@ -33,35 +36,12 @@ if TYPE_CHECKING:
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
 
 
-@dataclass(frozen=True)
-class SiLog:
-    """A log in SI units; signals with one time base hold the same object.
-
-    Attributes
-    ----------
-    q : Signal
-        Displacement [m or rad].
-    inputs : tuple of Signal
-        Voltages [V], or what the inputs measure.
-    velocity : Signal or None
-        Measured velocity [m/s or rad/s].
-    notes : tuple of str
-        What was masked or interpolated, by the names in a record.
-    """
-
-    q: Signal
-    inputs: tuple[Signal, ...]
-    velocity: Signal | None = None
-    notes: tuple[str, ...] = ()
-
-    @property
-    def beside(self) -> dict[str, Signal]:
-        """All but q, by their names in a record."""
-        named = {f"v{i}": signal for i, signal in enumerate(self.inputs, start=1)}
-        return named if self.velocity is None else {**named, "velocity": self.velocity}
-
-
-def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[[float], None] | None = None) -> SiLog:
+def read_si(
+    path: Path,
+    prototype: Prototype,
+    parameters: JointParameters | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> RawLog:
     """Read a log; long columns lie in temporary files, which are mapped and vanish with the last view of them.
 
     Parameters
@@ -69,9 +49,9 @@ def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[
     path : Path
         The log.
     prototype : Prototype
-        States which channel is which.
-    plant : Device
-        States in which units.
+        States which channel is which, and in which units.
+    parameters : JointParameters, optional
+        Geometry of a joint whose angle is logged.
     progress : callable, optional
         Receives the share of the samples that are read.
 
@@ -93,10 +73,11 @@ def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[
     if unread:
         clocks = read_recording(path, channels=unread, csv=csv).channels
         read = replace(read, channels=(*read.channels, *clocks))
-    return on_uniform_clocks(_si_log(read, prototype, plant, beside))
+    plant = device(prototype)
+    return with_displacement(on_uniform_clocks(_si_log(read, prototype, plant, beside)), plant, parameters)
 
 
-def on_uniform_clocks(log: SiLog) -> SiLog:
+def on_uniform_clocks(log: RawLog) -> RawLog:
     """The log with the uniform clock in place of stamps that are those of one, rounded; which is noted."""
     signals = {"q": log.q, **log.beside}
     clocks = {id(time): uniform_clock(time) for time, _ in signals.values()}
@@ -110,10 +91,10 @@ def on_uniform_clocks(log: SiLog) -> SiLog:
         (time if (clock := clocks[id(time)]) is None else clock.time, samples) for time, samples in signals.values()
     ]
     inputs = len(log.inputs)
-    return SiLog(made[0], tuple(made[1 : inputs + 1]), made[-1] if made[inputs + 1 :] else None, tuple(notes))
+    return RawLog(made[0], tuple(made[1 : inputs + 1]), made[-1] if made[inputs + 1 :] else None, tuple(notes))
 
 
-def part_of_log(log: SiLog, span: tuple[float, float], path: Path) -> SiLog:
+def part_of_log(log: RawLog, span: tuple[float, float], path: Path) -> RawLog:
     """The samples of a log from the first to before the second time [s].
 
     Raises
@@ -133,7 +114,7 @@ def part_of_log(log: SiLog, span: tuple[float, float], path: Path) -> SiLog:
         )
     q, *others = ((bases[id(time)], samples[rows[id(time)]]) for time, samples in signals)
     inputs = len(log.inputs)
-    return SiLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, log.notes)
+    return RawLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, log.notes)
 
 
 def _within(time: FloatArray, span: tuple[float, float]) -> "slice | BoolArray":
@@ -164,9 +145,9 @@ def _clocks_unnamed(recording: "Recording", prototype: Prototype) -> list[str]:
 
 def _si_log(
     recording: "Recording", prototype: Prototype, plant: Device, clocks: Mapping[str, str] | None = None
-) -> SiLog:
+) -> RawLog:
     channels = prototype.channels
-    signals = [(channels.q, plant.displacement), *zip(channels.inputs, plant.inputs, strict=True)]
+    signals = [(channels.q, plant.logged), *zip(channels.inputs, plant.inputs, strict=True)]
     names = ["q", *(f"v{i}" for i in range(1, len(signals)))]
     if channels.qdot is not None and plant.velocity is not None:
         signals.append((channels.qdot, plant.velocity))
@@ -199,7 +180,7 @@ def _si_log(
         for (channel, _), name, base, samples in zip(signals, names, bases, columns, strict=True)
     )
     inputs = len(plant.inputs)
-    return SiLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
+    return RawLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
 
 
 def _earlier(time: FloatArray, lead: float) -> FloatArray:

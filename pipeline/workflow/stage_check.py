@@ -20,7 +20,6 @@ from ..system.names import log_title, true_name
 from .engine import Task
 
 if TYPE_CHECKING:
-    from ..diagnostics.declared import Declared
     from ..diagnostics.weak_form import LogSignals
     from ..signals.findings import Finding
 
@@ -73,7 +72,7 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[Finding]":
     from ..diagnostics.copies import shared_findings, shared_recordings
     from ..diagnostics.log_sentences import shared_spans
 
-    logs, stated = signals(run, prototype)
+    logs = signals(run, prototype)
     shared = shared_recordings(logs)
     named = layout.logs(prototype)
     twice = shared_findings(logs, shared)
@@ -84,16 +83,16 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[Finding]":
                 f"logs.validation: {named[k][2]!r} holds the recording of the training log {named[i][2]!r}: "
                 f"{spans}; validate on a recording of its own, or cut what both hold"
             )
-    return [*check_logs(logs, stated), *twice]
+    return [*check_logs(logs, device(prototype), prototype.ingest.sample_interval), *twice]
 
 
-def signals(run: RunFolder, prototype: Prototype) -> "tuple[list[LogSignals], Declared]":
-    """The ingested logs of a run as the checks take them, and what the settings say of the device."""
+def signals(run: RunFolder, prototype: Prototype) -> "list[LogSignals]":
+    """The ingested logs of a run as the checks take them."""
     logs = []
     for role, log, path in layout.logs(prototype):
         name = layout.record(role, log)
         logs.append(log_signals(log_title(role, true_name(path)), run.read_table(name), run.record(name).notes))
-    return logs, declared(prototype)
+    return logs
 
 
 def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> "LogSignals":
@@ -104,22 +103,6 @@ def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> "LogSignal
     sketch = tuple((int(value), float(stamp)) for value, stamp in notes.get("sketch", ()))
     facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"), notes.get("held", 1), sketch)
     return LogSignals(name, table["t"], q, voltages(table), *facts)
-
-
-def declared(prototype: Prototype) -> "Declared":
-    """What the settings say of the device."""
-    from ..diagnostics.declared import Declared
-
-    plant = device(prototype)
-    return Declared(
-        squared=plant.action == "squared",
-        displacement=plant.displacement.symbol,
-        inputs=tuple(unit.symbol for unit in plant.inputs),
-        mass=plant.known_mass,
-        sample_interval=prototype.ingest.sample_interval,
-        film_thickness=plant.film_thickness,
-        field_limit=plant.field_limit,
-    )
 
 
 def assess(findings: "list[Finding]", prototype: Prototype) -> list[str]:

@@ -14,9 +14,11 @@ from ..models.model_type import model_type
 from ..settings.models import ENTRIES
 from ..settings.prototype import FILM, Prototype
 from ..store import layout
+from ..store.manifest import TIMES
 from ..store.run_folder import RunFolder, Written
-from .engine import TIMES, Task
-from .logs import load_logs, sources, training
+from .engine import Task
+from .logs import load_logs, sources
+from .steps.training import training
 
 ALGORITHM = "15"
 

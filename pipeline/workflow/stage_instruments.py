@@ -17,7 +17,8 @@ from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
 from .corrections import corrections
 from .engine import Task
-from .logs import fitted_parts, load_motion, sources
+from .logs import load_motion, sources
+from .steps.training import fitted_parts
 
 ALGORITHM = "3"
 

@@ -18,11 +18,12 @@ from ..settings.logs import Role
 from ..settings.prototype import Prototype
 from ..signals.log import Log, log_of
 from ..store import layout, schemas
+from ..store.manifest import TIMES
 from ..store.run_folder import RunFolder, Written, in_snapshot
 from ..store.tables import Table
 from ..system.names import with_true_names
 from ..units.units import SIGNALS
-from .engine import TIMES, Task
+from .engine import Task
 from .run_models import identified_models
 from .steps.score import ComparedRun, rows_of_log
 
@@ -94,7 +95,7 @@ def _wells(
 
     rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
     judge = next((model for model in models if rests[model] is not None), models[0])
-    return believed_wells(wells_of(logs, joint=plant.joint), judge, rests[judge], joint=plant.joint)
+    return believed_wells(wells_of(logs, plant=plant), judge, rests[judge], plant=plant)
 
 
 def _pairs(

@@ -6,17 +6,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pipeline.device import device as joint
+from pipeline.device.device import Device
 from pipeline.diagnostics.check import check_logs, refusing
-from pipeline.diagnostics.declared import Declared
 from pipeline.diagnostics.rows import check_rows
 from pipeline.diagnostics.sentences import sentences
 from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.findings import Finding
+from pipeline.units.units import SiUnit
 from tests.prototypes import motion
 
 RATE, DURATION = 1000.0, 37.5
-JOINT = Declared(squared=True, displacement="m", inputs=("V", "V"), mass=0.041, sample_interval=0.01)
+JOINT = replace(joint.JOINT, known_mass=0.041)
 
 
 @pytest.fixture(scope="module")
@@ -55,7 +57,7 @@ def _q(change: Callable[[FloatArray], FloatArray]) -> Callable[[LogSignals], Log
 
 
 def test_honest_logs_pass_without_a_remark(pair: list[LogSignals]) -> None:
-    findings = check_logs(pair, JOINT)
+    findings = check_logs(pair, JOINT, 0.01)
     assert {finding.severity for finding in findings} == {"good"}, _remarkable(findings)
     assert not [row for row in check_rows(findings) if "±" in row.found]
 
@@ -85,7 +87,7 @@ def test_a_mistake_is_caught_by_its_finding(
 ) -> None:
     resolution = 1e-3 if code == "resolution" else None
     logs = [replace(spoilt(log), resolution=resolution) for log in pair]
-    findings = check_logs(logs, JOINT)
+    findings = check_logs(logs, JOINT, 0.01)
     assert _remarkable(findings).get((code, subject)) == ("fair" if gate is None else "poor"), _remarkable(findings)
     assert _gates(findings) == ({gate} if gate else set())
     assert all(sentences(finding)[1] for finding in findings if finding.severity in ("fair", "poor"))
@@ -94,36 +96,37 @@ def test_a_mistake_is_caught_by_its_finding(
 @pytest.mark.parametrize(
     ("declared", "gate"),
     [
-        ({"mass": 41.0}, {"scale"}), ({"mass": None}, set()), ({"mass": 0.041 / 8.0}, set()),
+        ({"known_mass": 41.0}, {"scale"}), ({"known_mass": None}, set()), ({"known_mass": 0.041 / 8.0}, set()),
         ({"film_thickness": 50e-9}, set()), ({"film_thickness": 50e-3}, set()), ({"field_limit": 60e12}, set()),
     ],
 )  # fmt: skip
 def test_units_of_the_settings_are_told_by_the_order_of_magnitude(pair, declared, gate) -> None:
-    findings = check_logs(pair[:1], replace(JOINT, **declared))
+    findings = check_logs(pair[:1], replace(JOINT, **declared), 0.01)
     assert _gates(findings) == gate
-    assert _codes(findings) == ({"field_units"} if "mass" not in declared else {"coupling"} if gate else set())
+    assert _codes(findings) == ({"field_units"} if "known_mass" not in declared else {"coupling"} if gate else set())
 
 
 @pytest.mark.parametrize("slower", [0.25, 4.0])
 def test_a_smaller_or_larger_joint_passes(pair: list[LogSignals], slower: float) -> None:
     """Built n times as large: n times as slow and as long, n³ times as heavy, the same slope of the capacitance."""
     logs = [replace(log, t=slower * log.t, q=slower * log.q, v=log.v * slower) for log in pair]
-    assert not _gates(check_logs(logs, replace(JOINT, mass=0.041 * slower**3)))
+    assert not _gates(check_logs(logs, replace(JOINT, known_mass=0.041 * slower**3), 0.01))
 
 
 @pytest.mark.parametrize("samples", [35, 60, 120])
 def test_a_late_answer_has_its_size_and_refuses_nothing(pair: list[LogSignals], samples: int) -> None:
-    (late,) = (each for each in check_logs([_late(pair[0], samples)], JOINT) if each.code == "late_answer")
+    (late,) = (each for each in check_logs([_late(pair[0], samples)], JOINT, 0.01) if each.code == "late_answer")
     assert (late.severity, late.gate) == ("fair", None)
     assert late.numbers["late"].value == pytest.approx(1e-3 * samples, abs=0.011)
-    device = replace(JOINT, squared=False)  # whose answer may depend on frequency
-    assert "late_answer" not in _codes(check_logs([_late(pair[0], samples)], device))
+    device = replace(JOINT, action="linear")  # whose answer may depend on frequency
+    assert "late_answer" not in _codes(check_logs([_late(pair[0], samples)], device, 0.01))
 
 
 def test_an_input_that_is_not_named_shows_by_starts_from_rest(pair: list[LogSignals]) -> None:
     for side in (0, 1):
         logs = [replace(log, v=np.ascontiguousarray(log.v[:, [side]])) for log in pair]
-        found = [each for each in check_logs(logs, replace(JOINT, inputs=("V",))) if each.code == "undriven_starts"]
+        rows = check_logs(logs, replace(JOINT, inputs=JOINT.inputs[:1]), 0.01)
+        found = [each for each in rows if each.code == "undriven_starts"]
         assert any(each.numbers["starts"].value >= 2 for each in found)
 
 
@@ -131,7 +134,7 @@ def test_a_command_has_no_noise_and_a_measurement_has_its_own(pair: list[LogSign
     measured = replace(pair[0], v=pair[0].v + np.random.default_rng(1).normal(0.0, 4.0, pair[0].v.shape))
     for log, noise in ((pair[0], None), (measured, 4.0)):
         codes = ("command", "input_noise")
-        (found,) = (each for each in check_logs([log], JOINT) if each.subject == "v1" and each.code in codes)
+        (found,) = (each for each in check_logs([log], JOINT, 0.01) if each.subject == "v1" and each.code in codes)
         assert found.code == codes[noise is not None]
         assert noise is None or found.numbers["noise"].value == pytest.approx(noise, rel=0.1)
 
@@ -148,8 +151,8 @@ def test_the_law_of_an_input_of_both_signs_is_told(law: Callable[[FloatArray], F
         q += h * p
     log = LogSignals("training log", h * np.arange(u.size), 0.1 * x, u[:, None], h)
     for squared in (True, False):
-        one = Declared(squared=squared, displacement="m", inputs=("A",), mass=None, sample_interval=0.01)
-        (found,) = (each for each in check_logs([log], one) if "left_by_linear" in each.numbers)
+        one = Device(None, JOINT.displacement, (SiUnit(1.0, "A"),), "squared" if squared else "linear", None)
+        (found,) = (each for each in check_logs([log], one, 0.01) if "left_by_linear" in each.numbers)
         right = law is (np.square if squared else np.positive)
         assert found.severity == ("good" if right else "fair")
         assert found.code == ("law" if law in (np.square, np.positive) else "signed_monitor")
@@ -162,7 +165,7 @@ def test_a_ring_down_over_the_barrier_is_no_unnamed_input() -> None:
     ringing = 3.5 * np.exp(-since) * np.cos(2.0 * np.pi * 2.9 * since)
     v = np.column_stack([np.where((since > 4.7) & (side == sign), 3e3, 0.0) for sign in (-1.0, 1.0)])
     log = LogSignals("train/light", t, 0.01 * side * (1.0 + ringing), v, 1.0 / RATE)
-    assert "undriven_starts" not in _codes(check_logs([log], JOINT))
+    assert "undriven_starts" not in _codes(check_logs([log], JOINT, 0.01))
 
 
 @pytest.mark.parametrize(("kept", "found"), [(True, ["wrapped"]), (False, [])])
@@ -172,18 +175,18 @@ def test_an_angle_that_is_kept_within_a_turn_is_refused(kept: bool, found: list[
     q = np.pi * (t / 5.0 + np.sin(2.0 * t)) if kept else 0.97 * np.pi * np.sin(2.0 * t)
     v = np.abs(np.sin(0.7 * t))[:, None]
     log = LogSignals("train/a", t, (q + np.pi) % (2.0 * np.pi) - np.pi, v, 1e-3)
-    one = Declared(squared=True, displacement="rad", inputs=("V",), mass=None, sample_interval=0.01)
-    assert [each.gate for each in check_logs([log], one) if each.code == "wrapped"] == found
+    one = Device(None, SiUnit(1.0, "rad"), JOINT.inputs[:1], "squared", None)
+    assert [each.gate for each in check_logs([log], one, 0.01) if each.code == "wrapped"] == found
 
 
 def test_what_is_no_joint_is_not_judged_as_one(pair: list[LogSignals]) -> None:
     """One input that pushes to the left, late, and was never off: nothing is refused or noted of it."""
     logs = [_late(replace(log, q=-log.q, v=np.ascontiguousarray(log.v[:, :1] + 3e3)), 60) for log in pair]
     for declared in (
-        Declared(squared=True, displacement="m", inputs=("V",), mass=None, sample_interval=0.01),
-        Declared(squared=False, displacement="rad", inputs=("%",), mass=None, sample_interval=0.01),
+        replace(JOINT, inputs=JOINT.inputs[:1], known_mass=None),
+        Device(None, SiUnit(1.0, "rad"), (SiUnit(0.01, "1"),), "linear", None),
     ):
-        rows = check_logs(logs, declared)
+        rows = check_logs(logs, declared, 0.01)
         assert not _gates(rows)
         assert not {"late_answer", "rest_level", "field", "field_units"} & _codes(rows)
 
@@ -195,4 +198,4 @@ def test_gaps_silence_weak_and_short_logs_are_no_findings(pair: list[LogSignals]
     assert weak.max() < 0.0, "too weak to switch"
     short = replace(pair[1], t=pair[1].t[:900], q=pair[1].q[:900], v=pair[1].v[:900])
     for log in (replace(pair[0], q=q), replace(pair[1], v=0.0 * pair[1].v), LogSignals("b", t, weak, v, 1e-3), short):
-        assert not _gates(check_logs([pair[0], log], JOINT))
+        assert not _gates(check_logs([pair[0], log], JOINT, 0.01))

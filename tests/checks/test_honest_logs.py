@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pipeline.device import device as joint
 from pipeline.diagnostics.check import check_logs
 from pipeline.diagnostics.copies import shared_recordings, sketch
-from pipeline.diagnostics.declared import Declared
 from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
@@ -19,7 +19,7 @@ from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
 RATE = 1000.0
-JOINT = Declared(squared=True, displacement="m", inputs=("V", "V"), mass=0.041, sample_interval=0.01)
+JOINT = replace(joint.JOINT, known_mass=0.041)
 
 
 def _run(v: FloatArray, name: str, charging: float = 0.0) -> LogSignals:
@@ -47,7 +47,7 @@ def _remarkable(findings: list[Finding]) -> list[str]:
 def test_two_sides_that_are_on_in_turn_are_not_told_apart(charging: float, clock: float) -> None:
     """Their difference is all that such a log shows: neither side, nor law."""
     log = _run(_in_turn(30.0, clock, 1), "train/a", charging)
-    assert set(_remarkable(check_logs([log], JOINT))) <= {"late_answer"}
+    assert set(_remarkable(check_logs([log], JOINT, 0.01))) <= {"late_answer"}
 
 
 @pytest.mark.parametrize("frequency", [0.25, 0.5])
@@ -57,13 +57,13 @@ def test_slow_triangles_show_no_delay(frequency: float) -> None:
     turns, place = np.divmod(np.maximum(t - 1.0, 0.0) * frequency, 1.0)
     triangle = 3000.0 * (1.0 - np.abs(2.0 * place - 1.0))
     slow = np.column_stack([triangle * (turns % 2 == side) for side in (0, 1)])
-    assert _remarkable(check_logs([_run(slow, "a", 0.005)], JOINT)) == []
+    assert _remarkable(check_logs([_run(slow, "a", 0.005)], JOINT, 0.01)) == []
 
 
 def test_an_input_that_one_log_does_not_show_is_named_rightly_if_another_shows_it() -> None:
     first = _run(motion(30.0, RATE, 35)[2], "train/a")
     v = first.v * np.where(first.t < 2.5, 1.0, 0.12)[:, None]  # then small pulses in one well
-    findings = check_logs([first, _run(v * [1.0, 0.0], "train/b")], JOINT)
+    findings = check_logs([first, _run(v * [1.0, 0.0], "train/b")], JOINT, 0.01)
     assert [each.severity for each in findings if each.code == "never_on"] == ["unseen"]
 
 
@@ -71,7 +71,7 @@ def test_noise_of_a_monitor_is_no_field_above_the_limit() -> None:
     log = _run(motion(20.0, RATE, 35)[2], "train/a")
     noisy = replace(log, v=log.v + np.random.default_rng(1).normal(0.0, 15.0, log.v.shape))
     assert np.abs(noisy.v).max() > 1.02 * 3000.0
-    assert [each.severity for each in check_logs([noisy], JOINT) if each.code == "field"] == ["good"]
+    assert [each.severity for each in check_logs([noisy], JOINT, 0.01) if each.code == "field"] == ["good"]
 
 
 @pytest.mark.parametrize(("noise", "step"), [(2e-6, 0.0), (0.5e-6, 5e-6), (0.4e-6, 0.1e-6)])

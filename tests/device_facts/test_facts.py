@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.diagnostics.facts.characteristics import Curves, device_facts, equilibria, intervals
 from pipeline.diagnostics.facts.datasheet import make_datasheet
 from pipeline.diagnostics.facts.events import rest_facts, ring_down, voltage_switches
@@ -35,7 +36,7 @@ def _curves(*, squared: bool = True) -> Curves:
 
 
 def test_facts_of_a_quartic_double_well() -> None:
-    facts = device_facts(_curves(), joint=True)
+    facts = device_facts(_curves(), plant=JOINT)
     assert facts["well_left"] == pytest.approx(-WELL, rel=1e-5)
     assert facts["well_right"] == pytest.approx(WELL, rel=1e-5)
     assert facts["barrier_left"] == pytest.approx(K * WELL**4 / 4.0, rel=1e-4)
@@ -51,7 +52,7 @@ def test_asymmetries_are_those_of_a_tilted_double_well() -> None:
     left, saddle, right = -0.010, 0.002, 0.013
     force = 1e3 * np.polynomial.Polynomial.fromroots([left, saddle, right])
     at_left, top, at_right = force.integ()(np.array([left, saddle, right]))
-    facts = device_facts(Curves(Q, force(Q), None, np.zeros((0, Q.size)), True), joint=True)
+    facts = device_facts(Curves(Q, force(Q), None, np.zeros((0, Q.size)), True), plant=JOINT)
     assert facts["barrier_left"] == pytest.approx(top - at_left, rel=1e-4)
     assert facts["barrier_right"] == pytest.approx(top - at_right, rel=1e-4)
     assert facts["asymmetry_wells"] == pytest.approx((left + right) / (right - left), rel=1e-4)
@@ -60,13 +61,13 @@ def test_asymmetries_are_those_of_a_tilted_double_well() -> None:
 
 
 def test_a_linear_input_switches_both_ways_with_its_sign() -> None:
-    facts = device_facts(_curves(squared=False), joint=True)
+    facts = device_facts(_curves(squared=False), plant=JOINT)
     assert facts["switch_v1_to_right"] == pytest.approx(HIGHEST_FORCE / PUSH, rel=1e-5)
     assert facts["switch_v1_to_left"] == pytest.approx(-HIGHEST_FORCE / PUSH, rel=1e-5)
 
 
 def test_the_lowest_switching_voltage_is_where_the_loaded_well_vanishes() -> None:
-    voltage = device_facts(_curves(), joint=True)["switch_v1_to_right"]
+    voltage = device_facts(_curves(), plant=JOINT)["switch_v1_to_right"]
     assert voltage is not None
     for factor, wells in ((0.999, 2), (1.001, 1)):
         loaded = FORCE - PUSH * (factor * voltage) ** 2
@@ -105,7 +106,7 @@ def test_switches_and_snaps_are_found_where_they_are() -> None:
 def test_measured_rests_and_rings_are_those_of_the_truth() -> None:
     log = run_data().logs[0]
     v = np.column_stack([log.kinematics["v1"], log.kinematics["v2"]])
-    rests = rest_facts([(log.kinematics["t"], log.kinematics["q"], v)], Wells(-WELL, WELL, 0.0), joint=True)
+    rests = rest_facts([(log.kinematics["t"], log.kinematics["q"], v)], Wells(-WELL, WELL, 0.0), plant=JOINT)
     natural = np.sqrt(STIFFNESS / MASS) / (2.0 * np.pi)
     assert len(rests.left) > 3
     assert len(rests.right) > 3
@@ -208,12 +209,12 @@ def _pulsed(step: float, damping: float, frequency: float) -> tuple[np.ndarray, 
 def test_hum_is_no_ring_down_where_it_is_aliased_to_either() -> None:
     """60 Hz in samples at 100 Hz: 40 Hz that never decays."""
     t, q, v = _pulsed(0.01, 0.05, 3.0)
-    ringing = rest_facts([(t, q, v)], NoWells("none"), joint=True).rings_left
+    ringing = rest_facts([(t, q, v)], NoWells("none"), plant=JOINT).rings_left
     assert np.median([ring.frequency for ring in ringing]) == pytest.approx(3.0, rel=0.01)
     still = np.where(v[:, 0] > 0.0, 1e-3, 0.0)
     humming = still + 7e-5 * np.sin(2.0 * np.pi * 60.0 * t)
-    assert not rest_facts([(t, humming, v)], NoWells("none"), joint=True).rings_left
+    assert not rest_facts([(t, humming, v)], NoWells("none"), plant=JOINT).rings_left
     drifting = still + 7e-5 * np.exp(-0.3 * (t % 3.0)) * np.sin(2.0 * np.pi * 60.1 * t)
-    assert rest_facts([(t, drifting, v)], NoWells("none"), joint=True).rings_left
-    assert not rest_facts([(t, drifting, v)], NoWells("none"), [60.0], joint=True).rings_left
-    assert rest_facts([(t, q, v)], NoWells("none"), [60.0], joint=True).rings_left
+    assert rest_facts([(t, drifting, v)], NoWells("none"), plant=JOINT).rings_left
+    assert not rest_facts([(t, drifting, v)], NoWells("none"), [60.0], plant=JOINT).rings_left
+    assert rest_facts([(t, q, v)], NoWells("none"), [60.0], plant=JOINT).rings_left

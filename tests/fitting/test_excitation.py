@@ -1,8 +1,11 @@
 """What a log does not excite is named, and what is excited is not."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.fitting.excitation import examine_excitation
 from pipeline.rig.bench import Bench, record
 from pipeline.rig.excitation import Burst, alternating_pulses, command
@@ -22,8 +25,8 @@ def played(bursts: list[Burst], duration: float) -> tuple[np.ndarray, np.ndarray
 
 def examined(bursts: list[Burst], duration: float = 24.0):
     q, v = played(bursts, duration)
-    found = examine_excitation(q, v, np.zeros(q.size, dtype=np.int64), 0.01, joint=True)
-    return found, " | ".join(each.finding for each in shortfalls(found, ("V1", "V2"), 1e3, "mm"))
+    found = examine_excitation(q, v, np.zeros(q.size, dtype=np.int64), 0.01, plant=JOINT)
+    return found, " | ".join(each.finding for each in shortfalls(found, ("V1", "V2"), 1e3, "mm", JOINT))
 
 
 def test_full_pulses_lack_levels_bandwidth_and_both_sides() -> None:
@@ -38,15 +41,15 @@ def test_full_pulses_lack_levels_bandwidth_and_both_sides() -> None:
 def test_one_side_alone_leaves_one_well_and_a_silent_input() -> None:
     pulses = [Burst("pulse", start, 1.0, 3000.0, 0.0, NONE, NONE) for start in (1.0, 3.0, 5.0)]
     q, v = played(pulses, 8.0)
-    found = examine_excitation(q[150:], v[150:] * [1.0, 0.0], np.zeros(q.size - 150, dtype=np.int64), 0.01, joint=True)
-    text = " | ".join(each.finding for each in shortfalls(found, ("V1", "V2"), 1e3, "mm"))
+    found = examine_excitation(q[150:], v[150:] * [1.0, 0.0], np.zeros(q.size - 150, dtype=np.int64), 0.01, plant=JOINT)
+    text = " | ".join(each.finding for each in shortfalls(found, ("V1", "V2"), 1e3, "mm", JOINT))
     assert "no two wells" in text and "V2 never acts" in text
     assert found.conditioning.silent == len(found.centres)
 
 
 def _rings(q: np.ndarray, interval: float, v: np.ndarray) -> float | None:
     return examine_excitation(
-        q, v[:, None], np.zeros(q.size, dtype=np.int64), interval, inputs="linear", joint=True
+        q, v[:, None], np.zeros(q.size, dtype=np.int64), interval, plant=replace(JOINT, action="linear")
     ).ringing
 
 

@@ -8,11 +8,11 @@ import pytest
 from pipeline.errors import InputError
 from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.signals.corrections import Corrections
+from pipeline.signals.raw_log import RawLog
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.corrections import corrected_log, corrections
 from pipeline.workflow.engine import Unheard
 from pipeline.workflow.run import run_prototype
-from pipeline.workflow.si_log import SiLog
 
 
 def _prototype(log: object, **plant: object) -> Prototype:
@@ -23,7 +23,7 @@ def _prototype(log: object, **plant: object) -> Prototype:
 
 def test_signals_that_share_a_time_base_share_the_corrected_one() -> None:
     t = np.arange(5.0)
-    log = SiLog((t, t), ((t, t), (t, t)), (t, t))
+    log = RawLog((t, t), ((t, t), (t, t)), (t, t))
     made = corrected_log(log, Corrections((2.0, 3.0), 0.5, 10.0, 0.25, 1.5))
     np.testing.assert_allclose(made.q, (1.5 * t, 10.0 * t + 0.5))
     np.testing.assert_allclose([values for _, values in made.inputs], [2.0 * t, 3.0 * t])

@@ -9,15 +9,16 @@ from functools import cache
 
 import numpy as np
 
+from pipeline.device.device import device
 from pipeline.diagnostics.check import check_logs
 from pipeline.diagnostics.copies import shared_findings, shared_recordings
 from pipeline.diagnostics.sentences import sentences
 from pipeline.errors import DebistError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import parse_prototype
-from pipeline.workflow.si_log import SiLog
-from pipeline.workflow.stage_check import declared, log_signals
-from pipeline.workflow.stage_ingest import examined, record_columns, resamplings
+from pipeline.signals.raw_log import RawLog
+from pipeline.workflow.stage_check import log_signals
+from pipeline.workflow.steps.ingest import examined, record_columns, resamplings
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
@@ -67,14 +68,16 @@ def told(logs: Sequence[Log], plant: dict | None = None, **tables: dict) -> list
         prototype = parse_prototype(document, "P.toml")
         seen = []
         for number, one in enumerate(logs, start=1):
-            signals = SiLog((one.t, one.q), tuple((one.t, np.ascontiguousarray(column)) for column in one.v.T))
+            signals = RawLog((one.t, one.q), tuple((one.t, np.ascontiguousarray(column)) for column in one.v.T))
             found = examined(signals, prototype, f"log {number}")
             said += found.notes["warnings"]
             record = resamplings(found, prototype.ingest)[0].record()
             notes = {**found.notes, "raw_step": found.raw_step}
             seen.append(log_signals(f"log {number}", record_columns(record, tuple(signals.beside)), notes))
-        stated = declared(prototype)
-        found_of_all = [*check_logs(seen, stated), *shared_findings(seen, shared_recordings(seen))]
+        found_of_all = [
+            *check_logs(seen, device(prototype), prototype.ingest.sample_interval),
+            *shared_findings(seen, shared_recordings(seen)),
+        ]
     except DebistError as error:
         return [*said, str(error)]
     return said + [": ".join(sentences(one)) for one in found_of_all if one.severity in ("fair", "poor")]

@@ -103,10 +103,9 @@ def _write(path: Path, one: Log) -> None:
 @pytest.mark.parametrize("ending", ["csv", "mat", "h5", "npz", "parquet", "mf4", "xlsx", "tdms", "lvm"])
 def test_the_silent_faults_of_a_log_are_told_in_every_format(ending, tmp_path):
     """By `inspect` and by ingest, with what stands in the file."""
-    from pipeline.device.device import device
     from pipeline.settings.prototype import parse_prototype
     from pipeline.workflow.si_log import read_si
-    from pipeline.workflow.stage_ingest import examined
+    from pipeline.workflow.steps.ingest import examined
 
     damaged = bursts(0.0)(lose_rows(log(1)))
     damaged = Log(damaged.t, damaged.q, np.minimum(damaged.v, 2500.0))
@@ -120,7 +119,7 @@ def test_the_silent_faults_of_a_log_are_told_in_every_format(ending, tmp_path):
         channels = {name: {**channel, "scale": 1.0} for name, channel in channels.items()}
     document = {"name": "P", "logs": {"train": [path.name]}, "channels": channels}
     prototype = parse_prototype(document, "P.toml")
-    warnings = "\n".join(examined(read_si(path, prototype, device(prototype)), prototype, "log").notes["warnings"])
+    warnings = "\n".join(examined(read_si(path, prototype), prototype, "log").notes["warnings"])
     for part in ("samples at 0 mm, which no motion reaches", "rows are missing though time goes on", "saturated probe"):
         assert part in warnings
     (remarks,) = [channel.remarks for channel in inspect_log(path).channels if channel.name == "q"]

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.horizons import HorizonError, MeasuredPath, Predict, horizon_errors
 
@@ -17,7 +18,7 @@ V = np.zeros((1000, 1))
 def horizon_error(
     predict: Predict, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray, horizon: float
 ) -> HorizonError:
-    return horizon_errors(predict, MeasuredPath(t, v, q, qdot), [horizon], joint=True)[0]
+    return horizon_errors(predict, MeasuredPath(t, v, q, qdot), [horizon], plant=JOINT)[0]
 
 
 def each(one: Callable[[FloatArray, float, float], FloatArray]) -> Predict:
@@ -80,9 +81,9 @@ def test_horizons_share_restarts_and_are_those_of_each_alone() -> None:
 
     q = np.where(np.arange(1000) % 97 == 5, np.nan, Q)
     path = MeasuredPath(T, V, q, QDOT)
-    together = horizon_errors(counted, path, [0.01, 0.1, 1.0], joint=True, most_starts=9)
+    together = horizon_errors(counted, path, [0.01, 0.1, 1.0], plant=JOINT, most_starts=9)
     made = len(asked)
     asked.clear()
-    alone = [horizon_errors(counted, path, [h], joint=True, most_starts=9)[0] for h in (0.01, 0.1, 1.0)]
+    alone = [horizon_errors(counted, path, [h], plant=JOINT, most_starts=9)[0] for h in (0.01, 0.1, 1.0)]
     assert together == alone
     assert made < len(asked) == sum(error.starts for error in alone)

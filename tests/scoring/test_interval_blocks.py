@@ -1,11 +1,16 @@
 """Blocks of the bootstrap are as long as the errors of a device hang together; those of the joint are 2 s."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.signal import lfilter
 
+from pipeline.device.device import JOINT
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.intervals import block_of, decorrelation_lag, excess_over_lowest, rms_interval
+
+OTHER = replace(JOINT, action="linear")
 
 
 def first_order(memory: float, samples: int, rng: np.random.Generator) -> FloatArray:
@@ -26,14 +31,14 @@ def test_the_correlation_time_is_that_of_the_error_masked_or_not() -> None:
 def test_intervals_of_a_slow_device_hold_the_truth() -> None:
     """A sample every 6 s, errors of 20 samples' memory: 2 s are one sample, and hold it in a third of logs."""
     rng = np.random.default_rng(2)
-    held = {True: 0, False: 0}
+    held = {JOINT.action: 0, OTHER.action: 0}
     for _ in range(100):
         error = first_order(20.0, 1600, rng)
-        for joint in held:
-            band = rms_interval(error, block_of((error,), 6.0, joint=joint), rng)
+        for plant in (JOINT, OTHER):
+            band = rms_interval(error, block_of((error,), 6.0, plant), rng)
             assert band is not None
-            held[joint] += band.low <= 1.0 <= band.high
-    assert held[False] >= 80 and held[True] < 50
+            held[plant.action] += band.low <= 1.0 <= band.high
+    assert held[OTHER.action] >= 80 and held[JOINT.action] < 50
 
 
 def test_a_lead_that_slow_errors_make_by_chance_is_none() -> None:
@@ -42,7 +47,7 @@ def test_a_lead_that_slow_errors_make_by_chance_is_none() -> None:
     sure = 0
     for _ in range(60):
         errors = {name: first_order(20.0, 1600, rng) for name in "ab"}
-        band = next(iter(excess_over_lowest(errors, 6.0, 0, joint=False).values()))
+        band = next(iter(excess_over_lowest(errors, 6.0, 0, plant=OTHER).values()))
         assert band is not None
         sure += band.low > 0.0
     assert sure <= 15

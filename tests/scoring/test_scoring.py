@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.numerics.metrics import nrmse
 from pipeline.scoring.scores import Score, score_run
 from pipeline.scoring.wells import Wells
@@ -15,7 +16,7 @@ WELLS = Wells(-0.01, 0.01, 0.0)
 
 
 def scored(calculated: np.ndarray, **changes: object) -> dict[str, Score]:
-    settings: dict[str, object] = {"status": "ok", "diverged_at_s": None, "wells": WELLS, "joint": True}
+    settings: dict[str, object] = {"status": "ok", "diverged_at_s": None, "wells": WELLS, "plant": JOINT}
     rng = np.random.default_rng(0)
     rows = score_run(
         {"q": (Q, calculated), "qdot": (17 * Q, 17 * calculated)},

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.scoring.step_responses import response_errors, step_response
 from pipeline.scoring.wells import Wells
 
@@ -29,7 +30,7 @@ def test_a_lag_of_the_simulation_is_what_is_reported() -> None:
     def switch(time_constant: float) -> np.ndarray:
         return np.where(T < 0.2, -0.01, 0.01 - 0.02 * np.exp(-(T - 0.2) / time_constant))
 
-    errors = response_errors(switch(0.10), switch(0.15), v, DT, WELLS, np.random.default_rng(0), joint=True)
+    errors = response_errors(switch(0.10), switch(0.15), v, DT, WELLS, np.random.default_rng(0), plant=JOINT)
     assert (errors.switches, errors.followed) == (1, 1)
     assert errors.rise_s == pytest.approx(0.05 * np.log(9.0), abs=3 * DT)
     assert errors.settling_s == pytest.approx(0.05 * np.log(10.0), abs=3 * DT)
@@ -40,7 +41,7 @@ def test_a_lag_of_the_simulation_is_what_is_reported() -> None:
 def test_a_switch_that_is_missed_has_no_times(run: np.ndarray) -> None:
     v = np.zeros((3000, 1))
     v[200:] = 3000.0
-    errors = response_errors(np.where(T < 0.3, -0.01, 0.01), run, v, DT, WELLS, np.random.default_rng(0), joint=True)
+    errors = response_errors(np.where(T < 0.3, -0.01, 0.01), run, v, DT, WELLS, np.random.default_rng(0), plant=JOINT)
     assert (errors.switches, errors.followed, errors.rise_s, errors.settling_s) == (1, 0, None, None)
 
 
@@ -52,6 +53,6 @@ def test_a_step_without_a_measured_switch_is_not_counted(fault: str) -> None:
     if fault == "masked":
         measured[1000] = np.nan
     errors = response_errors(
-        measured, np.where(T < 0.3, -0.01, 0.01), v, DT, WELLS, np.random.default_rng(0), joint=True
+        measured, np.where(T < 0.3, -0.01, 0.01), v, DT, WELLS, np.random.default_rng(0), plant=JOINT
     )
     assert (errors.switches, errors.followed) == (0, 0)

@@ -1,9 +1,12 @@
 """Wells, well agreement and switch accuracy on records whose wells are known by construction."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.signal import lfilter
 
+from pipeline.device.device import JOINT
 from pipeline.diagnostics.facts.events import rest_facts
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import (
@@ -15,6 +18,8 @@ from pipeline.scoring.wells import (
     rests,
     switch_accuracy,
 )
+
+OTHER = replace(JOINT, action="linear")
 
 DT = 0.01
 WELLS = Wells(-0.010, 0.012, 0.001)
@@ -38,7 +43,7 @@ def record(sides: str, rest: float = 0.8, pulse: float = 0.5) -> tuple[FloatArra
 
 def test_wells_are_found_in_the_rests() -> None:
     q, v = record("lrlrrl")
-    wells = find_wells([(q, v, DT)], joint=True)
+    wells = find_wells([(q, v, DT)], plant=JOINT)
     assert isinstance(wells, Wells)
     assert wells.left == pytest.approx(-0.010, abs=5e-4)
     assert wells.right == pytest.approx(0.012, abs=5e-4)
@@ -50,7 +55,7 @@ def test_pauses_in_which_the_joint_still_swings_hide_no_wells() -> None:
     t = DT * np.arange(80)
     for stop, middle in ((len(q), -0.003), (len(q) - 130, -0.022)):  # pauses between the pulses of a chirp
         q[stop - 80 : stop] = middle + 0.02 * np.sin(2 * np.pi * 2.5 * t)
-    wells = find_wells([(q, v, DT)], joint=True)
+    wells = find_wells([(q, v, DT)], plant=JOINT)
     assert isinstance(wells, Wells)
     assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=5e-4), pytest.approx(0.012, abs=5e-4))
 
@@ -58,13 +63,13 @@ def test_pauses_in_which_the_joint_still_swings_hide_no_wells() -> None:
 @pytest.mark.parametrize("q_of_t", [lambda t: np.sin(t), lambda t: np.full_like(t, 0.01)], ids=["linear", "still"])
 def test_a_device_without_two_wells_has_none(q_of_t) -> None:  # type: ignore[no-untyped-def]
     q, v = record("lrlr")
-    assert isinstance(find_wells([(q_of_t(DT * np.arange(q.size)), v, DT)], joint=True), NoWells)
+    assert isinstance(find_wells([(q_of_t(DT * np.arange(q.size)), v, DT)], plant=JOINT), NoWells)
 
 
 def test_switch_accuracy_counts_pulses_that_end_in_the_right_well() -> None:
     measured, v = record("lrlrl")
     simulated, _ = record("lrllr")
-    result = switch_accuracy(measured, simulated, v, DT, WELLS, joint=True)
+    result = switch_accuracy(measured, simulated, v, DT, WELLS, plant=JOINT)
     assert (result.pulses, result.correct) == (4, 2)
     assert result.share == 0.5
 
@@ -73,7 +78,7 @@ def test_after_a_divergence_nothing_is_right() -> None:
     measured, v = record("lrlrl")
     diverged = measured.copy()
     diverged[measured.size // 2 :] = np.nan
-    assert switch_accuracy(measured, diverged, v, DT, WELLS, joint=True).share == 0.25
+    assert switch_accuracy(measured, diverged, v, DT, WELLS, plant=JOINT).share == 0.25
     assert np.nanmean(in_same_well(measured, diverged, WELLS)) == pytest.approx(0.5, abs=0.01)
 
 
@@ -85,7 +90,7 @@ def test_masked_rows_neither_agree_nor_disagree() -> None:
 
 def test_no_pulse_is_undefined_and_not_perfect() -> None:
     q = np.full(300, -0.01)
-    assert switch_accuracy(q, q, np.zeros((300, 2)), DT, WELLS, joint=True).share is None
+    assert switch_accuracy(q, q, np.zeros((300, 2)), DT, WELLS, plant=JOINT).share is None
 
 
 def heater(pause: int, memory: float = 400.0) -> tuple[FloatArray, FloatArray]:
@@ -99,15 +104,15 @@ def heater(pause: int, memory: float = 400.0) -> tuple[FloatArray, FloatArray]:
 @pytest.mark.parametrize("pause", [4, 25, 100, 300])
 def test_a_pause_in_which_a_slow_device_still_moves_is_no_place_of_rest(pause: int) -> None:
     q, v = heater(pause)
-    assert len(places_of_rest(q, v, 2.0, joint=True)) == len(rests(v, 2.0, joint=True)) > 4
-    assert places_of_rest(q, v, 2.0, joint=False) == []
-    assert rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), joint=False).left.size == 0
+    assert len(places_of_rest(q, v, 2.0, plant=JOINT)) == len(rests(v, 2.0, plant=JOINT)) > 4
+    assert places_of_rest(q, v, 2.0, plant=OTHER) == []
+    assert rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), plant=OTHER).left.size == 0
 
 
 def test_a_device_that_comes_to_rest_rests_there() -> None:
     q, v = heater(300, memory=10.0)
-    assert places_of_rest(q, v, 2.0, joint=False) == rests(v, 2.0, joint=False)
-    found = rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), joint=False).left
+    assert places_of_rest(q, v, 2.0, plant=OTHER) == rests(v, 2.0, plant=OTHER)
+    found = rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), plant=OTHER).left
     np.testing.assert_allclose(found, 0.0, atol=4e-3)
 
 
@@ -117,6 +122,6 @@ def test_a_rest_at_the_barrier_among_many_does_not_hide_the_wells() -> None:
     q = np.concatenate([np.full(length, place) for place in np.random.default_rng(0).permutation(places)])
     v = np.zeros((q.size, 2))
     v[::length, 0] = v[1::length, 0] = 3000.0
-    found = find_wells([(q, v, DT)], joint=True)
+    found = find_wells([(q, v, DT)], plant=JOINT)
     assert isinstance(found, Wells)
     assert (found.left, found.right, found.barrier) == pytest.approx((-0.0113, 0.0110, -0.00015), abs=1e-6)

@@ -1,14 +1,15 @@
 """Each gate against a log that breaks it by a planted amount, and against one that just does not."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from pipeline.device.device import Device
+from pipeline.device.device import JOINT
 from pipeline.fitting.excitation import excitation_findings
 from pipeline.signals.quality_gates import log_findings, rate_findings, rate_remarks
 from pipeline.signals.signal_quality import examine_signal
 from pipeline.signals.timebase import examine
-from pipeline.units.units import SiUnit
 
 STEP, N = 1e-3, 40_000
 
@@ -122,8 +123,7 @@ def _training(q=None, v=None, *, bistable=True, centres=10):
     motion = 5e-3 * side + 2e-4 * np.sin(50.0 * t) + rng.normal(0.0, 1e-6, t.size)
     q, v = motion if q is None else q(motion), volts if v is None else v(volts)
     segment = np.zeros(t.size, dtype=np.int32)
-    plant = Device(None, SiUnit(1.0, "m"), 2 * (SiUnit(1.0, "V"),), "squared", None)
-    options = {"plant": plant, "basis_functions": centres, "smoothing": 0.5, "bistable": bistable}
+    options = {"plant": JOINT, "basis_functions": centres, "smoothing": 0.5, "bistable": bistable}
     return [finding.gate for finding in excitation_findings(q, v, segment, 0.01, **options)]
 
 
@@ -147,8 +147,8 @@ def test_a_random_input_drives_if_it_moves_the_device(acts, found):
     force = v if acts else rng.normal(0.0, 1.0, 4000)
     for n in range(1, 3999):
         q[n + 1] = 2.0 * q[n] - q[n - 1] - 0.02 * q[n] - 0.05 * (q[n] - q[n - 1]) + 1e-5 * force[n]
-    plant = Device(None, SiUnit(1.0, "m"), (SiUnit(1.0, "V"),), "linear", None)
-    options = {"plant": plant, "basis_functions": 10, "smoothing": 0.5, "bistable": False}
+    linear = replace(JOINT, action="linear")
+    options = {"plant": linear, "basis_functions": 10, "smoothing": 0.5, "bistable": False}
     gates = [one.gate for one in excitation_findings(q, v[:, None], np.zeros(4000, dtype=np.int32), 0.01, **options)]
     assert ("undriven" in gates) == found
 

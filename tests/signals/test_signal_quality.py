@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.signals.noise import is_idle, noise_level, resolution
 from pipeline.signals.quality_gates import saturation, scale_suspicion
 from pipeline.signals.signal_quality import examine_signal, usual_span
@@ -105,7 +106,7 @@ def test_constant_idle_and_empty_signals():
     ],
 )
 def test_scale_suspicion(span, symbol, factor):
-    assert scale_suspicion(span, symbol) == (None if factor is None else pytest.approx(factor))
+    assert scale_suspicion(span, JOINT.plausible_span(symbol)) == (None if factor is None else pytest.approx(factor))
 
 
 @pytest.mark.parametrize("samples", [[1.0, 2.0], [0.0, 0.0, 1.0, 1.0] * 50, [0.0, 1.0] * 50])

@@ -9,7 +9,7 @@ import pytest
 from pipeline.models.choose import Choice
 from pipeline.models.model_type import Training
 from pipeline.settings.prototype import Identify, parse_prototype
-from pipeline.workflow import stage_identify as identify
+from pipeline.workflow.steps import identify
 
 CHANNELS = {key: {"channel": key, "unit": unit} for key, unit in (("q", "mm"), ("v1", "kV"), ("v2", "kV"))}
 PROTOTYPE = parse_prototype({"name": "P", "logs": {"train": ["a.csv"]}, "channels": CHANNELS}, "P.toml")

@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.models.free_runs import drawn_runs
 from pipeline.scoring.wells import wells_of
 from pipeline.signals.log import Log
-from pipeline.workflow.stage_validate import trust_notes
+from pipeline.workflow.steps.validate import trust_notes
 
 N, INTERVAL = 600, 0.01
 
@@ -41,7 +42,7 @@ def planted():
 @pytest.mark.parametrize(("share", "ambiguous"), [(0.0, False), (0.4, True), (1.0, False)])
 def test_an_outcome_hinges_where_the_ensemble_splits(share, ambiguous):
     log = planted()
-    noted = trust_notes(log, wells_of([log], joint=True), [log], drawn_runs(log, Undecided(share)), joint=True)[
+    noted = trust_notes(log, wells_of([log], plant=JOINT), [log], drawn_runs(log, Undecided(share)), plant=JOINT)[
         "outcomes"
     ]
     assert noted["at_s"] == pytest.approx([3.49, 5.99])
@@ -52,11 +53,8 @@ def test_an_outcome_hinges_where_the_ensemble_splits(share, ambiguous):
 
 def test_a_model_without_an_ensemble_or_a_device_without_wells_has_no_outcomes():
     log = planted()
-    assert (
-        trust_notes(log, wells_of([log], joint=True), [log], drawn_runs(log, object()), joint=True)["outcomes"] is None
-    )
+    wells = wells_of([log], plant=JOINT)
+    assert trust_notes(log, wells, [log], drawn_runs(log, object()), plant=JOINT)["outcomes"] is None
     flat = replace(log, q=1e-5 * np.sin(np.arange(N)))
-    assert (
-        trust_notes(flat, wells_of([flat], joint=True), [flat], drawn_runs(log, Undecided(0.5)), joint=True)["outcomes"]
-        is None
-    )
+    wells = wells_of([flat], plant=JOINT)
+    assert trust_notes(flat, wells, [flat], drawn_runs(log, Undecided(0.5)), plant=JOINT)["outcomes"] is None

@@ -20,7 +20,7 @@ MOST_OF_IT = 0.8
 
 
 def instrument_findings(data: RunData, model: str) -> list[Finding]:
-    """What the model's measurement of the instruments found beyond its limits; nothing in a run without that."""
+    """Readings of the instruments beyond their limits; none in a run without a measurement of them."""
     rows = [row for row in data.instruments if row["model"] == model]
     findings = []
     logs = dict.fromkeys((row["role"], row["log"]) for row in rows)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...device.device import Device
 from ...errors import InputError
 from ...models.base import DynamicModel, HasCurveDraws, HasCurves
 from ...numerics.arrays import BoolArray, FloatArray
@@ -122,7 +123,7 @@ def stable_rests(model: DynamicModel, motions: Sequence[FloatArray]) -> int | No
     return None if named is None else sum(e.stable for e in equilibria(grid, np.asarray(named["F"])))
 
 
-def believed_wells(wells: Wells | NoWells, model: str, rests: int | None, *, joint: bool) -> Wells | NoWells:
+def believed_wells(wells: Wells | NoWells, model: str, rests: int | None, plant: Device) -> Wells | NoWells:
     """The wells seen in the data of the joint, and of another device if its model has two stable states.
 
     Parameters
@@ -133,10 +134,10 @@ def believed_wells(wells: Wells | NoWells, model: str, rests: int | None, *, joi
         Name of the model.
     rests : int or None
         Its `stable_rests`.
-    joint : bool
-        Whether the device can be the bistable joint.
+    plant : Device
+        Its inputs, and whether it is the joint.
     """
-    if joint or rests is None or rests == 2 or isinstance(wells, NoWells):
+    if plant.joint or rests is None or rests == 2 or isinstance(wells, NoWells):
         return wells
     states = {0: "no two wells", 1: "a single rest"}.get(rests, f"{rests} stable states")
     return NoWells(f"{model} has {states}", rests == 1)
@@ -178,16 +179,16 @@ def equilibria(q: FloatArray, force: FloatArray) -> list[CurveEquilibrium]:
     return [CurveEquilibrium(place, slope) for place, slope in sorted(exact + crossed)]
 
 
-def outer_wells(curves: Curves, *, joint: bool) -> tuple[CurveEquilibrium, CurveEquilibrium, CurveEquilibrium] | None:
+def outer_wells(curves: Curves, plant: Device) -> tuple[CurveEquilibrium, CurveEquilibrium, CurveEquilibrium] | None:
     """Left well, saddle, right well: the outermost stable states and the highest unstable one between.
 
-    None where there are no two, or where the force jumps between them; on another device than the `joint` also where
+    None where there are no two, or where the force jumps between them; on another device than the joint also where
     there are more than two.
     """
     places = equilibria(curves.q, curves.force)
     stable = [e.stable for e in places]
     pair = outermost_pair(stable, np.interp([e.q for e in places], curves.q, curves.energy).tolist())
-    if pair is None or not (joint or sum(stable) == 2):
+    if pair is None or not (plant.joint or sum(stable) == 2):
         return None
     left, saddle, right = (places[i] for i in pair)
     between = (curves.q[:-1] > left.q) & (curves.q[1:] < right.q)
@@ -230,17 +231,17 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
     return float(u.max() if u.mean() > 0.0 else u.min()) if np.all(u > 0.0) or np.all(u < 0.0) else None
 
 
-def device_facts(curves: Curves, *, joint: bool) -> dict[str, float | None]:
+def device_facts(curves: Curves, plant: Device) -> dict[str, float | None]:
     """The numbers of a datasheet that follow from the curves alone, in SI; None where one does not exist.
 
     Of a device with one stable equilibrium only, ``rest`` and ``stiffness``. Where the force jumps between two wells,
     what is on the way between them does not follow from the curves. More than two stable states are two wells on the
-    `joint` alone; on another device they are ``stable_1``, ``stable_2`` …, from the least q on.
+    joint alone; on another device they are ``stable_1``, ``stable_2`` …, from the least q on.
     """
     stable = [e for e in equilibria(curves.q, curves.force) if e.stable]
     if len(stable) < 2:
         return {"rest": stable[0].q, "stiffness": stable[0].stiffness} if stable else {}
-    if len(stable) > 2 and not joint:
+    if len(stable) > 2 and not plant.joint:
         return {f"{STABLE}{number}": e.q for number, e in enumerate(stable, start=1)}
     left = stable[0]
     right = stable[-1]
@@ -251,7 +252,7 @@ def device_facts(curves: Curves, *, joint: bool) -> dict[str, float | None]:
         "stiffness_right": right.stiffness,
         "asymmetry_wells": (left.q + right.q) / (right.q - left.q),
     }
-    outer = outer_wells(curves, joint=joint)
+    outer = outer_wells(curves, plant=plant)
     if outer is None:
         return facts
     saddle = outer[1]

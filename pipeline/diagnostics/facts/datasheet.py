@@ -168,6 +168,19 @@ class Datasheet:
         """The assessment of the data and on the model: the worst grade of the checks of each."""
         return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
 
+    def elements(self, data: RunData) -> list[dict[str, Any]]:
+        """Forces of the elements of the judged model along the training logs, the largest first; 0 of what is absent.
+
+        The share is that of the restoring force. Empty for a model whose elements are not known.
+        """
+        forces: Mapping[str, float] = data.descriptions.get(self.main_model, {}).get("elements", {})
+        whole = forces.get("restoring force")
+        unit = data.device.curve_units["F"]
+        return [
+            {"name": name, "force_rms": force, "unit": unit, "share": force / whole if whole else None}
+            for name, force in sorted(forces.items(), key=lambda item: -item[1])
+        ]
+
     def to_json(self, data: RunData) -> dict[str, Any]:
         """The document that is written as ``datasheet.json``; SI units, null where unknown."""
         return {
@@ -178,6 +191,7 @@ class Datasheet:
             "choice": None if data.choice is None else dict(data.choice),
             "level_of_intervals": COVERAGE,
             "facts": [asdict(fact) for fact in self.facts],
+            "elements": self.elements(data),
             "verdict": {**self.grades, "checks": [asdict(check) for check in self.checks]},
             "instruments": [dict(row) for row in data.instruments],
             "scores": [dict(score) for score in data.scores],
@@ -194,7 +208,7 @@ def make_datasheet(data: RunData) -> Datasheet:
     wells = wells_of_run(data)
     records = [(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs]
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
-    rests = rest_facts(records, wells, hum, joint=data.device.joint)
+    rests = rest_facts(records, wells, hum, plant=data.device)
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
@@ -203,10 +217,10 @@ def make_datasheet(data: RunData) -> Datasheet:
     if source is not None:
         values, limits, in_draws = _by_model(data, curves[source], draws.get(source, []))
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
-        believed = believed_wells(wells, source, stable, joint=data.device.joint)
+        believed = believed_wells(wells, source, stable, plant=data.device)
         if believed is not wells:
             wells = believed
-            rests = rest_facts(records, believed, hum, joint=data.device.joint)
+            rests = rest_facts(records, believed, hum, plant=data.device)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, in_draws, rests, wells, events)
@@ -226,8 +240,8 @@ def _by_model(
 
     Stable states have neither interval nor share: a draw may have another number of them than the curves.
     """
-    values = device_facts(curves, joint=data.device.joint)
-    drawn = [device_facts(draw, joint=data.device.joint) for draw in draws]
+    values = device_facts(curves, plant=data.device)
+    drawn = [device_facts(draw, plant=data.device) for draw in draws]
     limits = intervals(values, drawn) if draws else {}
     compared = {key for key in values if not key.startswith(STABLE)}
     in_draws = {key: share for key, share in shares(values, drawn).items() if key in compared}
@@ -278,7 +292,7 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
     if model is None or not logs:
         return {}
     runs = [(log.kinematics["t"], log.predictions[model]["q"], voltages(log.kinematics)) for log in logs]
-    events = _measured(rest_facts(runs, wells, joint=data.device.joint), wells)
+    events = _measured(rest_facts(runs, wells, plant=data.device), wells)
     return {key: float(np.mean(values)) for key, values in events.items()}
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...device.device import Device
 from ...numerics.arrays import FloatArray, runs_of, sample_interval
 from ...scoring.wells import NoWells, Wells, end_of_rest, places_of_rest, rests
 from ...signals.spectrum import aliased
@@ -66,7 +67,7 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     columns[:2] = trend.T
 
     def rest(logs: FloatArray) -> FloatArray:
-        """What decay and frequency [1/s], as logarithms, leave unexplained, over the size of the oscillation."""
+        """Part that decay and frequency [1/s], as logarithms, leave unexplained, over the size of the oscillation."""
         decay, angular = np.exp(np.clip(logs, -FARTHEST, FARTHEST))
         swing = np.exp(complex(-decay, angular) * time)
         columns[2], columns[3] = swing.real, swing.imag
@@ -149,7 +150,7 @@ def rest_facts(
     wells: Wells | NoWells,
     hum: Collection[float] = (),
     *,
-    joint: bool,
+    plant: Device,
 ) -> RestFacts:
     """Rest positions and ring-downs of some logs.
 
@@ -161,8 +162,8 @@ def rest_facts(
         Without wells all rests are one place, on the left.
     hum : collection of float
         Mains lines in the displacement [Hz]; what oscillates there, or where it is aliased to, is no ring-down.
-    joint : bool
-        Whether the device can be the bistable joint; where another rests is seen in `places_of_rest` alone.
+    plant : Device
+        Its inputs, and whether it is the joint.
 
     Notes
     -----
@@ -172,8 +173,8 @@ def rest_facts(
     rings: tuple[list[RingDown], list[RingDown]] = ([], [])
     for t, q, v in records:
         interval = sample_interval(t)
-        quiet = rests(v, sample_interval(t), joint=joint)
-        standing = [rest.start for rest in places_of_rest(q, v, interval, joint=joint)]
+        quiet = rests(v, sample_interval(t), plant=plant)
+        standing = [rest.start for rest in places_of_rest(q, v, interval, plant=plant)]
         step = -(-len(quiet) // MOST_RING_DOWNS)
         for number, rest in enumerate(quiet):
             end = q[end_of_rest(rest, interval)]

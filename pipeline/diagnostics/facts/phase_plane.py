@@ -7,7 +7,6 @@ import numpy as np
 
 from ...models.base import DynamicModel, SimulatesMany
 from ...numerics.arrays import FloatArray, runs_of
-from ...signals.inputs import peaks
 from ...signals.log import voltages
 from .run_data import LogData, RunData
 
@@ -130,7 +129,7 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
     Unless the device is the joint, whose pulses have rests, NaN also where an input only crosses zero.
     """
-    largest = np.max([peaks(voltages(other.kinematics), joint=data.device.joint) for other in data.logs], axis=0)
+    largest = np.max([data.device.peaks(voltages(other.kinematics)) for other in data.logs], axis=0)
     free = np.all(np.abs(voltages(log.kinematics)) <= UNFORCED * largest, axis=1)
     for rows in () if data.device.joint else runs_of(free):
         still = np.all(np.ptp(voltages(log.kinematics)[rows], axis=0) <= UNFORCED * largest)

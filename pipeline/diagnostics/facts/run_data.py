@@ -134,9 +134,10 @@ class RunData:
 
     @property
     def why_chosen(self) -> str:
-        """Why "auto" chose the main model; empty where it had no choice, as the joint's equations hold for no other."""
+        """Why "auto" chose the main model; empty where it had no choice, as the joint has two squared inputs."""
         choice = self.choice or {}
-        return str(choice.get("reason") or "") if self.device.joint or choice.get("held_out_error") else ""
+        shown = self.prototype.may_be_a_joint or choice.get("held_out_error")
+        return str(choice.get("reason") or "") if shown else ""
 
     @property
     def model_names(self) -> tuple[str, ...]:
@@ -153,7 +154,7 @@ class RunData:
 
 def wells_of_run(data: RunData) -> Wells | NoWells:
     """The wells in the data of all logs."""
-    return wells_of([log_of(log.kinematics) for log in data.logs], joint=data.device.joint)
+    return wells_of([log_of(log.kinematics) for log in data.logs], plant=data.device)
 
 
 def judged_log(data: RunData) -> LogData:

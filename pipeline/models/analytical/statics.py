@@ -447,8 +447,33 @@ def static_rotation(q: FloatArray, parameters: JointParameters) -> FloatArray:
 
     Cubic Hermite interpolation of 241 nodes with the exact slopes dφ/dq; its error is below 1e-8 rad.
     """
-    from scipy.interpolate import CubicHermiteSpline
+    path = unactuated_path(parameters)
+    return _interpolated(q, path.q, path.phi, _rotation_slopes(parameters))[0]
 
+
+def displacement_of_rotation(phi: FloatArray, parameters: JointParameters) -> tuple[FloatArray, FloatArray]:
+    """Q [m] and dq/dφ [m/rad] at φ [rad] of any shape: the inverse of `static_rotation`.
+
+    Raises
+    ------
+    InputError
+        The tip of this joint does not turn further with every further displacement.
+    """
+    path = unactuated_path(parameters)
+    slopes = _rotation_slopes(parameters)
+    if not np.all(slopes > 0.0):
+        raise InputError("the parameter set has one rotation of the tip at several displacements; correct it")
+    return _interpolated(phi, path.phi, path.q, 1.0 / slopes)
+
+
+def rotation_nodes(parameters: JointParameters) -> FloatArray:
+    """Q [m] and φ [rad] on the static path without voltage, of rising q up to ±30 mm, shape (241, 2)."""
+    path = unactuated_path(parameters)
+    return np.column_stack([path.q, path.phi])
+
+
+def _rotation_slopes(parameters: JointParameters) -> FloatArray:
+    """dφ/dq [rad/m] at the nodes of the unactuated path."""
     path = unactuated_path(parameters)
     p = parameters.vector()
     values = np.empty(5)
@@ -457,7 +482,15 @@ def static_rotation(q: FloatArray, parameters: JointParameters) -> FloatArray:
     for i in range(path.q.size):
         tip(path.qm[i], p, values, jacobian)
         slopes[i] = jacobian[1] @ path.tangent[i]
-    inside = np.clip(q, path.q[0], path.q[-1])
-    beyond = np.asarray(q) - inside
+    return slopes
+
+
+def _interpolated(at: FloatArray, x: FloatArray, y: FloatArray, slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The cubic Hermite interpolant of nodes with slopes, linear beyond them, and its derivative."""
+    from scipy.interpolate import CubicHermiteSpline
+
+    inside = np.clip(at, x[0], x[-1])
+    beyond = np.asarray(at) - inside
     edge = np.where(beyond > 0.0, slopes[-1], slopes[0])
-    return np.asarray(CubicHermiteSpline(path.q, path.phi, slopes)(inside) + edge * beyond)
+    spline = CubicHermiteSpline(x, y, slopes)
+    return np.asarray(spline(inside) + edge * beyond), np.asarray(spline(inside, 1))

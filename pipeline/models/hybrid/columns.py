@@ -70,7 +70,7 @@ def _step() -> Graph:
         for operation in JACOBIAN.operations
         if operation.name == "store" and operation.place[0] == "a"
     }
-    acting |= {0, 2 * _ALL}  # an observer pulls at q and τ
+    acting |= {0, 2, 2 * _ALL, 2 * _ALL + 2}  # an observer pulls at q and τ, by what is read of them
     x = [given("x", i) for i in range(STATES)]
     h = given("w", 1)
     y = x
@@ -202,7 +202,7 @@ def propagate(
     path: Path, laws: Laws, stepping: Stepping, columns: Columns,
     starts: SingleArray, stops: SingleArray, displacements: FloatArray,
 ) -> None:  # fmt: skip
-    """Derivatives of q at the samples by all columns, `displacements` (N, columns), from those at the start.
+    """Derivatives of the reading at the samples by all columns, `displacements` (N, columns), from those at the start.
 
     Parameters
     ----------
@@ -217,11 +217,11 @@ def propagate(
     starts, stops : SingleArray, shapes (blocks, STATES, BATCH) and (blocks, STOPS, BATCH)
         Derivatives of the first state and of the first stop operators; those at the end (output).
     displacements : FloatArray, shape (N, blocks · BATCH)
-        Derivatives of q at the samples (output).
+        Derivatives of the reading at the samples (output).
     """
     sources, targets, own, instruments, corrected = columns
     points, slips, squares, by_instruments, pole = path
-    (k, weights, basis), (dt, substeps, wall, lead) = laws, stepping
+    (k, weights, basis), (dt, substeps, _, lead, reading) = laws, stepping
     steps = len(points) - 1
     centres = weights.shape[1]
     prepared = np.empty(_PREPARED)
@@ -244,7 +244,8 @@ def propagate(
     bells = np.zeros((STAGES, 2, max(centres, 1)))
     w[:, 0], w[:, 1], w[:, 2] = k[_ARM], dt / substeps, k[_LENGTH]
     for column in range(displacements.shape[1]):
-        displacements[0, column] = starts[column // BATCH, 0, column % BATCH]
+        of_column = starts[column // BATCH, :, column % BATCH]
+        displacements[0, column] = reading[0] * of_column[0] + reading[1] * of_column[2]
     for first in range(0, steps, 2):
         for slot in range(_SLOTS):
             _act_by_play((points, slips), first, slot, k, z, w, drive, own)
@@ -269,12 +270,10 @@ def propagate(
             stage = stage_lane % STEP_STAGES
             pull = observer(-1.0, pole[2 * step] if len(pole) > 0 else 0.0, lead)
             node = 2 * step + STAGE_NODES[stage]
-            _act_by_instruments(by_instruments[:, node], pull, stage_lane, instruments, a, b, drive)
+            _act_by_instruments(by_instruments[:, node], pull, reading, stage_lane, instruments, a, b, drive)
             if centres > 0:
                 _act_by_weights(bells, by_c, stage_lane, centres, corrected, drive)
-        _advance(
-            (first, min(first + 2, steps)), (points, wall, substeps), (a, w, drive), (starts, stops, displacements)
-        )
+        _advance((first, min(first + 2, steps)), points, stepping, (a, w, drive), (starts, stops, displacements))
 
 
 @inner
@@ -284,18 +283,18 @@ def _zeros(count: int) -> SingleArray:
 
 @compiled(inline="always")
 def _advance(
-    between: tuple[int, int], run: tuple[FloatArray, float, int], acting: tuple[SingleArray, SingleArray, SingleArray],
-    moving: tuple[SingleArray, SingleArray, FloatArray],
+    between: tuple[int, int], points: FloatArray, stepping: Stepping,
+    acting: tuple[SingleArray, SingleArray, SingleArray], moving: tuple[SingleArray, SingleArray, FloatArray],
 ) -> None:  # fmt: skip
     """All columns from one step to another, at most two later; starts and stops move, displacements are filled."""
     first, stop = between
-    points, wall, substeps = run
     a, w, drive = acting
     starts, stops, displacements = moving
+    by_q, by_tau = stepping.reading
     for step in range(first, stop):
         of_step = a[STEP_STAGES * (step - first) :]
         weights = w[step - first]
-        confined = abs(points[step + 1, 0, 0]) >= wall
+        confined = abs(points[step + 1, 0, 0]) >= stepping.wall
         for block in range(len(starts)):
             here = starts[block].ravel()
             slip = stops[block].ravel()
@@ -303,9 +302,11 @@ def _advance(
             _move((of_step, weights, here, slip, drive[at:], here, slip))
             if confined:
                 here[: 2 * BATCH] = 0.0
-            if (step + 1) % substeps == 0:
+            if (step + 1) % stepping.substeps == 0:
                 for column_lane in range(BATCH):
-                    displacements[(step + 1) // substeps, block * BATCH + column_lane] = here[column_lane]
+                    displacements[(step + 1) // stepping.substeps, block * BATCH + column_lane] = (
+                        by_q * here[column_lane] + by_tau * here[2 * BATCH + column_lane]
+                    )
 
 
 @compiled(inline="always")
@@ -362,17 +363,19 @@ def _corrections(
 
 @compiled(inline="always")
 def _act_by_instruments(
-    inputs: FloatArray, pull: tuple[float, float, float, float], stage_lane: int, places: NDArray[np.int64],
-    a: SingleArray, b: SingleArray, drive: SingleArray,
+    inputs: FloatArray, pull: tuple[float, float, float, float], reading: tuple[float, float], stage_lane: int,
+    places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
 ) -> None:  # fmt: skip
     """Add the observer's terms to ∂f/∂x, and the derivatives of the rates by the instruments.
 
-    `inputs` (4, 2) are those of the squared voltages; `pull` is the observer's, on each rate for 1 m.
+    `inputs` (4, 2) are those of the squared voltages; `pull` is the observer's, on each rate for 1 m of the `reading`.
     """
     q, speed, tau, turning = pull
-    a[stage_lane], a[2 * _ALL * STAGES + stage_lane] = q, tau
-    a[_ALL * STAGES + stage_lane] += speed
-    a[3 * _ALL * STAGES + stage_lane] += turning
+    for state, share in ((0, reading[0]), (2, reading[1])):
+        at = state * STAGES + stage_lane
+        a[at], a[2 * _ALL * STAGES + at] = share * q, share * tau
+        a[_ALL * STAGES + at] += share * speed
+        a[3 * _ALL * STAGES + at] += share * turning
     for i in range(INSTRUMENTS):
         at = places[i] + (stage_lane + stage_lane // STEP_STAGES) * BATCH
         if i == 0:

@@ -76,6 +76,7 @@ OPEN = (0, 1)
 equations simplify more than the capacitances. With none the bands of 40 simulated joints held 84 to 96 % of the true
 curves, with these 88 to 98 %, with all nine 95 to 100 %."""
 
+ANGLE_ALONE = "q is an angle; with a parameter set (plant.parameters) the equations of the joint read it"
 _NO_FIT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
 
 ALONE = "equations_alone"
@@ -90,6 +91,7 @@ def identify_hybrid(
     similarity: Similarity = SAME,
     corrections: Literal["auto", "none", "always"] = "auto",
     siblings: NormalPopulation | None = None,
+    rotation: FloatArray | None = None,
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
 
@@ -111,6 +113,8 @@ def identify_hybrid(
         The prior of the deviations, where joints of the same drawing are known (`pipeline.models.hybrid.siblings`). It
         is set aside where errors on the first parts of the logs, or on the rest, are `HARMFUL_RATIO` times as large
         with it.
+    rotation : FloatArray, shape (K, 2), optional
+        q [m] and φ [rad] at rest, by which a measured angle was made the displacement of the logs.
 
     Returns
     -------
@@ -133,8 +137,12 @@ def identify_hybrid(
     operating_range(records)
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    scaled = tuple(similarity.in_reference_units(record) for record in records)
-    first = _first_fits(_Search(scaled, siblings).within(MOST_SAMPLES), parameters, corrections)
+    ratio = condensed_parameters.static_slope_ratio(parameters)
+    plain = CondensedJoint(
+        parameters, np.zeros(3), 0, 0.0, ratio, rotation=np.empty((0, 2)) if rotation is None else rotation
+    )
+    scaled = tuple(similarity.in_reference_units(plain.reading(record)) for record in records)
+    first = _first_fits(_Search(scaled, siblings).within(MOST_SAMPLES), plain, corrections)
     search = first.search
     errors = first.held_out()
     early, fitted = _whole_fit(first, corrected=_corrections_help(errors, always=corrections == "always"))
@@ -193,10 +201,10 @@ class _FirstFits:
         return {name: self.search.held_out(joint, fit.theta) for name, (joint, fit) in self.fits.items()}
 
 
-def _first_fits(search: "_Search", parameters: JointParameters, corrections: str) -> _FirstFits:
+def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _FirstFits:
     """The equations alone, with siblings if they help, and with corrections if these are asked for or needed."""
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
-    plain = CondensedJoint(parameters, search.basis, 0, largest, condensed_parameters.static_slope_ratio(parameters))
+    plain = replace(joint, basis=search.basis, largest_voltage=largest)
     # Most of the convergence happens while the observer is strong: what is not settled there ends in another minimum.
     first = search.early.without_siblings.fit(plain, plain.start(), COUPLED, steps=FIRST_STEPS)
     alone = search.early.fit(plain, first.theta, FREE)
@@ -386,8 +394,11 @@ def _fit(training: Training) -> HybridModel:
     if training.parameters is not None:
         own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
         return identify_hybrid(
-            training.records, training.parameters, similarity=own, corrections=corrections, siblings=training.siblings
-        )
+            training.records, training.parameters, similarity=own, corrections=corrections, siblings=training.siblings,
+            rotation=training.rotation,
+        )  # fmt: skip
+    if (training.units, training.inputs, training.records[0].v.shape[1]) == (("rad", "V"), "squared", 2):
+        raise DataRefusedError(ANGLE_ALONE)
     if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
     units = similar_joint(training.records, NOMINAL, mass)

@@ -48,7 +48,14 @@ class HybridModel:
     `early`, which is not filed, is the same fitted to the first three quarters of each training log.
     """
 
-    sizes: ClassVar[Sizes] = {"P": (1, 5000), "R": (1, 5000), "B": (1, 5000), "C": (1, 10_000), "S": (1, 5000)}
+    sizes: ClassVar[Sizes] = {
+        "P": (1, 5000),
+        "R": (1, 5000),
+        "B": (1, 5000),
+        "K": (0, 5000),
+        "C": (1, 10_000),
+        "S": (1, 5000),
+    }
     parameters: JointSet
     basis: Annotated[FloatArray, Table("3", -1e3, 1e3), Unit("{q}")]
     """First centre, distance of the centres and width σ of the Gaussians of the corrections."""
@@ -68,6 +75,10 @@ class HybridModel:
     curve_spread: Annotated[FloatArray, Table("C S")]
     """Factor S, a row for each entry of theta, of the covariance S Sᵀ of theta, for the bands of the curves; with
     corrections that are left open."""
+    rotation: Annotated[FloatArray, Table("K 2", -1e3, 1e3), Unit("SI")] = field(
+        default_factory=lambda: np.empty((0, 2))
+    )
+    """Where the angle of the joint was measured: q and the angle at rest, by which it was made a displacement."""
     diagnostics: Facts = field(default_factory=dict)
     tube: TubeScale = NO_TUBES
     constants: str = " | ".join(CONSTANTS)
@@ -124,15 +135,16 @@ class HybridModel:
         curves = band_spread if curve_spread is None else curve_spread
         return cls(
             joint.parameters, joint.basis, joint.centres, joint.largest_voltage, joint.slope_ratio, joint.similarity,
-            theta, spread, band_spread, curves, **more,
+            theta, spread, band_spread, curves, joint.rotation, **more,
         )  # fmt: skip
 
     @cached_property
     def joint(self) -> CondensedJoint:
         """Parameter set and RBF basis."""
         return CondensedJoint(
-            self.parameters, self.basis, self.centres, self.largest_voltage_V, self.slope_ratio, self.similarity
-        )
+            self.parameters, self.basis, self.centres, self.largest_voltage_V, self.slope_ratio, self.similarity,
+            self.rotation,
+        )  # fmt: skip
 
     @property
     def mass(self) -> float:
@@ -166,14 +178,18 @@ class HybridModel:
         The observer's pole is one over the sample interval; where nothing was measured it rests.
         """
         joint = self.joint
+        angle = joint.angle
         measured = np.isfinite(seen)
+        if angle:
+            seen, speed, _ = angle.read(seen, speed, np.zeros_like(seen))
         k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
         reading = CubicSpline(t - t[0], bridged(seen, measured))(fine)
         followed = Followed(reading, (measured & np.append(measured[1:], False)) / dt)
         start = np.array([seen[0], speed[0], age_at(t)])
         driving = Driving(u[None], np.zeros(1, np.int64), np.array([joint.instruments(self.theta).offset]), start)
         laws = Laws(k[None], weights[None], joint.basis)
-        return continued_runs(laws, driving, followed, joint.stepping(dt, steps), starts, ahead)
+        runs = continued_runs(laws, driving, followed, joint.stepping(dt, steps), starts, ahead)
+        return runs if angle is None else (angle.shown(run, np.zeros_like(run), np.zeros_like(run))[0] for run in runs)
 
     @checked
     def simulate_draws(
@@ -236,7 +252,7 @@ class HybridModel:
 
     def observed(self, parts: Sequence[Log]) -> CondensedProblem:
         """The joint coupled to the parts of a log."""
-        return CondensedProblem(self.joint, parts, from_start=True)
+        return CondensedProblem(self.joint, [self.joint.reading(part) for part in parts], from_start=True)
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors that the data allow, shape (count, P); always the same for the same model.
@@ -275,7 +291,7 @@ class HybridModel:
 
     def to_tree(self) -> dict[str, Any]:
         """The model as a dictionary of arrays, numbers and texts."""
-        return tree_of(self)
+        return {name: entry for name, entry in tree_of(self).items() if name != "rotation" or self.joint.angle}
 
     def _simulate(self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray) -> FloatArray:
         """Free runs of several θ (None: the fit's) from one state, shape (2,), or of one from several, shape (B, 2).
@@ -284,6 +300,10 @@ class HybridModel:
         """
         dt = sample_interval(t)
         age = np.full((*start.shape[:-1], 1), age_at(t))
+        angle = self.joint.angle
+        if angle:
+            q, qdot, _ = angle.read(start[..., 0], start[..., 1], np.zeros_like(start[..., 0]))
+            start = np.stack([q, qdot], axis=-1)
         start = np.concatenate([start, age], axis=-1)
         driving = DrivingVoltages(v, dt)
         largest = self.joint.largest_voltage
@@ -302,18 +322,21 @@ class HybridModel:
             built = parts[0], parts[1]
         followed = Followed(np.zeros(0), np.zeros(len(t)))
         stepping = self.joint.stepping(dt, steps)
-        if not driving.refined:
-            return simulate(self.joint, thetas, inputs, start, followed, stepping, built=built)
-        # Samples of a log that is known between them have been low-pass filtered, so these are too.
-        runs = []
-        for rows in (
-            slice(first, first + BATCH) for first in range(0, len(thetas), BATCH)
-        ):  # every step of all is much
+
+        def runs_of(rows: slice, *, every_step: bool) -> FloatArray:
+            """Runs of some of them, as the log shows their displacement."""
             begin = start if start.ndim == 1 else start[rows]
             made = (built[0][rows], built[1][rows])
-            every = simulate(self.joint, thetas[rows], inputs, begin, followed, stepping, every_step=True, built=made)
-            runs.append(filtered_samples(every, steps))
-        return np.concatenate(runs)
+            read = simulate(
+                self.joint, thetas[rows], inputs, begin, followed, stepping, every_step=every_step, built=made
+            )
+            return np.stack(angle.shown(*np.moveaxis(read, -1, 0)), axis=-1) if angle else read
+
+        if not driving.refined:
+            return runs_of(slice(None), every_step=False)
+        # Samples of a log that is known between them have been low-pass filtered, so these are too.
+        blocks = (slice(first, first + BATCH) for first in range(0, len(thetas), BATCH))  # every step of all is much
+        return np.concatenate([filtered_samples(runs_of(rows, every_step=True), steps) for rows in blocks])
 
     @cached_property
     def _best(self) -> tuple[FloatArray, FloatArray]:

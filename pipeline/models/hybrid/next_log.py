@@ -40,7 +40,7 @@ def slopes(model: HybridModel, t: FloatArray, v: FloatArray, start: float) -> Fl
     if run.status != "ok":
         return None
     record = Log(t, run.q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
-    return CondensedProblem(model.joint, [record]).jacobian(model.theta, 0.0)[1]
+    return CondensedProblem(model.joint, [model.joint.reading(record)]).jacobian(model.theta, 0.0)[1]
 
 
 @dataclass(frozen=True)

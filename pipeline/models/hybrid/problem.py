@@ -5,7 +5,7 @@ RBF corrections, all in prior standard deviations.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -17,6 +17,7 @@ from ...numerics.arrays import BoolArray, FloatArray, samples_of
 from ...signals.decimation_kernel import sharpened
 from ...signals.log import Log
 from . import parameters as condensed_parameters
+from .angle_reading import AngleReading
 from .columns import INSTRUMENTS
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES, INDEX
@@ -85,6 +86,8 @@ class CondensedJoint:
         τ / Q of slow motions.
     similarity : Similarity
         The device in units of the set's joint.
+    rotation : FloatArray, shape (K, 2)
+        q [m] and φ [rad] at rest, by which the angle was made a displacement; of no rows where q was measured.
     """
 
     parameters: JointParameters
@@ -93,6 +96,16 @@ class CondensedJoint:
     largest_voltage: float
     slope_ratio: float
     similarity: Similarity = SAME
+    rotation: FloatArray = field(default_factory=lambda: np.empty((0, 2)))
+
+    @property
+    def angle(self) -> AngleReading | None:
+        """How the log's displacement is read, where it was made of an angle."""
+        return AngleReading(self.rotation, self.lead) if len(self.rotation) else None
+
+    def reading(self, log: Log) -> Log:
+        """A log as the equations read it."""
+        return self.angle.log(log) if self.angle else log
 
     def constants(self, theta: FloatArray) -> FloatArray:
         """The kernel's constants, shape (…, len(CONSTANTS)), of one θ or of several, shape (…, P)."""
@@ -165,7 +178,7 @@ class CondensedJoint:
 
     def stepping(self, dt: float, steps: int) -> Stepping:
         """Steps of a run of this joint, so many in a sample interval `dt` [s]."""
-        return Stepping(dt, steps, self.q_stop, self.lead)
+        return Stepping(dt, steps, self.q_stop, self.lead, (0.0, 1.0 / self.lead) if self.angle else (1.0, 0.0))
 
     def start(self) -> FloatArray:
         """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""

@@ -17,7 +17,7 @@ from ...generated.condensed_joint import RATES, STATES, STOP_MOVE, STOPS
 from ...numerics.arrays import FloatArray, IntArray
 from ...numerics.fixed_step import SHARES, Methods, inlined, integrator, workspace
 from .kernels import VALUES, corrections_at, prepare
-from .statics import rest_state
+from .statics import rest_at_reading
 
 BATCH = 8
 """Joints side by side."""
@@ -49,6 +49,8 @@ class Joints(NamedTuple):
         Reading [m] that an observer follows and its pole L [1/s]; both (0,) in a free run.
     wall, lead : float
         Displacement [m] that confines the runs; dτ/dq [1/m] of slow motions.
+    reading : (float, float)
+        See `Stepping`.
     points, slips : FloatArray, shapes (steps + 1, 4, STATES) and (steps + 1, STOPS)
         Filled in a run of one joint: states at all stages, and stop operators where steps begin. Empty in other runs.
     """
@@ -70,6 +72,7 @@ class Joints(NamedTuple):
     pole: FloatArray
     wall: float
     lead: float
+    reading: tuple[float, float]
     points: FloatArray
     slips: FloatArray
 
@@ -94,11 +97,17 @@ def observer(error: float, pole: float, lead: float) -> tuple[float, float, floa
 def _methods(system: Any) -> Methods:
     """Methods of W joints, for the compiler.
 
-    Each of the three is written out: a function that takes `system` counts references of its arrays at each call, which
+    Each of them is written out: a function that takes `system` counts references of its arrays at each call, which
     took the free run of one joint from 5 to 8 ms.
     """
     w = len(system.types[0])
-    return Methods(_begin_of(w), _rates_of(w), _finish_of(w))
+    return Methods(_begin_of(w), _rates_of(w), _finish_of(w), _reading)
+
+
+def _reading(system, x, j, width):
+    """Reading of a joint, and its rate."""
+    by_q, by_tau = system.reading
+    return by_q * x[j] + by_tau * x[2 * width + j], by_q * x[width + j] + by_tau * x[3 * width + j]
 
 
 def _begin_of(w: int) -> Any:
@@ -138,12 +147,13 @@ def _rates_of(w: int) -> Any:
                 for i in range(VALUES):
                     system.c[i * w + j] = system.own[i]
         equations((x, system.u, system.c, system.z, system.start, system.p, dx))
+        by_q, by_tau = system.reading
         for j in range(w):
-            acceleration[j] = dx[w + j]
+            acceleration[j] = by_q * dx[w + j] + by_tau * dx[3 * w + j]
         pole = system.now[1]
         if pole > 0.0:
             for j in range(w):
-                error = system.observed[node] - system.offset[j] - x[j]
+                error = system.observed[node] - system.offset[j] - (by_q * x[j] + by_tau * x[2 * w + j])
                 q, speed, tau, turning = observer(error, pole, system.lead)
                 dx[j] += q
                 dx[w + j] += speed
@@ -226,7 +236,7 @@ class Followed(NamedTuple):
 
 
 class Stepping(NamedTuple):
-    """Steps of a run, and two numbers that every joint of it shares.
+    """Steps of a run, and what every joint of it shares.
 
     Attributes
     ----------
@@ -236,12 +246,15 @@ class Stepping(NamedTuple):
         Displacement [m] of the wall that confines every run.
     lead : float
         dτ/dq [1/m] of slow motions.
+    reading : (float, float)
+        What q [1] and τ [m] contribute to the reading [m]: q alone, or τ alone where the angle was measured.
     """
 
     dt: float
     substeps: int
     wall: float
     lead: float
+    reading: tuple[float, float] = (1.0, 0.0)
 
 
 def run_joints(
@@ -273,13 +286,13 @@ def run_joints(
     width = 1 if count == 1 else BATCH
     for first in range(0, count, width):
         chosen = np.minimum(np.arange(first, first + width), count - 1)
-        x, z = _at_rest(laws, prepared, driving, chosen)
+        x, z = _at_rest(laws, prepared, driving, stepping, chosen)
         shown_states = np.empty((shown, 3, width))
         system = Joints(
             (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), np.zeros(VALUES), z,
             np.zeros(3 * width), np.zeros(2 * width), np.zeros(3), driving.squares, driving.variant[chosen],
             basis, weights[chosen], driving.offset[chosen], followed.reading, poles,
-            stepping.wall, stepping.lead, *NO_STAGES,
+            stepping.wall, stepping.lead, stepping.reading, *NO_STAGES,
         )  # fmt: skip
         integrate_joints(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
         filled = min(width, count - first)
@@ -313,7 +326,7 @@ def continued_runs(
     none = np.zeros(0)
     parts = 2 * stepping.substeps
     poles = np.repeat(followed.pole, parts)
-    x, z = _at_rest(laws, prepared, driving, only)
+    x, z = _at_rest(laws, prepared, driving, stepping, only)
     work = workspace(x)
 
     def moved(x: FloatArray, z: FloatArray, first: int, count: int, *, held: bool) -> FloatArray:
@@ -324,7 +337,7 @@ def continued_runs(
             (0,), prepared[0], np.zeros(VALUES), np.zeros(VALUES), z,
             np.zeros(3), np.zeros(2), np.zeros(3), driving.squares[:, nodes], only, laws.basis, laws.weights,
             driving.offset, followed.reading[nodes] if held else none, poles[nodes] if held else none,
-            stepping.wall, stepping.lead, *NO_STAGES,
+            stepping.wall, stepping.lead, stepping.reading, *NO_STAGES,
         )  # fmt: skip
         integrate_joints(system, x, out, work, stepping.substeps, stepping.dt / stepping.substeps, -np.inf, np.inf)
         return np.asarray(out[:, 0, 0] + driving.offset)
@@ -342,7 +355,7 @@ def _rows(values: FloatArray) -> FloatArray:
 
 
 def _at_rest(
-    laws: Laws, prepared: FloatArray, driving: Driving, chosen: NDArray[np.int64]
+    laws: Laws, prepared: FloatArray, driving: Driving, stepping: Stepping, chosen: NDArray[np.int64]
 ) -> tuple[FloatArray, FloatArray]:
     """States and stop operators of the chosen joints at rest at the first sample, in rows."""
     x = np.empty((len(chosen), STATES))
@@ -350,9 +363,10 @@ def _at_rest(
     starts = np.broadcast_to(driving.start, (len(prepared), 3))
     for j, i in enumerate(chosen):
         reading, rate, age = starts[i]
-        x[j], z[j] = rest_state(
-            reading - driving.offset[i], driving.squares[driving.variant[i], 0], laws.constants[i], prepared[i],
-            laws.basis, laws.weights[i], age,
+        x[j], z[j] = rest_at_reading(
+            reading - driving.offset[i], stepping.reading, driving.squares[driving.variant[i], 0], laws.constants[i],
+            prepared[i], laws.basis, laws.weights[i], age,
         )  # fmt: skip
         x[j, 1] = rate
+        x[j, 3] = stepping.reading[1] * stepping.lead**2 * rate
     return _rows(x), _rows(z)

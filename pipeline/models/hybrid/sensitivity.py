@@ -17,7 +17,7 @@ from .columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
 from .kernels import CURVES, VALUES
 from .kernels import prepare as prepare_rates
 from .runs import Joints, Laws, Stepping, integrate_joints
-from .statics import rest_state
+from .statics import rest_at_reading
 
 _SHIFT = 1e-8
 """Step of the differences by which the state at rest depends on the place [m]."""
@@ -48,7 +48,7 @@ class Driven:
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """Displacement q [m] of a run at the samples, shape (N,), and its derivatives.
+    """Reading q [m] of a run at the samples without the laser's offset, shape (N,), and its derivatives.
 
     `columns` (N, C + 5): by the constants, of which those without a scale are left out, then by laser offset [1],
     and by delay, charging time and probes in units of θ; `by_weights` (N, 9, M): by the weights of the corrections.
@@ -85,17 +85,18 @@ def sensitivities(
         Cost: 1.4 µs a stage for 104 constants, 2.3 with corrections; 37.5 s at two steps in 10 ms take 43 and 70 ms.
     """
     k, weights, basis = laws
-    dt, substeps, wall, lead = stepping
+    dt, substeps, wall, lead, reading = stepping
     steps = (len(driven.squares) - 1) // 2
     active = np.flatnonzero(scale)
-    x, z, starts, stops = _starts(laws, scale, active, widths, offset, driven)
+    x, z, starts, stops = _starts(laws, scale, active, widths, offset, driven, stepping)
     p = prepare_rates(k[None])[0]
     only = np.zeros(1, dtype=np.int64)
     points = np.empty((steps + 1, len(SHARES), STATES))
     slips = np.empty((steps + 1, STOPS))
     system = Joints(
         (0,), p, np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3), driven.squares[None],
-        only, basis, weights[None], np.array([offset]), driven.observed, driven.pole, wall, lead, points, slips,
+        only, basis, weights[None], np.array([offset]), driven.observed, driven.pole, wall, lead,
+        reading, points, slips,
     )  # fmt: skip
     integrate_joints(system, x, np.empty((steps + 1, 3, 1)), workspace(x), 1, dt / substeps, -np.inf, np.inf)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
@@ -104,11 +105,18 @@ def sensitivities(
     first = len(active) + INSTRUMENTS
     count = weights.shape[1]
     by_weights = displacements[:, first : first + CURVES * count].reshape(len(displacements), CURVES, count)
-    return Sensitivity(points[::substeps, 0, 0], displacements[:, :first], by_weights)
+    q = reading[0] * points[::substeps, 0, 0] + reading[1] * points[::substeps, 0, 2]
+    return Sensitivity(q, displacements[:, :first], by_weights)
 
 
 def _starts(
-    laws: Laws, scale: FloatArray, active: NDArray[np.int64], widths: FloatArray, offset: float, driven: Driven
+    laws: Laws,
+    scale: FloatArray,
+    active: NDArray[np.int64],
+    widths: FloatArray,
+    offset: float,
+    driven: Driven,
+    stepping: Stepping,
 ) -> tuple[FloatArray, FloatArray, SingleArray, SingleArray]:
     """State and stop operators at rest, and the columns' derivatives of them, (blocks, rows, BATCH)."""
     k, weights, basis = laws
@@ -120,7 +128,7 @@ def _starts(
     centres = weights.shape[1]
     total = blocks(first + weights.size)
     starts, stops = (np.zeros((total, rows, BATCH), dtype=np.float32) for rows in (STATES, STOPS))
-    x, z = rest_state(q, u, k, prepare_rates(k[None])[0], basis, weights, start[2])
+    x, z = rest_at_reading(q, stepping.reading, u, k, prepare_rates(k[None])[0], basis, weights, start[2])
     moves: list[tuple[int, float, _Rest]] = []
     for column, i in enumerate(active):
         step = PARAMETER_STEP * scale[i]
@@ -135,10 +143,13 @@ def _starts(
         moves.append((first + i, step, (q, u, k, moved)))
     for column, step, (place, voltages, constants, changed) in moves:
         prepared = prepare_rates(constants[None])[0]
-        there, slipped = rest_state(place, voltages, constants, prepared, basis, changed, start[2])
+        there, slipped = rest_at_reading(
+            place, stepping.reading, voltages, constants, prepared, basis, changed, start[2]
+        )
         starts[column // BATCH, :, column % BATCH] = (there - x) / step
         stops[column // BATCH, :, column % BATCH] = (slipped - z) / step
     x[1] = start[1]
+    x[3] = stepping.reading[1] * stepping.lead**2 * start[1]
     return x, z, starts, stops
 
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...device.device import JOINT
 from ...device.parameters import JointParameters
 from ...fitting.population import NormalPopulation
 from ...generated.condensed_joint import CORRECTIONS
@@ -104,8 +105,8 @@ def shift_of(records: Sequence[Log]) -> float:
 
 def _wells(records: Sequence[Log]) -> Wells | NoWells:
     logs = [(np.where(r.valid, r.q, np.nan), r.v, r.interval) for r in records]
-    wells = find_wells(logs, joint=True)
-    return wells if isinstance(wells, Wells) else find_wells(logs, SHORT_PAUSE, joint=True)
+    wells = find_wells(logs, plant=JOINT)
+    return wells if isinstance(wells, Wells) else find_wells(logs, SHORT_PAUSE, plant=JOINT)
 
 
 def _shift(wells: Wells) -> float:

@@ -42,6 +42,8 @@ _SHARES = np.linspace(-0.25, 0.25, 5)
 _OF_SLOPE = BENDS[1][1]
 _OF_INTERIOR = BENDS[2][2]
 """Bending stiffness of a straight slender beam against τ and against β, over `bending`: the scale of their forces."""
+_SECANTS = 20
+"""Most steps to the displacement at a reading; five lead to rounding."""
 _FARTHEST = (0.05, 0.15)
 """Largest changes of τ and β in an iteration."""
 
@@ -150,6 +152,39 @@ def rest_state(
     if capacity > 0.0:
         for i in range(SLIPS):
             z[i] = min(1.0, max(-1.0, force / capacity))
+    return x, z
+
+
+@compiled
+def rest_at_reading(
+    reading: float, by: tuple[float, float], u: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray,
+    weights: FloatArray, age: float,
+) -> tuple[FloatArray, FloatArray]:  # fmt: skip
+    """State and stop operators as after a long rest at a reading, by the secant method.
+
+    Parameters
+    ----------
+    reading : float
+        Reading [m] without the laser's offset.
+    by : (float, float)
+        What q [1] and τ [m] contribute to it.
+    u, k, p, basis, weights, age
+        As in `rest_state`.
+    """
+    q = reading
+    x, z = rest_state(q, u, k, p, basis, weights, age)
+    if by[1] == 0.0:
+        return x, z
+    slope = 1.0
+    for _ in range(_SECANTS):
+        error = by[0] * q + by[1] * x[2] - reading
+        moved = -error / slope
+        q += moved
+        x, z = rest_state(q, u, k, p, basis, weights, age)
+        found = by[0] * q + by[1] * x[2] - reading
+        if abs(found) < 1e-14 or moved == 0.0:
+            break
+        slope = (found - error) / moved
     return x, z
 
 

@@ -23,7 +23,7 @@ joint has one structure, and the prior of a population of simulated joints.
 - `structure_search`: the choice among them on held-out data.
 - `parameter_layout`: order of θ, and its way into the coefficients of the equation.
 - `coefficients`: the numbers of the equation, and the basis of its curves. `dynamics`: the equation.
-- `observed_run`: a run of it, with observer and sensitivities.
+- `observed_run`: a run of it, with observer and sensitivities. `elements`: the force of each of its elements.
 - `problem`: residuals and Jacobians over the training logs, and the effort of a fit.
 - `start`: the convex fit. `prior`: smoothness, symmetry, population, and curves that were measured on a test stand.
 """

@@ -172,9 +172,19 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
 def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -> Candidate:
     """First candidate of the search: the user's settings, and the usual ones for the rest.
 
-    It has as few elements as can be. A `pair` of inputs pulls at the two sides of a bistable joint. All else is an
-    actuated arm or slider, whose weight turns with it where q is an angle. With `fine` the inputs are known between the
-    samples.
+    It has as few elements as can be. All but a bistable joint is an actuated arm or slider, whose weight turns with it
+    where q is an angle.
+
+    Parameters
+    ----------
+    choice : RbfChoice
+        Decisions of the user.
+    pair : bool
+        Whether two inputs pull at the two sides of a bistable joint.
+    angle : bool
+        Whether q is an angle.
+    fine : bool
+        Whether the inputs are known between the samples.
     """
     usual: dict[str, Any] = {
         **FRICTION["viscous"],

@@ -24,18 +24,13 @@ _bell = formula(BELL)
 POLYNOMIALS = 4
 """Basis functions 1, x, x², x³ before the Gaussians (1, sin q, cos q, x³ with a wall for a turning arm)."""
 
-FORCE = 0
-DAMPING = 1
-INPUT = 2
+FORCE, DAMPING, INPUT = range(3)
 """Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L, then ρ, β_1 … β_K of each shape element."""
 
 WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, NUMBER, INPUT_SHAPE = range(6)
 """Kinds of parameters: the `kind` of `SensitivityParameters`; a `NUMBER` is one of those below."""
 
-CENTRE = 3
-ARC = 4
-DRAG = 5
-STOPS = 6
+CENTRE, ARC, DRAG, STOPS = range(3, 7)
 """Places in `ObservedJoint.by` of derivatives by numbers of the equation: arm, arc, drag, the four of the stops."""
 
 

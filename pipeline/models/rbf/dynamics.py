@@ -4,8 +4,7 @@ It is that of `pipeline.equations.data_driven_joint`, which has one curve, relax
 kind; here they are summed over as many as a joint has. F goes on as its cubic outside [low, high], but restores there
 at least as much as at the end, so that without inputs nothing rests far outside.
 
-Friction states are exact (`elements.dahl_move`): held at their middle value during a step and then moved by the
-distance travelled (second order).
+Friction states are exact (`elements.dahl_move`): within a step they are those of the distance travelled so far.
 """
 
 # mypy: disable-error-code="no-untyped-def,no-untyped-call"
@@ -43,9 +42,7 @@ _stop_force = formula(STOP_FORCE)
 _confined = formula(CONFINED_FORCE)
 element = formula(ELEMENT)
 
-INSIDE = 10
-LEFT = 11
-RIGHT = 12
+INSIDE, LEFT, RIGHT = range(STOPS + 4, STOPS + 7)
 """Places of the derivatives of the confined force by F, and by F at the ends of its reach."""
 
 LOAD, PULL, RATE_NOW, OWN_SLOPE = range(4)
@@ -56,9 +53,9 @@ class ObservedJoint(NamedTuple):
     """A joint in a run. The state is x, p and L relaxing elements, then their P sensitivities, row by row.
 
     c, wrt, u, du, held as in `observed_run` · measured (N,) · observer (N,): its gain of each interval [1/s] · parts:
-    half steps in an interval · half: half a step [s] · now (2,): half step at which the step began, its observer gain ·
-    began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
-    basis, slopes (4 + M,), curvatures (M,), values, changes (C,): basis and the C curves, and their slopes · by_curve
+    half steps in an interval · now (2,): half step at which the step began, its observer gain · began (1 + P,): x
+    there and its sensitivities · slip, sliding (D, 1 + P): friction states there, and as they act · basis, slopes
+    (4 + M,), curvatures (M,), values, changes (C,): basis and the C curves, and their slopes · by_curve
     (C,), by (13,): derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag, stops; of F by F (`INSIDE`) ·
     relaxing (4, L): of each element its load, the inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its
     own curves make · states, sensitivity: at the samples, filled.
@@ -72,11 +69,10 @@ class ObservedJoint(NamedTuple):
     measured: FloatArray
     observer: FloatArray
     parts: int
-    half: float
     now: FloatArray
     began: FloatArray
     slip: FloatArray
-    middle: FloatArray
+    sliding: FloatArray
     basis: FloatArray
     slopes: FloatArray
     curvatures: FloatArray
@@ -128,8 +124,8 @@ def move(system, x, u, dx):
         push += x[2 + n] * system.relaxing[PULL, n]
         change += values[INPUT + inputs + n] * system.relaxing[PULL, n]
         change += x[2 + n] * _bent_pull(system, n, u)
-    for n in range(len(system.middle)):
-        push -= c.slip_force[n] * system.middle[n, 0]
+    for n in range(len(system.sliding)):
+        push -= c.slip_force[n] * system.sliding[n, 0]
     stopped = _stopped(c, x[0], p)
     push, change = push + stopped[0], change + stopped[1]
     force, force_slope = _restoring(system, x[0])
@@ -205,15 +201,31 @@ def _bent_pull(system, n, u):
 
 @shared
 def slide(
-    slip: FloatArray, share: float, way: float, way_sensitivity: FloatArray, c: Coefficients,
-    wrt: SensitivityParameters, moved: FloatArray,
+    slip: FloatArray, way: float, there: FloatArray, here: FloatArray, c: Coefficients, wrt: SensitivityParameters,
+    moved: FloatArray,
 ) -> None:  # fmt: skip
-    """Dahl states and their sensitivities (D, 1 + P) after a monotonous travel, a `share` of the way."""
+    """Dahl states and their sensitivities (D, 1 + P) after a monotonous travel.
+
+    Parameters
+    ----------
+    slip : FloatArray, shape (D, 1 + P)
+        Where the travel begins.
+    way : float
+        Travel [half ranges].
+    there, here : FloatArray, shape (P,)
+        Sensitivities of the place at its end and at its beginning.
+    c : Coefficients
+        Slip lengths.
+    wrt : SensitivityParameters
+        P parameters.
+    moved : FloatArray, shape (D, 1 + P)
+        Filled.
+    """
     for n in range(len(slip)):
         length = c.slip_length[n]
-        value, by_state, by_travel, by_length = _dahl_move((slip[n, 0], share * way, length))
+        value, by_state, by_travel, by_length = _dahl_move((slip[n, 0], way, length))
         for m in range(len(wrt.kind)):
-            moved[n, 1 + m] = by_state * slip[n, 1 + m] + by_travel * share * way_sensitivity[m]
+            moved[n, 1 + m] = by_state * slip[n, 1 + m] + by_travel * (there[m] - here[m])
             if wrt.kind[m] == SLIP_LENGTH and wrt.first[m] == n:
                 moved[n, 1 + m] += by_length * length * wrt.factor[m]
         moved[n, 0] = value
@@ -261,14 +273,14 @@ def _traced(c: Coefficients, slip: Sequence[Any]) -> ObservedJoint:
     """A joint whose arrays take traced values."""
     functions = c.curves.shape[1]
     curves = len(c.curves)
-    middle = np.empty((len(slip), 1), dtype=object)
+    sliding = np.empty((len(slip), 1), dtype=object)
     for n, value in enumerate(slip):
-        middle[n, 0] = value
+        sliding[n, 0] = value
     basis, slopes, curvatures = (np.empty(size, dtype=object) for size in (functions, functions, len(c.centres)))
     values, changes, by_curve = (np.empty(curves, dtype=object) for _ in range(3))
     nothing = np.empty(0)
     return ObservedJoint(
-        c, no_sensitivities(), nothing, nothing, False, nothing, nothing, 1, 0.0, nothing, nothing, middle, middle,
+        c, no_sensitivities(), nothing, nothing, False, nothing, nothing, 1, nothing, nothing, sliding, sliding,
         basis, slopes, curvatures, values, changes, by_curve, np.empty(13, dtype=object),
         np.empty((4, len(c.rates)), dtype=object), nothing, nothing,
     )  # fmt: skip

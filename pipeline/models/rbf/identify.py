@@ -136,6 +136,7 @@ def identify_rbf(
         mass,
         _diagnostics(records, fitted, tried) | {"effort_s": setting.effort.spent, "search_complete": complete},
     )
+    model = replace(model, diagnostics=model.diagnostics | {"elements": model.acting(records)})
     return replace(model, tube=scale_on(records, model, fitted.rms, TUBE_MARGIN, TUBE_LEAST))
 
 

@@ -18,6 +18,7 @@ from ..base import FreeRun, checked
 from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, read_part, tree_of
 from ..tubes import NO_TUBES, TubeScale
 from .coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
+from .elements import acting_forces
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
 from .problem import JointProblem, steps_per_sample
@@ -125,6 +126,32 @@ class RbfModel:
         start = ((q0 - s.middle) / s.half, qdot0 / s.half)
         runs = [self._run(theta, t, v, _free(len(t)), start)[0][:, 0] for theta in draws]
         return s.middle + s.half * np.array(runs), draws
+
+    def _followed(
+        self, t: FloatArray, v: FloatArray, x: FloatArray, seen: FloatArray, speed: float
+    ) -> tuple[FloatArray, FloatArray]:
+        """State (N, 2 + L + D) behind an observer that follows the path x, and inputs (N, K) at the samples."""
+        p = self.parameters
+        coupling = Coupling(x, seen, PATH_OBSERVER_GAIN * p.scales.frequency)
+        states, _ = self._run(self.theta, t, v, coupling, (float(x[0]), speed))
+        steps = steps_per_sample(p, sample_interval(t), self.theta)
+        u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
+        return np.delete(states, 2, axis=1), u[:: 2 * steps]
+
+    def acting(self, logs: Sequence[Log]) -> dict[str, float]:
+        """RMS force [N] of each element along logs; per unit mass where `mass` is 1, and 0 of one that is absent."""
+        s = self.parameters.scales
+        parts = [
+            self._followed(
+                log.t, log.drive if self.fine_voltages else log.v, bridged((log.q - s.middle) / s.half, log.valid),
+                log.valid.astype(np.float64), float(log.qdot[0]) / s.half,
+            )
+            for log in logs
+        ]  # fmt: skip
+        states, inputs = (np.concatenate(each) for each in zip(*parts, strict=True))
+        known = np.isfinite(states).all(axis=1)
+        forces = acting_forces(self.parameters, self.theta, states[known], inputs[known])
+        return {name: self.mass * s.half * force for name, force in forces.items()}
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).

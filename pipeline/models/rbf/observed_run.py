@@ -88,7 +88,6 @@ def _begin(system, x, node):
     system.began[0] = x[0]
     for m in range(parameters):
         system.began[1 + m] = x[first + m]
-    slide(system.slip, system.half, x[1], x[first + parameters :], system.c, system.wrt, system.middle)
 
 
 def _rates(system, x, node, dx, acceleration):
@@ -97,6 +96,8 @@ def _rates(system, x, node, dx, acceleration):
     seen = system.measured[n] + share * (system.measured[following] - system.measured[n])
     error = seen - x[0]
     gain = system.now[1]
+    first = 2 + len(system.c.rates)
+    slide(system.slip, x[0] - system.began[0], x[first:], system.began[1:], system.c, system.wrt, system.sliding)
     move(system, x, system.u[acting], dx)
     acceleration[0] = dx[1]
     dx[0] += 2.0 * gain * error
@@ -108,9 +109,7 @@ def _rates(system, x, node, dx, acceleration):
 
 def _finish(system, x):
     first = 2 + len(system.c.rates)
-    for m in range(len(system.wrt.kind)):
-        system.began[1 + m] = x[first + m] - system.began[1 + m]
-    slide(system.slip, 1.0, x[0] - system.began[0], system.began[1:], system.c, system.wrt, system.slip)
+    slide(system.slip, x[0] - system.began[0], x[first:], system.began[1:], system.c, system.wrt, system.slip)
     if abs(x[0]) > WALL:
         x[0], x[1] = WALL if x[0] > 0.0 else -WALL, 0.0
         for m in range(2 * len(system.wrt.kind)):
@@ -136,10 +135,10 @@ def _carry(system, x, gain, dx):
     for m in range(parameters):
         k0[m] = s1[m] - 2.0 * gain * s0[m]
         k1[m] = by_x * s0[m] + by_p * s1[m]
-    for n in range(len(system.middle)):
+    for n in range(len(system.sliding)):
         by_slip = -by_push * c.slip_force[n]
         for m in range(parameters):
-            k1[m] += by_slip * system.middle[n, 1 + m]
+            k1[m] += by_slip * system.sliding[n, 1 + m]
     values = system.values
     changes = system.changes
     for n in range(len(c.rates)):
@@ -195,7 +194,7 @@ def _force(system, x, node, dx):
         elif kind == RATE:
             own[i * parameters + m] -= c.rates[i] * relaxing[LOAD, i]
         elif kind == SLIP_FORCE:
-            k1[m] -= by_push * c.slip_force[i] * system.middle[i, 0]
+            k1[m] -= by_push * c.slip_force[i] * system.sliding[i, 0]
         elif kind == NUMBER:
             k1[m] += system.by[i] * wrt.factor[m]
         elif kind == INPUT_SHAPE:
@@ -295,7 +294,7 @@ def observed_run(
     values, changes, by_curve = np.zeros((3, len(c.curves)))
     system = ObservedJoint(
         c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),
-        gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps, 0.5 * interval / steps,
+        gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps,
         np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, curvatures, values, changes,
         by_curve, np.zeros(13), np.zeros((4, elements)), states, sensitivity,
     )  # fmt: skip

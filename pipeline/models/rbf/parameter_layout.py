@@ -216,7 +216,7 @@ class ParameterLayout:
 
     @property
     def squares_first(self) -> bool:
-        """Whether the squares of the inputs act before any lag, so that the record's means are those of squares."""
+        """Whether the squares of the inputs act before any lag, so that the record's nodes are those of squares."""
         return self.law == "squared" and (self.structure.effect_lags or not self.structure.input_lag)
 
     def delay(self, theta: FloatArray) -> float:
@@ -226,6 +226,15 @@ class ParameterLayout:
     def inputs(self, v: FloatArray, interval: float, steps: int, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Inputs at every half step and their derivatives by offsets, lag, delay and bend (see `observed_run`).
 
+        Parameters
+        ----------
+        v, interval, steps
+            As in `drive_at_nodes`.
+        theta : FloatArray, shape (P,)
+            Parameters.
+
+        Notes
+        -----
         They pass delay and lag, solved exactly, and are bent and squared after that, because it is the drive (the
         propeller's speed, the electrodes' charge) that lags and its square that pulls. Where the effect lags, as heat
         does, they are bent and squared first.
@@ -292,7 +301,8 @@ class ParameterLayout:
             steep = outputs["slopes"][..., 0]
             slope, by_shape = slope * steep, np.concatenate((by_shape * steep, zone * outputs["slopes"][None, ..., 1]))
         if self.law == "squared":
-            return drive * drive, 2.0 * drive * slope, 2.0 * drive * by_shape
+            size = np.abs(drive) if self.structure.hold == "record" and self.squares_first else drive
+            return size * drive, 2.0 * size * slope, 2.0 * size * by_shape
         return drive, slope, by_shape
 
     def at_rest(self, u: FloatArray, theta: FloatArray, *, begins: bool = True) -> FloatArray:

@@ -26,14 +26,12 @@ from .structure import JointScales, JointStructure
 GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
 SLOW_DAMPING = 0.05  # mean of the damping, in units of the frequency scale
 ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to deviate from its sine
-CUBIC_SPREAD = 1.0  # of the logarithm of the confining cubic about the stiffness scale
-STOP_SPREADS = 0.1, 0.1, 1.5, 1.5  # of both places [half ranges], and of the logarithms of stiffness and resistance
-SPREADS = {
-    "rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3, "drag": 1.5,
-    "input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0, "input_bend": 0.7,
-    "input_zone": 1.0,
-}  # fmt: skip
-"""Prior standard deviations of single numbers about where they start."""
+LOG_SPREAD = 1.0  # of the logarithm of a number that the start knows to a factor of e
+STOP_SPREAD = 0.1  # of the places of end stops [half ranges]
+SPREADS = {"rate": 0.5, "inertia_centre": 0.3, "input_offset": 0.01}
+"""Prior standard deviations of single numbers about where they start, where it is not `LOG_SPREAD`."""
+
+_LOGARITHMS = ("slip_force", "slip_length", "inertia", "drag", "input_lag", "input_delay", "input_bend", "input_zone")
 
 UNLIKENESS = {"force": 2.5, "damping": 2.0}
 """Prior distance of these curves from their mirror images, over that of other curves."""
@@ -60,7 +58,7 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
     for i in force[: POLYNOMIALS - 1]:
         rows.add([i], [1.0], 0.0, 3.0 * size)
     for i in force[POLYNOMIALS - 1 : POLYNOMIALS]:
-        rows.add([i], [1.0], np.log(s.stiffness), CUBIC_SPREAD)
+        rows.add([i], [1.0], np.log(s.stiffness), LOG_SPREAD)
     bells = force[POLYNOMIALS:]
     bump = size * (ARM_BUMP if p.structure.turning_arm else 1.0)
     rows.each(bells, np.zeros(len(bells)), 0.5 * bump)
@@ -80,9 +78,10 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
         rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
         rows.each(coupling, np.zeros(len(coupling)), spread * np.sqrt(s.stiffness))
     _shapes(rows, p, start)
-    for i, spread in zip(range(at["stops"].start, at["stops"].stop), STOP_SPREADS, strict=False):
-        rows.add([i], [1.0], float(start[i]), spread)
-    for name, spread in SPREADS.items():
+    stops = np.arange(at["stops"].start, at["stops"].stop)
+    rows.each(stops[:2], start[stops[:2]], STOP_SPREAD)
+    rows.each(stops[2:], start[stops[2:]], LOG_SPREAD)
+    for name, spread in (SPREADS | dict.fromkeys(_LOGARITHMS, LOG_SPREAD)).items():
         index = np.arange(at[name].start, at[name].stop)
         rows.each(index, start[index], spread)
     if symmetry is not None and s.middle == 0.0:

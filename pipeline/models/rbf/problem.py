@@ -28,16 +28,13 @@ PER_SIMULATION = 0.7e-3
 PER_STEP = 0.45e-6
 """Cost of a step of the data-driven joint [s]."""
 
-PER_DELAYED_STEP = 0.35e-6
-"""Cost of a step's inputs where a delay makes them anew for each run [s]."""
-
 PER_SENSITIVITY = 0.054e-6
 """Cost of a step per parameter that is derived by [s]."""
 
 
-def simulation_effort(steps: int, sensitivities: int = 0, *, delayed: bool = False) -> float:
-    """Seconds of a simulation of so many integration steps, with so many sensitivities and perhaps a delay."""
-    return PER_SIMULATION + steps * (PER_STEP + PER_SENSITIVITY * sensitivities + PER_DELAYED_STEP * delayed)
+def simulation_effort(steps: int, sensitivities: int = 0) -> float:
+    """Seconds of a simulation of so many integration steps, with so many sensitivities."""
+    return PER_SIMULATION + steps * (PER_STEP + PER_SENSITIVITY * sensitivities)
 
 
 @dataclass
@@ -55,12 +52,12 @@ class Effort:
     limit: float = float("inf")
     spent: float = 0.0
 
-    def spend(self, steps: int, sensitivities: int = 0, *, delayed: bool = False) -> None:
+    def spend(self, steps: int, sensitivities: int = 0) -> None:
         """Count a simulation, as `simulation_effort`."""
-        self.spent += simulation_effort(steps, sensitivities, delayed=delayed)
+        self.spent += simulation_effort(steps, sensitivities)
 
     def exhausted(self, share: float = 1.0) -> bool:
-        """Whether a share of the limit is spent."""
+        """True once a share of the limit is spent."""
         return self.spent >= share * self.limit
 
 
@@ -73,11 +70,6 @@ COARSE_STEP = 0.4
 STABLE = 1.5
 """Longest step in units of the inverse of the fastest relaxation rate; Runge-Kutta would be unstable at 2.8."""
 
-
-IMPACT = 2.0
-"""Steps against an end stop, in units of its own period, may be so many times as long as those of the joint: it is
-touched softly."""
-
 MOST_STEPS = 2000
 """Steps in a sample interval; a device that is faster than that by its frequency scale was not identified from it."""
 
@@ -86,8 +78,18 @@ FASTEST = 100.0
 
 
 def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, step: float = STEP) -> int:
-    """Integration steps per sample interval [s] that are no longer than `step` and resolve what decays: the velocity
-    by its damping, and the hidden elements.
+    """Integration steps per sample interval that resolve what decays: the velocity by its damping, hidden elements.
+
+    Parameters
+    ----------
+    p : ParameterLayout
+        Structure.
+    interval : float
+        Sample interval [s].
+    theta : FloatArray, shape (P,)
+        Its parameters.
+    step : float
+        Longest step [1/frequency scale].
     """
     c = p.coefficients(theta)
     decays = ["damping", *(f"relaxation{i}" for i in range(p.structure.shape_elements))]
@@ -96,7 +98,7 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
     touching = 0.0
     if p.structure.stops:
         stiffness, resistance = c.stops[2:]
-        touching = float(np.sqrt(stiffness)) / (IMPACT * step)
+        touching = float(np.sqrt(stiffness)) / COARSE_STEP
         fastest = max(fastest, float(resistance))
     fastest = min(fastest, FASTEST / interval) / STABLE
     rate = max(p.scales.frequency / step, min(touching, FASTEST / interval), fastest)
@@ -170,10 +172,9 @@ class _Log:
         hold = p.structure.hold
         rows = self.past + len(self.measured)
         spline = self.spline if hold == "cubic" else None
-        if self.every == 1:
-            drive = drive_at_nodes(self.inputs, self.spacing, steps, hold, delay, spline, squared=p.squares_first)
-        else:
-            drive = drive_at_nodes(self.inputs, self.spacing, 1, hold, delay, spline)
+        own = steps if self.every == 1 else 1
+        drive = drive_at_nodes(self.inputs, self.spacing, own, hold, delay, spline, squared=p.squares_first)
+        if self.every > 1:
             drive = _averaged(drive, self.every)[: 2 * rows - 1]
             if steps > 1:
                 drive = drive_at_nodes(drive, self.interval / 2.0, steps, "linear")[::2]
@@ -247,7 +248,7 @@ class JointProblem:
         seconds = 0.0
         for log in self.logs:
             steps = log.split * steps_per_sample(p, log.interval, theta, self.step)
-            seconds += simulation_effort(steps, p.count, delayed=p.structure.input_delay)
+            seconds += simulation_effort(steps, p.count)
         return seconds
 
     def is_chaotic(self, theta: FloatArray) -> bool:
@@ -302,7 +303,7 @@ class JointProblem:
         if skipped:
             u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
         wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
-        self.effort.spend(stop * steps, len(wrt.kind), delayed=p.structure.input_delay)
+        self.effort.spend(stop * steps, len(wrt.kind))
         drive = Drive(u, du, p.at_rest(u, theta, begins=log.past == 0), p.held and log.every == 1)
         coupling = Coupling(log.followed[:stop], seen[:stop], gain * p.scales.frequency)
         start = (float(log.measured[0]), log.start)

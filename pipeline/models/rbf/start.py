@@ -28,8 +28,7 @@ RIDGE = 2e-2
 SOFT, STIFF = 0.15, 0.25  # stiffness of plain and of shape elements to start from, in units of the stiffness scale
 START_RELAXATION, START_PULL = 3.0, 0.25  # rate of shape elements and the inputs' pull, in units of the scales
 LAGS = tuple(np.geomspace(0.05, 8.0, 12))  # of the inputs, tried in units of the inverse frequency scale
-DELAYS = (0.02, 0.05, 0.12, 0.3)
-REFINEMENTS = (0.8, 0.9, 1.1, 1.25)  # factors by which the best of them is tried again
+DELAYS = LAGS[::3]
 START_SLIP_FORCE, START_SLIP_LENGTH = 7.5e-3, 0.01  # of dry friction, in units of stiffness scale and half ranges
 SLIP_LENGTHS = (START_SLIP_LENGTH, 0.03, 0.1, 0.3, 1.0)  # of friction states, from dry to one over a long way
 CLEARLY = 0.9  # share of the misfit of dry friction below which another is taken first
@@ -86,9 +85,20 @@ def starting_joint(
 ) -> tuple[ParameterLayout, FloatArray]:
     """Parameterisation and start vector from the training logs.
 
-    The signs of squared inputs' gains are the known ones by the number of the input, or those of a fit without bounds;
-    a linear input's gain stays free. `reach` as in `data_scales`. With `timing` the blocks of lag and delay start
-    there, and signs are those that it gives.
+    Parameters
+    ----------
+    records : sequence of Log
+        Training logs.
+    structure : JointStructure
+        Its terms.
+    law : {"squared", "linear"}
+        Squared inputs have gains of one sign, found by a fit without bounds; those of linear ones stay free.
+    centred, reach
+        As in `data_scales`.
+    known_signs : mapping of int to int, optional
+        Signs of gains by the number of the input.
+    timing : mapping of str to FloatArray, optional
+        Where the blocks of lag and delay start; signs are those that they give.
     """
     measured = data_scales(records, centred=centred, reach=reach)
     inputs = records[0].v.shape[1]
@@ -203,13 +213,8 @@ def _best_timing(
     s = p.structure
     if not (s.input_lag or s.input_delay):
         return at(1.0, 1.0)
-    best = min(((a, b) for a in (LAGS if s.input_lag else (1.0,)) for b in (DELAYS if s.input_delay else (1.0,))),
-               key=misfit)  # fmt: skip
-    lags, delays = (
-        [f * t for f in (1.0, *REFINEMENTS)] if on else [t]
-        for t, on in zip(best, (s.input_lag, s.input_delay), strict=True)
-    )
-    return at(*min(((a, b) for a in lags for b in delays), key=misfit))
+    tried = product(LAGS if s.input_lag else (1.0,), DELAYS if s.input_delay else (1.0,))
+    return at(*min(tried, key=misfit))
 
 
 def _best_slips(

@@ -19,6 +19,9 @@ Hold = Literal["linear", "zero", "cubic", "record"]
 """Course of an input between samples: on lines, held (a converter's zero-order hold), on a cubic spline, or as the
 finer record has it."""
 
+GAUSS = 1.0 / np.sqrt(3.0)
+"""Gauss's two points of [−1, 1], exact for cubics."""
+
 OVERDAMPED = 7.0
 """Damping of an overdamped device to start from, in units of the frequency scale: its inertia acts for a hundredth of
 the time in which it crosses half its range."""
@@ -146,14 +149,14 @@ def drive_at_nodes(
     steps : int
         Integration steps per interval.
     hold : str
-        The inputs between the times at which they are known; "record" is linear between the finer ones, of which a node
-        has the mean over its share of the step (`_record_means`).
+        The inputs between the times at which they are known; "record" is linear between the finer ones, see
+        `_record_nodes`.
     delay : float
         Time [s] by which they act later; before the first sample they are what they were there.
     spline : CubicSpline, optional
         `spline_through` the inputs, where it is known.
     squared : bool
-        Whether inputs act by their squares: then means are those of the squares.
+        Whether inputs act by their squares: then nodes of a record are signed roots of those of the squares.
 
     Returns
     -------
@@ -171,9 +174,9 @@ def drive_at_nodes(
         return _held_means(inputs, at)
     if hold == "record":
         if not squared:
-            return _record_means(inputs, at)
-        means = _record_means(np.abs(inputs) * inputs, at)
-        roots: FloatArray = np.sign(means) * np.sqrt(np.abs(means))
+            return _record_nodes(inputs, at)
+        squares = _record_nodes(inputs * inputs, at)
+        roots: FloatArray = np.sign(squares) * np.sqrt(np.abs(squares))
         return roots
     at = np.clip(at, 0.0, times[-1])
     if hold == "zero":
@@ -196,30 +199,25 @@ def _held_means(inputs: FloatArray, at: FloatArray) -> FloatArray:
     return np.repeat(means, 2, axis=0)[: len(at)]
 
 
-def _record_means(inputs: FloatArray, at: FloatArray) -> FloatArray:
-    """Means of the record's lines over the part of the steps that each node stands for.
+def _record_nodes(inputs: FloatArray, at: FloatArray) -> FloatArray:
+    """Nodes of steps that move a mass as the record's lines do.
 
-    Runge-Kutta integrates an input by Simpson's rule: a node between two steps counts for a third of a step, one in the
-    middle of a step for two thirds. Means over these parts lose nothing of a pulse; values at the nodes would move its
-    edges by up to half the distance of nodes.
+    Lagrange's three polynomials of a step share out an impulse among its nodes, which Runge-Kutta weights by Simpson's
+    rule: its size and its time are kept wherever it falls, and what is constant or a line stays so. Means over parts of
+    a step would keep its size alone. Next to a jump a node may lie below the lowest input.
     """
-    last = len(inputs) - 1
-    before = np.concatenate((np.zeros_like(inputs[:1]), np.cumsum(0.5 * (inputs[1:] + inputs[:-1]), axis=0)))
-    share = np.where(np.arange(len(at)) % 2, 2.0, 1.0) * (at[1] - at[0]) / 3.0
-
-    def area(until: FloatArray) -> FloatArray:
-        """Integral from the first known time on; outside the record the input is what it is at its end."""
-        inside = np.clip(until, 0.0, last)
-        row = np.minimum(inside.astype(np.int64), last - 1)
-        part = (inside - row)[:, None]
-        beyond = (until - inside)[:, None]
-        slope = inputs[row + 1] - inputs[row]
-        total: FloatArray = before[row] + part * (inputs[row] + 0.5 * part * slope)
-        total += np.minimum(beyond, 0.0) * inputs[0] + np.maximum(beyond, 0.0) * inputs[last]
-        return total
-
-    means: FloatArray = (area(at + share) - area(at - share)) / (2.0 * share)[:, None]
-    return means
+    ends = at[::2]
+    breaks = np.union1d(ends, np.arange(np.ceil(at[0]), np.floor(at[-1]) + 1.0))
+    reach = np.diff(breaks)[:, None] * np.array([-GAUSS, GAUSS]) / 2.0
+    points = ((breaks[1:] + breaks[:-1])[:, None] / 2.0 + reach).ravel()
+    step = np.clip(np.searchsorted(ends, points) - 1, 0, len(ends) - 2)
+    s = (points - ends[step]) / (ends[1] - ends[0])
+    shares = np.stack([(1.0 - s) * (1.0 - 2.0 * s), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)])
+    weights = shares * np.repeat(np.diff(breaks), 2)
+    node = 2 * step + np.arange(3)[:, None]
+    whole = np.bincount(node.ravel(), weights.ravel(), len(at))
+    seen = [weights * np.interp(points, np.arange(len(inputs)), column) for column in inputs.T]
+    return np.column_stack([np.bincount(node.ravel(), each.ravel(), len(at)) / whole for each in seen])
 
 
 def lagged(

@@ -23,10 +23,10 @@ from .start import TIMES, data_scales, starting_joint
 FITTED_SHARE = 0.65
 """Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""
 
-QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
+QUICK_GAINS = (*GAINS[::2], GAINS[-1])
 """Observer gains of the fits that only serve to compare candidates."""
 
-NEAR_GAINS = (0.3, 0.0)
+NEAR_GAINS = (COUPLED, GAINS[-1])
 """Gains where the fit of a similar structure gives the start."""
 
 QUICK_ITERATIONS = 10
@@ -169,6 +169,17 @@ def search(
     more by that, or `FAR` times as much and coupled more by that, or `TOO_SIMPLE` times as much, and surely, over what
     it was fitted to. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is
     worth few independent samples, where coupled ones forget.
+
+    Parameters
+    ----------
+    records : sequence of Log
+        Training logs.
+    setting : Setting
+        What all candidates share.
+    first : Candidate
+        The simplest one.
+    once, again : sequence of Offer
+        Offers, those of `again` up to `ROUNDS` times.
     """
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)

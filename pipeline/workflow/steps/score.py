@@ -43,7 +43,7 @@ def rows_of_log(
     wells : Wells or NoWells
         The wells of the device.
     """
-    above = {signal: _above_lowest(runs, signal, measured.interval, joint=plant.joint) for signal in SIGNALS}
+    above = {signal: _above_lowest(runs, signal, measured.interval, plant=plant) for signal in SIGNALS}
     return [
         {"model": model} | row | _band("above_lowest", above[row["signal"]].get(model))
         for model, compared in runs.items()
@@ -52,7 +52,7 @@ def rows_of_log(
 
 
 def _above_lowest(
-    runs: Mapping[str, ComparedRun], signal: str, interval: float, *, joint: bool
+    runs: Mapping[str, ComparedRun], signal: str, interval: float, plant: Device
 ) -> dict[str, Interval | None]:
     """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
     pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
@@ -61,7 +61,7 @@ def _above_lowest(
         for model, (measured, calculated) in pairs.items()
         if (span := signal_range(measured))
     }
-    return excess_over_lowest(errors, interval, SEED, joint=joint)
+    return excess_over_lowest(errors, interval, SEED, plant=plant)
 
 
 def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells | NoWells) -> list[dict[str, Any]]:
@@ -90,7 +90,7 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
     status = compared.notes["status"]
     diverged_at = compared.notes["diverged_at_s"]
     scores = score_run(
-        compared.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, joint=plant.joint, rng=rng
+        compared.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, plant=plant, rng=rng
     )
     more: dict[str, Any] = {c.key: compared.notes[c.key] for c in NOTED_COLUMNS if c.key in compared.notes}
     outcomes = compared.notes.get("outcomes")
@@ -100,7 +100,7 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
         band = error["interval"] or {"low": None, "high": None}
         more |= {f"nrmse_{name}": error["nrmse"]} | {f"nrmse_{name}_{end}": band[end] for end in ("low", "high")}
     if isinstance(wells, Wells):
-        switches = response_errors(*compared.pairs["q"], v, interval, wells, rng, joint=plant.joint)
+        switches = response_errors(*compared.pairs["q"], v, interval, wells, rng, plant=plant)
         more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
         more |= _band("rise_error", switches.rise_interval, "_s")
         more |= _band("settling_error", switches.settling_interval, "_s")

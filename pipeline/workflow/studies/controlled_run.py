@@ -8,9 +8,10 @@ from typing import Any
 
 from ...control.ensemble import Converters
 from ...control.plant import ASSUMED_LAG, ControlledJoint, plant_of
-from ...device.device import device
+from ...device.device import JOINT, device
 from ...diagnostics.facts.converters import converter_lag
 from ...errors import DataRefusedError, InputError
+from ...models.hybrid.angle_reading import ANGLE_IS_READ
 from ...models.hybrid.model import HybridModel
 from ...scoring.wells import Wells, wells_of
 from ...settings.prototype import Prototype
@@ -159,6 +160,8 @@ def control_run(root: Path) -> ControlRun:
         joint = "name the model 'hybrid' first in [identify] models"
         advice = joint if device(prototype).joint else "it is for a joint with two membranes, not for another device"
         raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
+    if model.joint.angle:
+        raise InputError(f"{root}: {ANGLE_IS_READ.format(name=name, what='controllers')}")
     rests = _rests(run, prototype)
     _refuse_bad_model(run, name, model, _MISSED * (rests[1] - rests[0]) if rests else _UNSEEN)
     return ControlRun(run, prototype, model, name, artifact, rests)
@@ -167,7 +170,7 @@ def control_run(root: Path) -> ControlRun:
 def _rests(run: RunFolder, prototype: Prototype) -> tuple[float, float] | None:
     """Readings [m] at which the logs show the joint at rest; None where they show no two wells."""
     logs = [log_of(run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
-    wells = wells_of(logs, joint=True)
+    wells = wells_of(logs, plant=JOINT)
     return (wells.left, wells.right) if isinstance(wells, Wells) else None
 
 

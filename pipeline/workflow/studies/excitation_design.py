@@ -14,6 +14,7 @@ from functools import partial
 
 import numpy as np
 
+from ...device.device import JOINT
 from ...errors import InputError
 from ...fitting.coverage import FEW, Coverage, coverage
 from ...fitting.information import Conditioning, ScaledRegressor, conditioning, log_information
@@ -321,7 +322,7 @@ def probed_wells(simulate: Simulator, voltage: float) -> Wells:
     """
     bursts = random_excitation(np.random.default_rng(0), excitation="pulses", top=voltage)
     q, _, v = _simulated(simulate, bursts, bursts[-1].start + bursts[-1].duration)
-    wells = find_wells([(q, v, INTERVAL)], joint=True)
+    wells = find_wells([(q, v, INTERVAL)], plant=JOINT)
     if isinstance(wells, NoWells):
         raise InputError(
             f"pulses of up to {voltage:g} V do not take the joint from well to well; raise --max-voltage "

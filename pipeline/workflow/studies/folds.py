@@ -31,16 +31,18 @@ from ...settings.prototype import FILM, Prototype
 from ...signals.log import Log
 from ...store import layout, schemas
 from ...store.lock import run_lock
+from ...store.manifest import TIMES
 from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
 from ...system.isolation import in_processes
 from .. import stage_compare as compare
 from .. import stage_identify as identify
-from ..engine import TIMES, Observer, Task
-from ..logs import load_logs, sources, training
-from ..prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
+from ..engine import Observer, Task
+from ..logs import load_logs, sources
+from ..prior_knowledge import known_inputs, prior_knowledge_of
 from ..run_models import identified_models
 from ..schedule import bring_up_to_date
+from ..steps.training import PriorKnowledge, training
 from .study import StudyResult, study_result
 
 ALGORITHM = "5"
@@ -151,7 +153,7 @@ def _work(
     deal = block_folds if split.by == "blocks" else log_folds
     numbers = deal([log.segment for log in logs], split.count)
     data = _segments(logs)
-    wells = wells_of(logs, joint=device(prototype).joint)
+    wells = wells_of(logs, plant=device(prototype))
     judge = _Judge(
         prototype,
         parameters,
@@ -205,7 +207,7 @@ class _Judge:
             return row | {"status": "refused"}, str(error), time.process_time() - began
         seconds = time.process_time() - began
         rests = stable_rests(fitted, [log.q for log in logs])
-        wells = believed_wells(self.wells, self.model, rests, joint=device(self.prototype).joint)
+        wells = believed_wells(self.wells, self.model, rests, plant=device(self.prototype))
         score = fold_score(fitted, _segments(cut[1]), self.ranges, wells)
         row |= {key: score.nrmse[signal] for key, signal in NRMSE_COLUMNS.items()}
         row |= {"well_agreement": score.well_agreement, "status": "diverged" if score.diverged else "ok"}

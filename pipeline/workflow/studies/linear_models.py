@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...control.linear import LinearModel, equilibria
+from ...device.device import JOINT
 from ...diagnostics.facts.events import rest_facts
 from ...scoring.wells import wells_of
 from ...signals.log import log_of
@@ -68,8 +69,8 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     logs = [(role, log) for role, log, _ in layout.logs(joint_run.prototype)]
     measured = [log_of(joint_run.run.read_table(layout.kinematics(*log))) for log in logs]
     hum = {line for log in logs for line in joint_run.run.record(layout.record(*log)).notes.get("hum", ())}
-    wells = wells_of(measured, joint=True)
-    facts = rest_facts([(log.t, log.q, log.v) for log in measured], wells, hum, joint=True)
+    wells = wells_of(measured, plant=JOINT)
+    facts = rest_facts([(log.t, log.q, log.v) for log in measured], wells, hum, plant=JOINT)
     rings = {"left": facts.rings_left, "right": facts.rings_right}
     return {
         side: {

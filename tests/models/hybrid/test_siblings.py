@@ -18,8 +18,8 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import load_prototype
 from pipeline.store.run_folder import RunFolder
 from pipeline.store.trees import write_tree
+from pipeline.workflow.prior_knowledge import known_inputs, prior_knowledge_of
 from pipeline.workflow.run import run_prototype
-from pipeline.workflow.stage_identify import known_inputs, prior_knowledge_of
 from tests.prototypes import Silent, motion, settings, write_csv
 
 COUNT, TAU, NOISE = len(NAMES), 20.0, 0.05

@@ -43,6 +43,11 @@ def test_the_elements_that_a_log_shows_are_found_and_no_others(law, elements):
     found = identify_rbf([log(truth, 3, n=900)])
     structure = found.parameters.structure
     assert {name: getattr(structure, name) for name in FRICTION[law]} == FRICTION[law], found.diagnostics["chosen"]
+    forces = found.diagnostics["elements"]
+    # A Dahl state is nearly ±1 in motion.
+    assert forces["dry friction"] == pytest.approx(elements.get("slip", 0.0) * truth.parameters.scales.half, rel=0.3)
+    assert (forces["relaxation"] > 0.0) == ("stiffness" in elements)
+    assert (forces["hidden shapes"], forces["drag"], forces["end stops"]) == (0.0, 0.0, 0.0)
     q = np.linspace(-0.016, 0.016, 9)
     curves, planted = found.curves(q), truth.curves(q)
     assert curves["d"] == pytest.approx(planted["d"], rel=0.2)

@@ -19,10 +19,26 @@ def test_steps_lose_nothing_of_the_finer_record_wherever_a_pulse_begins(steps, s
     for edge in range(50, 60):
         v = np.where((np.arange(200) >= edge) & (np.arange(200) < 100), 3.0, 0.0)
         drive = drive_at_nodes(v.reshape(40, 5, 1), 0.7, steps, "record", squared=squared)[:, 0]
-        area = simpson(drive**power, dx=0.7 / (2 * steps))
+        acting = np.abs(drive) * drive if squared else drive
+        area = simpson(acting, dx=0.7 / (2 * steps))
         assert area == pytest.approx(np.trapezoid(v**power, fine))
     ramp = drive_at_nodes(fine.reshape(40, 5, 1), 0.7, steps, "record")[:, 0]
     assert ramp[2:-2] == pytest.approx(0.7 / (2 * steps) * np.arange(len(ramp))[2:-2])
+
+
+@pytest.mark.parametrize("squared", [False, True])
+def test_a_pulse_moves_a_mass_as_far_as_the_record_does_wherever_it_begins(squared):
+    """Velocity and displacement of a free mass by Runge-Kutta are the record's first and second integral."""
+    for edge in range(50, 60):
+        v = np.where((np.arange(200) >= edge) & (np.arange(200) < 100), 3.0, 0.0)
+        nodes = drive_at_nodes(v.reshape(20, 10, 1), 1.0, 1, "record", squared=squared)[:, 0]
+        acting = np.sign(nodes) * np.abs(nodes) ** (1 + squared)
+        first, middle, last = acting[:-2:2], acting[1::2], acting[2::2]
+        speeds = np.cumsum(first + 4.0 * middle + last) / 6.0
+        moved = np.sum(speeds[:-1]) + np.sum(first / 6.0 + middle / 3.0)
+        force = v[:191] ** (1 + squared)
+        exact = np.append(0.0, np.cumsum(0.05 * (force[1:] + force[:-1])))[:-1]
+        assert moved == pytest.approx(np.sum(0.1 * exact + 0.01 * (force[:-1] / 3.0 + force[1:] / 6.0)))
 
 
 def mass(**changes):

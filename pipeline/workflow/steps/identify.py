@@ -1,0 +1,180 @@
+"""Identify: models of the training logs, the main one first."""
+
+import time
+from collections.abc import Collection, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...device.device import device
+from ...device.parameters import JointParameters
+from ...diagnostics.gates import judge
+from ...diagnostics.sentences import not_converged
+from ...errors import DataRefusedError
+from ...models.model_type import StoredModel, Training, model_type
+from ...settings.models import AUTO, ENTRIES
+from ...settings.prototype import Prototype
+from ...signals.findings import Finding
+from ...signals.log import Log
+from ...store.manifest import TIMES
+from ...system.progress import OnProgress, silent
+from .training import PriorKnowledge, training
+
+if TYPE_CHECKING:
+    from ...models.choose import Choice
+
+IDENTIFIED = "identified"
+"""Note of ``model.h5``: names of its models, the main model first."""
+
+CHOICE = "choice"
+"""Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
+EQUATIONS = "equations"
+"""Note of ``model.h5``: name of the joint that "auto" fitted and did not choose; control is designed on it."""
+SEARCH_CUT = (
+    "the search for the structure of {model} ended at its time limit, after {tried} structures; raise [identify] "
+    "time_limit, or say what is known (friction, force, damping, gain, drive, effect, stops)"
+)
+
+
+def identified(
+    data: list[Log],
+    prototype: Prototype,
+    parameters: JointParameters | None,
+    prior_knowledge: PriorKnowledge | None = None,
+    on_progress: OnProgress = silent,
+) -> tuple[dict[str, StoredModel], dict[str, Any]]:
+    """Models of logs by name, the main model first, and notes on how they came about.
+
+    Where "auto" fits the joint's equations and chooses the network, both are among the models; only the network is
+    named in the note `IDENTIFIED`. An `rbf` beside "auto" that the training logs refuse is left out, with a warning.
+
+    Parameters
+    ----------
+    data : list of Log
+        Training logs.
+    prototype : Prototype
+        Settings.
+    parameters : JointParameters or None
+        Parameter set of the analytical joint.
+    prior_knowledge : PriorKnowledge, optional
+        Curves and prior beside the logs.
+    on_progress : callable
+        Receives what a fit is doing, and its share.
+
+    Raises
+    ------
+    DataRefusedError
+        The training logs do not show what the models need.
+    """
+    findings = _findings(data, prototype)
+    remarks = judge("training logs", findings, prototype.quality, *_stands_in(_wanted(prototype)))
+    # What even a network needs not is no fault of the data.
+    needless = set(_stands_in({"rbf"})[0]) - set(prototype.quality.accept)
+    accepted = [text for finding, text in zip(findings, remarks, strict=True) if finding.gate not in needless]
+    notes: dict[str, Any] = {"warnings": list(remarks), "accepted": accepted}
+    models: dict[str, StoredModel] = {}
+    beside: dict[str, StoredModel] = {}
+    whole = training(data, prototype, parameters, prior_knowledge, on_progress)
+    for wanted in prototype.identify.models:
+        if wanted in notes.get(IDENTIFIED, ()):  # it was chosen already
+            continue
+        began = time.process_time()
+        if wanted == AUTO:
+            choice = _choose(whole, data, prototype)
+            model, notes[CHOICE] = choice.model, choice.to_json()
+            if not choice.held_out and whole.units[0] == "rad" and prototype.may_be_a_joint:
+                notes["warnings"].append(choice.reason)
+            if choice.other is not None:
+                beside[choice.other.name] = choice.other
+        else:
+            asked = beside.get(wanted) or _asked(wanted, whole, data, prototype, notes["warnings"])
+            if asked is None:
+                continue
+            model = asked
+        models[model.name], facts = model, model.describe()
+        if facts.get("converged") is False:
+            notes["warnings"].append("; ".join(not_converged(model.name)))
+        if facts.get("search_complete") is False:
+            notes["warnings"].append(SEARCH_CUT.format(model=model.name, tried=len(facts["candidates"])))
+        seconds = None if wanted in beside else time.process_time() - began
+        notes[model.name] = {**facts, TIMES: {"fit_s": seconds}}
+        notes.setdefault(IDENTIFIED, []).append(model.name)
+    if prototype.identify.models[0] == AUTO:
+        _put_first(models, whole, notes)
+    if "hybrid" in beside:
+        notes[EQUATIONS] = "hybrid"
+        models.setdefault("hybrid", beside["hybrid"])
+    return models, notes
+
+
+def _put_first(models: Mapping[str, StoredModel], whole: Training, notes: dict[str, Any]) -> None:
+    """The main model first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
+    from ...models.choose import main_model
+
+    names = notes[IDENTIFIED]
+    best, reason = main_model({name: models[name] for name in names}, whole)
+    if best == names[0]:
+        return
+    if names[0] == "hybrid":
+        notes[EQUATIONS] = "hybrid"
+    notes[CHOICE] |= {"chosen": best, "reason": reason}
+    notes[IDENTIFIED] = [best, *(name for name in names if name != best)]
+
+
+def _wanted(prototype: Prototype) -> set[str]:
+    """The models that the settings ask for, with those among which one is chosen."""
+    offered = ("hybrid", "rbf") if prototype.may_be_a_joint else ("rbf",)
+    return {wanted for name in prototype.identify.models for wanted in (offered if name == AUTO else (name,))}
+
+
+def _stands_in(models: Collection[str]) -> tuple[tuple[str, ...], str]:
+    """The gates that need not hold because one of the models knows better, and what of it does."""
+    knowledge = {"hybrid": "the joint's equations", "rbf": "the priors of rbf"}
+    gates = dict.fromkeys(gate for model in ENTRIES if model.name in models for gate in model.stands_in)
+    return tuple(gates), " or ".join(what for name, what in knowledge.items() if name in models)
+
+
+def _asked(
+    wanted: str, given: Training, data: list[Log], prototype: Prototype, warnings: list[str]
+) -> StoredModel | None:
+    """A model that the settings name; no `rbf` beside "auto" where the logs refuse one, which `warnings` then state."""
+    if wanted != "rbf" or AUTO not in prototype.identify.models:
+        return model_type(wanted).fit(given)
+    try:
+        return _network(given, data, prototype)
+    except DataRefusedError as refused:
+        warnings.append(f"rbf is not among the models: {refused}")
+        return None
+
+
+def _choose(given: Training, data: list[Log], prototype: Prototype) -> "Choice":
+    from ...models.choose import Choice, choose
+
+    if given.known_curves is not None:
+        return Choice(_network(given, data, prototype), "only rbf keeps the measured curves of plant.curves", {})
+    return choose(given, model_type("hybrid").fit, lambda part: _network(part, data, prototype))
+
+
+def _network(given: Training, data: list[Log], prototype: Prototype) -> StoredModel:
+    """The data-driven model; what the joint's equations would know the data must show."""
+    judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in({"rbf"}))
+    return model_type("rbf").fit(given)
+
+
+def _findings(data: list[Log], prototype: Prototype) -> list[Finding]:
+    """What speaks against the training logs, taken together."""
+    from ...fitting.excitation import excitation_findings
+
+    numbers = [log.segment for log in data]
+    first = np.cumsum([0, *(segment.max() + 1 for segment in numbers[:-1])])
+    segments = [np.where(segment < 0, -1, segment + k) for segment, k in zip(numbers, first, strict=True)]
+    return excitation_findings(
+        np.concatenate([log.q for log in data]),
+        np.concatenate([log.v for log in data]),
+        np.concatenate(segments),
+        prototype.ingest.sample_interval,
+        device(prototype),
+        basis_functions=prototype.identify.basis_functions,
+        smoothing=prototype.identify.smoothing,
+        bistable=prototype.plant.parameters is not None,
+    )
