@@ -24,8 +24,7 @@ from ..numerics.metrics import fit_percent
 from ..scoring.wells import wells_of
 from ..settings.models import AUTO, ENTRIES, entry, names
 from ..settings.prototype import Prototype, parse_prototype
-from ..signals.inputs import UNKNOWN
-from ..signals.log import Log, log_of
+from ..signals.log import UNKNOWN, Log, log_of
 from ..signals.missing import code_remarks, codes_in, masked
 from ..signals.quality_gates import scale_suspicion
 from ..signals.raw_log import RawLog

@@ -22,9 +22,7 @@ from ..units.units import (
 )
 
 _PLAUSIBLE_SPANS = {"m": (1e-5, 0.5), "rad": (1e-3, 20.0), "V": (0.5, 5e4)}
-_OTHER_SPANS = {"m": (1e-6, 10.0), "rad": (1e-4, 1e5), "V": (1e-3, 1e6)}
-"""Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides; and those of
-another device: a cart goes metres, a motor turns many times."""
+"""Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides."""
 
 
 @dataclass(frozen=True)
@@ -138,11 +136,9 @@ class Device:
     def plausible_span(self, symbol: str) -> tuple[float, float] | None:
         """Least and largest span [SI] of its signals of this unit; None for a unit without known spans.
 
-        An electronic circuit is built for whatever voltages it was built for.
+        Of a device that is no joint any span is plausible.
         """
-        if self.displacement.symbol == "V":
-            return None
-        return (_PLAUSIBLE_SPANS if self.joint else _OTHER_SPANS).get(symbol)
+        return _PLAUSIBLE_SPANS.get(symbol) if self.joint else None
 
 
 JOINT = Device(None, SiUnit(1e-3, "m"), (SiUnit(1e3, "V"), SiUnit(1e3, "V")), "squared", None)

@@ -7,7 +7,7 @@ from ..device.parameters import NOMINAL
 from ..numerics.arrays import FloatArray
 from ..scoring.wells import Wells
 from ..signals.findings import Finding, Number, Severity
-from ..signals.noise import high_difference_level, is_idle, noise_level
+from ..signals.noise import is_idle, noise_level
 from ..signals.signal_quality import takes_both_signs, usual_span
 from . import limits
 from .log_facts import InputForce, LogFacts
@@ -31,7 +31,7 @@ def _unseen_force(fact: LogFacts, i: int) -> Finding:
     """Of an input whose force the log does not show: as it is never on, or hardly ever changes."""
     v = fact.signals.v[:, i]
     subject = f"v{i + 1}"
-    if np.ptp(v) > 0.0 and is_idle(float(np.ptp(v)), noise_level(v)):
+    if np.ptp(v) > 0.0 and is_idle(v):
         return Finding("idle_input", "fair", fact.signals.name, subject)
     if fact.peaks[i] == 0.0:
         return Finding("never_on", "fair", fact.signals.name, subject)
@@ -53,7 +53,7 @@ def _force(fact: LogFacts, i: int, force: InputForce, plant: Device) -> Finding:
 def _noise(fact: LogFacts, i: int, plant: Device) -> Finding:
     """Noise of an input that is measured; a command has none, and an amplifier need not follow it."""
     v = fact.signals.v[:, i]
-    noise = min(noise_level(v), high_difference_level(v))
+    noise = noise_level(v)
     if noise <= np.finfo(np.float32).eps * fact.peaks[i]:
         return Finding("command", "good", fact.signals.name, f"v{i + 1}")
     numbers = {"noise": Number(noise, plant.input_symbols[i])}

@@ -30,8 +30,7 @@ from ..fitting.posterior import GROUPS, robust_spread, whiteness
 from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.metrics import rms
 from ..signals.corrections import Corrections, corrected, exchanged, mirrored
-from ..signals.inputs import MOST_SAMPLES
-from ..signals.log import Log, within
+from ..signals.log import MOST_SAMPLES, Log, within
 from ..signals.noise import noise_std
 
 SIGNIFICANCE = 4.0

@@ -82,6 +82,11 @@ def _range(finding: Finding) -> Row:
     return Row(f"range of {name}", _shown(finding, "range"), limit, advice)
 
 
+def _from_angle(_: Finding) -> Row:
+    more = "by the kinematics of the joint at rest (plant.parameters); hybrid reads the angle itself"
+    return Row("origin of q", "the logged angle", more=more)
+
+
 def _resolution(finding: Finding) -> Row:
     noise = f"noise {_shown(finding, 'noise')}" if "noise" in finding.numbers else ""
     if "resolution" not in finding.numbers:
@@ -265,6 +270,7 @@ def shared_spans(finding: Finding) -> str:
 
 ROWS: dict[str, Callable[[Finding], Row]] = {
     "range": _range,
+    "from_angle": _from_angle,
     "still": _range,
     "resolution": _resolution,
     "sampling_rate": lambda finding: Row("sampling rate", _shown(finding, "rate")),

@@ -49,7 +49,7 @@ def starts(facts: Sequence[LogFacts]) -> list[Finding]:
 
 def _ranges(fact: LogFacts, plant: Device) -> list[Finding]:
     """Ranges of q and of the inputs against those that a device can have."""
-    findings = []
+    findings = [Finding("from_angle", "good", fact.signals.name, "q")] if plant.angle else []
     names = ("q", *(f"v{i + 1}" for i in range(fact.peaks.size)))
     spans = (fact.span, *fact.peaks.tolist())
     units = (plant.displacement.symbol, *plant.input_symbols)

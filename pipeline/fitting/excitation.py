@@ -16,7 +16,7 @@ from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..scoring.wells import NoWells, Wells, find_wells, snaps
 from ..settings.models import CENTRES, SMOOTHING
 from ..signals.findings import Finding, Number, refusal
-from ..signals.noise import REACH, is_idle, noise_level
+from ..signals.noise import REACH, is_idle
 from .coverage import ACTING, Coverage, coverage
 from .information import Conditioning, ScaledRegressor, conditioning
 
@@ -252,10 +252,10 @@ def excitation_findings(
     Cost: one pass of the regressor, O(N M²).
     """
     valid = (segment >= 0) & np.isfinite(q)
-    if not valid.any() or _idle(q[valid]):
+    if not valid.any() or is_idle(q[valid]):
         return [refusal("idle", "idle")]
     acting = plant.acting(v)
-    undriven = [k for k in range(v.shape[1]) if _idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
+    undriven = [k for k in range(v.shape[1]) if is_idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
     findings = [refusal("undriven", "undriven", subject=f"v{k + 1}") for k in undriven]
     try:
         excitation = examine_excitation(
@@ -293,10 +293,6 @@ def _of_places(
     if bistable and isinstance(excitation.wells, NoWells) and excitation.wells.one_cluster:
         findings.append(refusal("one-well", "one_well"))
     return findings
-
-
-def _idle(samples: FloatArray) -> bool:
-    return is_idle(float(np.ptp(samples)), noise_level(samples))
 
 
 def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:

@@ -8,8 +8,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..numerics.arrays import FloatArray
-from ..signals.inputs import MOST_SAMPLES
-from ..signals.log import EDGE, Log, operating_range, within
+from ..signals.log import EDGE, MOST_SAMPLES, Log, operating_range, within
 from ..store.columns import TUBE_COLUMNS
 from .base import DrawnModel, DynamicModel, FreeRun, HasDraws, HasTubes
 from .tubes import Tubes, TubeScale, tube_scale, tubes

@@ -108,15 +108,18 @@ def entry(part: LogPart, rows: Sequence[Row], displacement: str) -> str:
     }
     gains = {name: f"{gain:g}" for name, gain in part.gain if gain != 1.0}
     gains |= {name.removeprefix("gain_"): text for name, text in texts.items() if name.startswith("gain_")}
+    gains = {name: gain for name, gain in gains.items() if float(gain) != 1.0}  # corrections that cancel say nothing
     usual = LogPart(file=part.file)
     stated = {key: f'"{getattr(part, key)}"' for key in ("start", "stop") if getattr(part, key) is not None}
     if gains:
         stated["gain"] = f"{{ {', '.join(f'{name} = {gain}' for name, gain in sorted(gains.items()))} }}"
     for key, name in (("zero", "zero_q"), ("delay", "delay")):
-        if name in texts or getattr(part, key) != getattr(usual, key):
-            stated[key] = f'"{texts.get(name, getattr(part, key))}"'
-    if "clock" in texts or part.clock != 1.0:
-        stated["clock"] = texts.get("clock", f"{part.clock:g}")
+        text = texts.get(name, getattr(part, key))
+        if float(text.split()[0]) if name in texts else text != getattr(usual, key):
+            stated[key] = f'"{text}"'
+    clock = texts.get("clock", f"{part.clock:g}")
+    if float(clock) != 1.0:
+        stated["clock"] = clock
     stated = {"file": json.dumps(part.file, ensure_ascii=False)} | stated
     return f"{{ {', '.join(f'{key} = {text}' for key, text in stated.items())} }}"
 

@@ -11,8 +11,7 @@ from ..diagnostics.facts.run_data import LogData, RunData, judged_log
 from ..numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
 from ..numerics.metrics import fit_percent, rmse
 from ..scoring.wells import NoWells, Wells, snaps
-from ..signals.inputs import UNKNOWN
-from ..signals.log import unknown_rows, voltages
+from ..signals.log import UNKNOWN, unknown_rows, voltages
 from ..units.quantity import grouped, moment, power, quantity, significant
 from ..units.units import ALPHA_UNIT, signal_units
 from .figure import MARGIN, Band, Figure, Line, Panel

@@ -17,32 +17,29 @@ _INPUT_UNITS = ("V", "kV", "mV", "A", "mA", "%", "pct", "N")
 _PINT_NAMES = {
     "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um",
     "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
-    "мкм": "um", "мм": "mm", "см": "cm", "м": "m", "мв": "mV", "кв": "kV", "в": "V",
 }  # fmt: skip
 _SIGNAL = r"(^|[./]){}(_?(dat|data|id|ident|train|meas|val|valid|test)|(?-i:[A-Z])\w*|\d*)([(\[]:,\d+[)\]])?$"
 """The output y and the input u of identification, such as ``data.ydat(:,1)``, ``yEst``, ``run/u``."""
 _WORDS: dict[str, re.Pattern[str]] = {
-    "time": re.compile(
-        r"^(t|time|zeit|tempo|temps|timestamp|x[ _]value|время|时间|時間|시간)\d?([ _.\[(/].*)?$", re.IGNORECASE
-    ),
+    "time": re.compile(r"^(t|time|zeit|tempo|temps|timestamp|clock|uhr|x[ _]value)\d?([ _.\[(/].*)?$", re.IGNORECASE),
     "q": re.compile(
         r"(laser|weg|dist|displ|pos|angle|angul|winkel|saida|ild|theta|phi|tilt|pitch|level|pegel|height|gap|stroke|"
-        r"encoder|перемещ|位移|变位|変位|距离|距離|변위|거리|^[xyq]$|[ _.]q$|^q[ _./]|" + _SIGNAL.format("y") + ")",
+        r"encoder|^[xyq]$|[ _.]q$|^q[ _./]|" + _SIGNAL.format("y") + ")",
         re.IGNORECASE,
     ),
     "v": re.compile(
         r"(^hv|volt|spannung|tens|^u[ _/\d]|control|[ _.]u$|umeas|^v\d|^[uvi]( \(\d+\))?$|pwm|duty|"
         r"cmd|command|current|strom|"
-        r"torque|throttle|motor|pump|valve|ventil|heater|напряж|电压|電圧|電壓|전압|" + _SIGNAL.format("u") + ")",
+        r"torque|throttle|motor|pump|valve|ventil|heater|" + _SIGNAL.format("u") + ")",
         re.IGNORECASE,
     ),
 }
 _WANTED = re.compile(r"(ref|soll|set.?point|target|desired)", re.IGNORECASE)
 """Names of what a controller wants: neither a displacement nor an input."""
-_LEFT = re.compile(r"(left|links|лев|左|왼쪽|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
-_RIGHT = re.compile(r"(right|rechts|прав|右|오른쪽|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
+_LEFT = re.compile(r"(left|links|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
+_RIGHT = re.compile(r"(right|rechts|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
 _MOST_INPUTS = 2
-_CLOCK = re.compile(r"t|time|zeit|timestamp|xvalue", re.IGNORECASE)
+_CLOCK = re.compile(r"t|time|zeit|timestamp|clock|xvalue", re.IGNORECASE)
 """What is left of the name of a clock that is called after its channel …"""
 _BETWEEN_WORDS = re.compile(r"[\W_]+")
 """… without this."""
@@ -172,16 +169,18 @@ def _times(channels: Sequence[tuple[str, str]], units: Mapping[str, str], rising
 def _clocks(names: Sequence[str], times: Sequence[str], sizes: Mapping[str, int]) -> dict[str, str]:
     """The time column over which each channel may run, of as many samples.
 
-    It is the one that is called after the channel (``t_q``, ``q_time``), else that of its group, else the last before.
+    It is the one that is called after the channel (``t_q``, ``q_time``), else that of its group, else the last before,
+    or where the columns end with a time and do not begin with one, the first behind.
     """
     clocks: dict[str, str] = {}
+    behind = len(times) > 1 and names[0] not in times and names[-1] in times
     for i, name in enumerate(names):
         alike = [time for time in times if sizes[time] == sizes[name]]
         grouped = [time for time in alike if _GROUP.sub("", name) and _GROUP.sub("", time) == _GROUP.sub("", name)]
-        before = [time for time in alike if time in names[:i]]
+        near = [time for time in alike if time in names[i:]][:1] if behind else [t for t in alike if t in names[:i]]
         called = [time for time in alike if _after(time, name)]
         if name not in times and (alike or not times):
-            clocks[name] = (called[-1:] or grouped[-1:] or before[-1:] or alike[:1] or [""])[0]
+            clocks[name] = (called[-1:] or grouped[-1:] or near[-1:] or alike[:1] or [""])[0]
     return clocks
 
 
@@ -225,8 +224,3 @@ def _best(
 def is_called(word: str, name: str) -> bool:
     """Whether a channel, or the last part of its path, is called as "time", "q" or "v" mostly are."""
     return any(map(_WORDS[word].search, (name, re.split(r"[./]", name)[-1])))
-
-
-def is_record(names: Sequence[str]) -> bool:
-    """Whether an output and an input are among channels of these names."""
-    return all(any(map(_WORDS[word].search, names)) for word in ("q", "v"))

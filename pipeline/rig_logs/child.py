@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from ..errors import disk_failure
 from ..system.isolation import Send, limit
 from ..system.package import module_at
-from .clocks import with_clocks, with_starts
+from .clocks import with_starts
 from .recording import for_any_variable, missing_channel
 from .source import (
     CsvOptions,
@@ -111,6 +111,7 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
     return {
         "format": source.format,
         "notes": [*source.notes, *left_out({name: f"{error}" for name, error in failed.items()})],
+        "warnings": source.warnings,
         **_stated(source),
         "listed": [entry.name for entry in entries if entry.name not in failed],
         "channels": [
@@ -319,4 +320,4 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
             "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"
         )
     source: Source = module_at(f"rig_logs.{module}").open_log(path, csv, limits)
-    return with_starts(with_clocks(source))
+    return with_starts(source)

@@ -3,11 +3,9 @@
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from .csv_cells import (
@@ -15,15 +13,14 @@ from .csv_cells import (
     NUMBER,
     STAMP,
     SWITCH,
-    is_before_decimals,
     is_behind,
     is_stamp,
     is_value,
     is_word,
-    leaves_mark_open,
     no_number,
     plain_number,
     plain_row,
+    unclear_mark,
 )
 from .csv_clock import Clock
 from .csv_dialect import SAMPLE_BYTES, find_dialect
@@ -43,16 +40,11 @@ _BLOCK_BYTES = 1 << 20
 _LARGEST_HEAD = 1 << 24
 _FEWEST_LINES = 20
 _MOST_NAMED = 3
-_COUNT = re.compile(r"[+-]?\d{16,19}")
-"""Whole numbers beyond what float64 holds exactly, such as nanoseconds since 1970."""
-_WHOLE = re.compile(r"[+-]?\d{1,18}|[+-]?[1-8]\d{18}")
-"""A whole number that a count of 64 bits holds."""
-_WHOLE_SECONDS = re.compile(r":\d\d:\d\d\b(?![.,:]\d| \d{3}\b)")
-"""In a time of day without parts of a second."""
+_MARKED = re.compile(r"\d([.,])\d")
+_EMPTY = "empty cells only in the first rows; no sensor, or another channel?"
 _FIRST_YEAR = "1678"
 _LAST_YEAR = "2261"
 """Whose times a count of nanoseconds since 1970 holds."""
-_MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
 
 
 class CsvSource(Source):
@@ -72,18 +64,15 @@ class CsvSource(Source):
         self._dialect = find_dialect(start, whole=len(start) < size, options=options)
         self._block = max(_BLOCK_BYTES, 2 * size)
         self._columns = unique_names(list(self._dialect.header))
-        self._origins: dict[str, float] = {}
+        self._origins: dict[str, int] = {}
         self.rates = {name: rate for name, _, rate in self._dialect.rates}
         self._rewritten = self._dialect.rewritten
         self._words = dict[str, list[int]]()
         self._remarks = list[str]()
         self._firsts = dict(zip(self._columns, self._dialect.firsts, strict=True))
-        self._look_ahead()
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
         local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
         self._clocks = {name: Clock(self._firsts[name]) for name in local}
-        self.whole_seconds = {name for name in self._stamped if _WHOLE_SECONDS.search(self._firsts[name])}
-        self._open = {name for name, is_open in zip(self._columns, self._dialect.open_marks, strict=True) if is_open}
         texts = self._left_out()
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
         self.notes = self._noted(texts)
@@ -107,40 +96,8 @@ class CsvSource(Source):
         left_out = {}
         for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True):
             if text or not cell or not is_value(cell, self._dialect.decimal):
-                left_out[name] = text or (
-                    repr(cell[:40]) if cell else "empty cells only; no sensor, or another channel?"
-                )
+                left_out[name] = text or (repr(cell[:40]) if cell else _EMPTY)
         return left_out
-
-    def _look_ahead(self) -> None:
-        """Find first cells of columns, and the decimal mark, that the sample leaves open in the rows behind it."""
-        numeric = [name for name, holds in zip(self._columns, self._dialect.numeric, strict=True) if holds]
-        marked = [name for name in numeric if not is_stamp(self._firsts[name])]
-        if not self._dialect.has_marks and self._dialect.delimiter != ",":
-            by_blanks = (cell for _, line in self._lines() for cell in line.split() if re.match(_MARK, cell))
-            cells = by_blanks if self._dialect.delimiter == " " else iter(self._first_cells(marked, _MARK).values())
-            if cell := next(cells, ""):
-                self._dialect = replace(self._dialect, decimal="," if "," in cell else ".")
-        empty = [name for name in numeric if not self._firsts[name]]
-        self._firsts |= self._first_cells(empty, "[0-9A-Za-z]") if empty else {}
-
-    def _first_cells(self, names: Sequence[str], pattern: str) -> dict[str, str]:
-        """The first cell of each column that matches, from the block of rows on that holds the first of any."""
-        import pyarrow as pa
-        import pyarrow.compute as pc
-
-        firsts: dict[str, str] = {}
-        try:
-            for batch in self._batches(names, dict.fromkeys(names, pa.string())):
-                for name, column in zip(names, batch.columns, strict=True):
-                    if name not in firsts:
-                        cells = column.filter(pc.match_substring_regex(column, pattern))
-                        firsts |= {name: cells[0].as_py().strip()} if len(cells) else {}
-                if firsts and (pattern == _MARK or len(firsts) == len(names)):
-                    break
-        except (ValueError, UnicodeDecodeError):  # the reader of the column reports it
-            pass
-        return firsts
 
     def entries(self) -> list[Entry]:
         """The columns whose first rows are numbers; `count` is an estimate from the first rows."""
@@ -169,11 +126,6 @@ class CsvSource(Source):
                     new = samples[max(0, rows[name] - read[name]) :]
                     read[name] += samples.size
                     rows[name] += new.size
-                    fractions = self._dialect.has_marks or np.any(
-                        np.trunc(new[finite := np.isfinite(new)]) != new[finite]
-                    )
-                    if name in self._open and fractions:
-                        self._settle(name)
                     yield name, new
                 break
             except (ValueError, UnicodeDecodeError) as error:  # pyarrow's ArrowInvalid is a ValueError
@@ -187,10 +139,11 @@ class CsvSource(Source):
     def _note_what_is_left_out(self) -> None:
         """Note words in place of numbers, and lines that are no rows of numbers."""
         words = [f"{what} ({number} times, the first in line {at})" for what, (number, at) in self._words.items()]
-        for places, what in ((words, "words in place of numbers, missing values"), (self._remarks, "lines left out")):
+        lines = f"{len(self._remarks)} line{'s' * (len(self._remarks) > 1)} left out"
+        for places, what in ((words, "words in place of numbers, missing values"), (self._remarks, lines)):
             more = f" and {len(places) - _MOST_NAMED} more" if len(places) > _MOST_NAMED else ""
             if places:
-                self._note(f"{what}: {', '.join(places[:_MOST_NAMED])}{more}")
+                self.warnings.append(f"{what}: {', '.join(places[:_MOST_NAMED])}{more}")
 
     def _plain_rows(self, names: Sequence[str]) -> Iterator[str]:
         """The rows of data as Arrow reads them: cells between tabs, numbers with a decimal point, nothing for words.
@@ -206,8 +159,7 @@ class CsvSource(Source):
         self._remarks = []
         dialect = self._dialect
         named = dialect.delimiter != " " and any(len(row) == width + 1 for row in dialect.above)  # a column of comments
-        counts = any(map(_COUNT.fullmatch, self._firsts.values()))
-        plain = plain_row(dialect.delimiter, width) if dialect.decimal == "." and not counts else None
+        plain = plain_row(dialect.delimiter, width) if dialect.decimal == "." and dialect.has_marks else None
         for number, line in self._lines():
             if plain and plain.fullmatch(line):  # as most lines do, and at a third of the cost
                 yield "\t".join(line.replace(dialect.delimiter, " ").split()) + "\n"
@@ -234,12 +186,10 @@ class CsvSource(Source):
 
     def _plain_cell(self, cell: str, column: str, line: int) -> str:
         """A cell as Arrow reads it."""
+        mark = None if self._dialect.has_marks else _MARKED.search(cell)
+        if mark and not is_stamp(cell):
+            raise UnreadableLogError(unclear_mark(cell, line, column, mark[1]))
         if NUMBER.match(number := plain_number(cell, self._dialect.decimal)):
-            if _COUNT.fullmatch(self._firsts[column]) and not _WHOLE.fullmatch(number):
-                raise UnreadableLogError(
-                    f"a row does not fit the table: row {line}: {cell!r} in column {column!r} is no whole number, as "
-                    "those above are: repair or delete that row"
-                )
             return number
         is_time = is_stamp(cell)
         is_switch = {cell.lower(), self._firsts[column].lower()} <= SWITCH
@@ -262,32 +212,6 @@ class CsvSource(Source):
                 if number > self._dialect.first_data_row and line.strip():
                     yield number, line.rstrip("\n")
 
-    def _settle(self, name: str) -> None:
-        """Look in the whole file for a cell that shows whether the marks of a column stand before decimals.
-
-        Raises
-        ------
-        UnreadableLogError
-            There is none, and they may well stand between thousands.
-        """
-        self._open.remove(name)
-        column = self._columns.index(name)
-        decimal = self._dialect.decimal
-        marked = ""
-        plain = False
-        for number, line in self._lines():
-            row = self._dialect.split(line)
-            cell = row[column] if len(row) > column else ""
-            if not leaves_mark_open(cell, decimal) or any(is_before_decimals(other, decimal) for other in row):
-                return
-            marked = marked or (f"{cell!r} in line {number}, column {name!r}" if decimal in cell else "")
-            plain |= decimal not in cell and NUMBER.match(cell) is not None
-        if marked and (plain or decimal == "," or self._dialect.delimiter == ";"):
-            raise UnreadableLogError(
-                f"{marked}: does {decimal!r} separate thousands? Nothing in the file shows it. Export it without such "
-                f"separators; if it is the decimal mark, set [ingest.csv] decimal = {decimal!r}"
-            )
-
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         import pyarrow as pa
 
@@ -302,12 +226,10 @@ class CsvSource(Source):
                 samples = pa.chunked_array([column])
                 if name in clocks:
                     yield name, clocks[name].seconds(samples)
-                elif samples.type == pa.float64():
-                    yield name, doubles(samples)
-                elif samples.type == pa.bool_():
-                    yield name, doubles(samples.cast(pa.float64()))
-                else:
+                elif pa.types.is_timestamp(samples.type):
                     yield name, self._since_first(name, samples)
+                else:
+                    yield name, doubles(samples.cast(pa.float64()))
 
     def _batches(self, names: Sequence[str], kinds: dict[str, Any]) -> Any:
         """The rows of some columns in these types of Arrow, block by block."""
@@ -347,12 +269,12 @@ class CsvSource(Source):
         if name in self._stamped:
             match = STAMP.match(cell)
             return pa.timestamp("ns", "UTC" if match and match["zone"] else None)
-        if _COUNT.fullmatch(cell):
-            return pa.int64()
-        return pa.bool_() if cell.lower() in SWITCH else pa.float64()
+        if cell.lower() in SWITCH:
+            return pa.bool_()
+        return pa.float64() if self._dialect.has_marks or self._rewritten else pa.int64()
 
     def _since_first(self, name: str, stamps: Any) -> NDArray[Any]:
-        """Time stamps [s], or counts too large for float64, since the first one of the column."""
+        """Time stamps [s] since the first one of the column."""
         import pyarrow as pa
         import pyarrow.compute as pc
 
@@ -361,16 +283,14 @@ class CsvSource(Source):
         ticks = stamps.cast(pa.int64())
         if name not in self._origins and len(seen := ticks.drop_null()):
             self._origins[name] = seen[0].as_py()
-            what = "time of " if name in self._stamped else ""
-            self.notes.append(f"{what}{name!r} counts from {self._firsts[name]}")
-        since = doubles(pc.subtract(ticks, int(self._origins.get(name, 0))).cast(pa.float64(), safe=False))
-        return since / 1e9 if name in self._stamped else since
+            self.notes.append(f"time of {name!r} counts from {self._firsts[name]}")
+        since = pc.subtract(ticks, int(self._origins.get(name, 0))).cast(pa.float64(), safe=False)
+        return doubles(since) / 1e9
 
     def _complete_rows(self) -> int:
         """Bytes of the file that are whole rows."""
         length, notes = whole_rows(self._path, self._dialect)
-        for note in notes:
-            self._note(note)
+        self.warnings += [note for note in notes if note not in self.warnings]
         return length
 
     def _note(self, note: str) -> None:

@@ -8,12 +8,8 @@ _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
 _GROUPED = re.compile(
     r"[-+]?\d{1,3}(?P<mark>[.,'’ \u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<fraction>(?!(?P=mark))[.,]\d+)?"
 )
-_SIGN_APART = re.compile(r"(?<=^[-+])\s+(?=[\d.,])")
-_MINUS = re.compile(r"(?<![^\s;,|:=\"])[\u2212\u2013\ufe63\uff0d](?=\s*[\d.,])")
-"""The minus of typesetting, a dash, and those of East Asian scripts, before a number."""
 _BEGINS_AS_NUMBER = re.compile(r"[-+(]?\s*(?!1[.]#)[.,]?\d")
 COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
-_PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _ROW_END = re.compile(r"\r\n|\r|\n")
 _DIGITS = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 NUMBER = re.compile(rf"[+-]?{_DIGITS}$")
@@ -61,14 +57,8 @@ def is_stamp(cell: str) -> bool:
 
 
 def plain_number(cell: str, decimal: str) -> str:
-    """A number with a decimal point, without marks between thousands; other cells as they are."""
-    cell = _SIGN_APART.sub("", cell)
-    match = _GROUPED.fullmatch(cell)
-    if match and match["mark"] != decimal and (match["mark"] not in ".," or match["fraction"]):
-        cell = re.sub(r"[\s'’]|" + re.escape("," if decimal == "." else "."), "", cell)
-    if decimal != ".":
-        cell = cell.replace(".", "x").replace(decimal, ".")
-    return cell
+    """A number with a decimal point; other cells as they are, but for such a point."""
+    return cell if decimal == "." else cell.replace(".", "x").replace(decimal, ".")
 
 
 @lru_cache(_SAMPLED)
@@ -102,14 +92,12 @@ def rows_of(text: str) -> list[str]:
 
 
 def split_row(line: str, delimiter: str) -> list[str]:
-    """Cells of a line, with a plain minus before numbers; quotes around a cell protect delimiters in it."""
+    """Cells of a line; quotes around a cell protect delimiters in it."""
     line = SECONDS.sub(r"\1", line, count=1) if SECONDS.match(line) else line
-    line = line if line.isascii() else _MINUS.sub("-", line)
     if delimiter == " ":
         return _unquoted(" ".join(line.split()), " ") if '"' in line else line.split()
     if '"' not in line:
         return [cell.strip() for cell in line.split(delimiter)]
-    line = line.replace('="', '"')  # as of a spreadsheet that shall take numbers for text
     return [cell.strip() for cell in _unquoted(line, delimiter)]
 
 
@@ -126,10 +114,25 @@ def is_before_decimals(cell: str, decimal: str) -> bool:
     return decimal in cell and is_value(cell, decimal) and not is_stamp(cell) and not _THOUSANDS.fullmatch(cell)
 
 
-def leaves_mark_open(cell: str, decimal: str) -> bool:
-    """Whether a cell leaves open if the mark stands before decimals or between thousands, as 1,250 and 12 do."""
-    whole = _PLAIN_WHOLE.fullmatch(cell) or cell.lower() in MISSING
-    return bool(whole or (decimal in cell and _THOUSANDS.fullmatch(cell)))
+def unclear_mark(cell: str, line: int, column: str, mark: str) -> str:
+    """What to say of a mark of which nothing shows whether it stands before decimals.
+
+    Parameters
+    ----------
+    cell : str
+        The first cell with it.
+    line : int
+        Its line, counted from 1.
+    column : str
+        The name of its column.
+    mark : str
+        The point or the comma.
+    """
+    return (
+        f"{cell!r} in line {line}, column {column!r}: does {mark!r} separate thousands? Nothing in the first rows "
+        f"shows it. Export the log without such separators; if it is the decimal mark, set [ingest.csv] decimal = "
+        f"{mark!r}"
+    )
 
 
 def marks_between_thousands(cell: str) -> str:

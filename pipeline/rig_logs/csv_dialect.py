@@ -12,26 +12,24 @@ from .csv_cells import (
     is_stamp,
     is_value,
     is_word,
-    leaves_mark_open,
     marks_between_thousands,
     split_row,
+    unclear_mark,
 )
 from .csv_clock import labview_starts
-from .csv_encoding import text_encoding
 from .csv_heading import (
     bare_line,
     cells_above,
     check_long_table,
     heading_rows,
     is_comment,
-    is_counted,
     names_and_units,
-    names_beside,
     rows_by_key,
     stated_rates,
     stated_scales,
 )
 from .csv_table import SampleTable, find_table, sample_lines
+from .csv_text import text_encoding
 from .source import CsvOptions, UnreadableLogError
 
 SAMPLE_BYTES = 1 << 16
@@ -58,13 +56,11 @@ class Dialect:
     firsts: tuple[str, ...]
     """The first cell of each column that is not empty; "" where all in the sample are: what it holds is open."""
     has_marks: bool
-    """Whether a decimal mark was seen at all."""
+    """Whether the decimal mark is known: seen, set, or the point beside commas that separate."""
     rates: tuple[tuple[str, float, float], ...]
     """Names and numbers in the preamble that state a sample rate, and it [Hz]."""
     scales: tuple[str, ...]
     """Notes on numbers in the preamble that look like a calibration."""
-    open_marks: tuple[bool, ...]
-    """Of which columns it is open yet whether `decimal` stands before decimals or between thousands."""
     texts: tuple[str, ...]
     """What stands in the columns that are no numbers; "" for the others."""
     rewritten: bool
@@ -134,14 +130,14 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     encoding = options.encoding or text_encoding(start)
     lines = sample_lines(start, encoding, whole=whole)
     options = _as_labview(lines, options)
-    options, table = _with_counted_names(options, find_table(lines, options))
+    table = find_table(lines, options)
     width = len(table.numeric)
-    _check_decimal_commas(table)
-    open_marks = (False,) * width if options.decimal is not None else _open_marks(table)
     above, comments = _above(table, lines)
     header_row, units_row = _header_rows(table, above, comments, options.header_row)
     _check_rows_below_header(table, above, header_row)
     header, units, headings = _headings(table, above, header_row, units_row)
+    if options.decimal is None and not table.shows_mark:
+        _check_marks(table, header)
     in_seconds = bool(SECONDS.match(lines[table.first]))
     units = ("s", *units[1:]) if in_seconds else units
     check_long_table(header, table.numeric, table.rows[table.first :])
@@ -160,10 +156,9 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         table.first,
         numeric,
         firsts,
-        options.decimal is not None or table.has_marks,
+        options.decimal is not None or table.delimiter == "," or table.has_marks,
         stated_rates(lines[: table.first], table.delimiter),
         tuple(stated_scales(lines[: table.first], table.delimiter)),
-        open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         bool(table.delimiter == " " or table.ragged or in_seconds)
         or (header_row is not None and len(above[header_row]) == width + 1),
@@ -191,13 +186,6 @@ def _header_rows(
     return row, units if below is None else below
 
 
-def _with_counted_names(options: CsvOptions, table: SampleTable) -> tuple[CsvOptions, SampleTable]:
-    """The numbers of the columns that pandas writes in place of names are no row of data."""
-    if options.header_row is not None or not is_counted(table.rows[table.first]):
-        return options, table
-    return replace(options, header_row=table.first), replace(table, first=table.first + 1)
-
-
 _LABVIEW = "LabVIEW Measurement"
 _END_OF_HEADER = "***End_of_Header***"
 
@@ -216,9 +204,7 @@ def _headings(
     """Names and units of the columns, and the cells above them as they are written."""
     width = len(table.numeric)
     if header_row is None:
-        names, units = names_and_units((), (), width)
-        beside = names_beside(table.rows, table.numeric)
-        return (*beside, names) if beside else (names, units, ("",) * width)
+        return (*names_and_units((), (), width), ("",) * width)
     padded = [*above[header_row], *[""] * width][:width]
     names, units = names_and_units(padded, () if units_row is None else above[units_row], width)
     as_written = table.rows[header_row][:width]
@@ -256,28 +242,18 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
     return rows, [is_comment(line) for line in lines]
 
 
-def _check_decimal_commas(table: SampleTable) -> None:
-    """Commas that separate and are decimal marks too: more cells than names, at most twice as many."""
-    width = len(table.numeric)
-    above = table.rows[table.first - 1] if table.first else []
-    names = len(above)
-    cells = width - [*map(bool, _firsts(table))][::-1].index(True)
-    marked = table.has_marks or table.delimiter != ","
-    if not marked and 2 <= names < cells <= 2 * names and not any(map(NUMBER.match, above)):
-        raise UnreadableLogError(
-            f"{names} names stand above rows of {cells} cells; is the comma separator and decimal mark at "
-            "once? Export it with another separator, such as the semicolon"
-        )
+def _check_marks(table: SampleTable, header: Sequence[str]) -> None:
+    """Refuse marks of which no number shows that they stand before decimals, where they may separate thousands.
 
-
-def _open_marks(table: SampleTable) -> tuple[bool, ...]:
-    """In which columns the rows that were seen do not tell whether the mark is for decimals."""
-    body = [row for row in table.rows[table.first :] if len(row) == len(table.numeric)]
-    decided = table.shows_mark
-    return tuple(
-        numeric and not decided and all(leaves_mark_open(row[column], table.decimal) for row in body)
-        for column, numeric in enumerate(table.numeric)
-    )
+    They may where other numbers of a column have none, where they are commas, and where the semicolon separates.
+    """
+    body = [(i, row) for i, row in enumerate(table.rows) if i >= table.first and len(row) == len(table.numeric)]
+    for column, numeric in enumerate(table.numeric):
+        cells = [(i, row[column]) for i, row in body if numeric]
+        line, marked = next(((i, cell) for i, cell in cells if table.decimal in cell and not is_stamp(cell)), (0, ""))
+        whole = any(NUMBER.match(cell) and table.decimal not in cell for _, cell in cells)
+        if marked and (whole or table.decimal == "," or table.delimiter == ";"):
+            raise UnreadableLogError(unclear_mark(marked, line + 1, header[column], table.decimal))
 
 
 def _check_rows_below_header(table: SampleTable, above: Sequence[Sequence[str]], header_row: int | None) -> None:

@@ -16,11 +16,12 @@ _BEFORE_BRACKET = re.compile(r"\s+(?=[\[(])")
 _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
 _TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
 _QUANTITY = re.compile(rf"{NUMBER.pattern.removesuffix('$')} ?[A-Za-zµμ%]{{0,3}}$")
-_HEAD = 100
-_MOST_LINES = 20
-"""Lines among which a heading stands, and over how many it may be written."""
 _ROW_KEY = re.compile(r"(?i)(units?|names?|channels?|labels?|einheit(en)?)\s*[:=]\s*(?=\S)")
 """Before a row of units or names, as in ``#UNITS:s,V,V`` of Hantek."""
+_RATE_IN_WORDS = re.compile(
+    r"(?i)(sampl|scan|\brate|abtast)[^\d]*(?P<number>\d+([.,]\d+)?) ?(?P<unit>k?Hz|(s|sa|samples)/s(ec)?)\b"
+)
+"""A sample rate as in ``sampled at 500 Hz``."""
 _KEY_END = re.compile(r"[:=;,\t]")
 _APART = re.compile(r"\s{2,}|\t")
 """Between names of several words above columns between blanks."""
@@ -40,16 +41,6 @@ def bare_line(line: str) -> str:
     """A line without the mark of a comment before it, as gnuplot, numpy and MATLAB set before headings."""
     match = COMMENT.match(line)
     return line[match.end() :] if match else line
-
-
-def with_whole_cells(lines: list[str]) -> list[str]:
-    """The lines, a heading whose quoted cells hold line ends in its first one, and nothing in the others of it."""
-    whole = list(lines)
-    for i, line in enumerate(lines[:_HEAD]):
-        if whole[i] and line.count('"') % 2:
-            count = next((k for k in range(2, _MOST_LINES) if "".join(lines[i : i + k]).count('"') % 2 == 0), 1)
-            whole[i : i + count] = [" ".join(lines[i : i + count]), *[""] * (count - 1)]
-    return whole
 
 
 def is_comment(line: str) -> bool:
@@ -156,6 +147,9 @@ def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float
             stated = dict.fromkeys((number, rate) for number in numbers if (rate := stated_rate(name, number)))
             for own_name, each in zip(unique_names([name] * len(stated)), stated, strict=True):
                 rates[own_name] = (own_name, *each)
+    for match in () if rates else filter(None, map(_RATE_IN_WORDS.search, lines)):
+        rate = number_with_unit(f"{match['number']} {match['unit']}", "")
+        rates[match[0]] = (match[0], rate, rate)
     return tuple(rates.values())
 
 
@@ -223,22 +217,6 @@ def rows_by_key(above: list[Row]) -> tuple[int | None, int | None]:
         time = above[keys[_HORIZONTAL]] if _HORIZONTAL in keys else ()
         above[units] = [time[1] if len(time) > 1 else "", *above[units][1:]]
     return names, units
-
-
-def names_beside(rows: Sequence[Row], numeric: Sequence[bool]) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
-    """Names and units of an old Tektronix file, which has keys and values in its first columns beside the data."""
-    columns = [j for j, is_numeric in enumerate(numeric) if is_numeric]
-    keys = {row[0]: row[1] for row in rows if len(row) > 1 and row[0]}
-    if len(columns) != 2 or columns[0] < 2 or not {"Source", "Record Length"} <= keys.keys():
-        return None
-    beside = dict(zip(columns, (("TIME", _HORIZONTAL), (keys["Source"], _VERTICAL)), strict=True))
-    names = tuple(beside[j][0] if j in beside else f"column {j + 1}" for j in range(len(numeric)))
-    return names, tuple(keys.get(beside[j][1], "") if j in beside else "" for j in range(len(numeric)))
-
-
-def is_counted(row: Row) -> bool:
-    """Whether a row numbers the columns from 0 on beside an index, as pandas writes those without names."""
-    return len(row) > 2 and list(row) == ["", *map(str, range(len(row) - 1))]
 
 
 _OF_CHANNELS = re.compile(

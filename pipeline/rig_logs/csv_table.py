@@ -17,14 +17,14 @@ from .csv_cells import (
     rows_of,
     split_row,
 )
-from .csv_heading import with_whole_cells
 from .source import CsvOptions, UnreadableLogError
 
 _MOST_ROWS = 400
 _NOTES = re.compile(r"(?i)((comment|remark|note|event|marker|message)s?|kommentar|bemerkung|anmerkung|notiz|ereignis)?")
 """Names of a column whose cells are notes on single rows, or no name."""
 _CANDIDATES = (
-    (";", ","), (";", "."), ("\t", ","), ("\t", "."), (",", "."), ("|", "."), ("|", ","), (" ", "."), (",", ","),
+    (";", ","), (";", "."), ("\t", ","), ("\t", "."), (",", "."), ("|", "."), ("|", ","), (" ", "."), (" ", ","),
+    (",", ","),
 )  # fmt: skip
 """Delimiters and decimal marks; of two that fit alike the first is taken. A comma may be both between quotes only."""
 
@@ -39,8 +39,15 @@ class SampleTable:
     first: int
     numeric: tuple[bool, ...]
     """Which columns have numbers in the sample."""
-    has_marks: bool
     ragged: bool
+
+    @property
+    def has_marks(self) -> bool:
+        """Whether a number has the decimal mark."""
+        body = (row for row in self.rows[self.first :] if len(row) == len(self.numeric))
+        return any(
+            self.decimal in cell and not is_stamp(cell) and is_value(cell, self.decimal) for row in body for cell in row
+        )
 
     @property
     def shows_mark(self) -> bool:
@@ -51,7 +58,7 @@ class SampleTable:
 
 
 def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
-    """The lines of a file's first bytes, a heading of several lines in one; the last only if that is the `whole` file.
+    """The lines of a file's first bytes; the last only if that is the `whole` file.
 
     Raises
     ------
@@ -65,7 +72,7 @@ def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
     except UnicodeDecodeError as error:
         raise UnreadableLogError(f"not encoded as {encoding}: {error.reason} at byte {error.start}") from None
     lines = rows_of(text.strip("\0\ufeff"))
-    return with_whole_cells(lines if whole else lines[:-1])
+    return lines if whole else lines[:-1]
 
 
 def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) -> SampleTable:
@@ -148,10 +155,8 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
         wanted or (any(column) and all(is_value(cell, decimal) for cell in column))
         for wanted, column in zip(likely, columns, strict=True)
     )
-    marks = (cell for column, holds in zip(columns, numeric, strict=True) if holds for cell in column)
-    has_marks = any(decimal in cell and not is_stamp(cell) for cell in marks)
     ragged = any(len(rows[i]) > width for i in fitting if i >= first)
-    return SampleTable(delimiter, decimal, rows, first, numeric, has_marks, ragged)
+    return SampleTable(delimiter, decimal, rows, first, numeric, ragged)
 
 
 def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:

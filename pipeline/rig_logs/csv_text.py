@@ -1,22 +1,58 @@
-"""The bytes of a CSV file: those that are whole rows, as the UTF-8 text that Arrow reads, in a file of its own."""
+"""The bytes of a CSV file: their encoding, and those that are whole rows, as the UTF-8 text that Arrow reads."""
 
 import codecs
 import io
 import mmap
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .csv_cells import rows_of
-from .csv_dialect import Dialect
 from .source import PART, UnreadableLogError, temporary_path
 
+if TYPE_CHECKING:
+    from .csv_dialect import Dialect
+
 _TAIL_BYTES = 1 << 16
-_FEWEST = 10
-_DIGITS = re.compile(r"[+-]?\d*(?:[.,](?P<fraction>\d+))?(?:[eE][+-]?(?P<exponent>\d+))?$")
+_BOMS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+_NO_TEXT = "this is no text and no format that is known here; export the log as CSV, MAT, MDF4, HDF5 or Parquet"
+
+
+def text_encoding(start: bytes) -> str:
+    """The encoding by the first bytes of a file: UTF-8 or UTF-16, else a Western one, in which numbers are the same.
+
+    Raises
+    ------
+    UnreadableLogError
+        They are no text.
+    """
+    for bom, encoding in _BOMS:
+        if start.startswith(bom):
+            return encoding
+    for parity, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):  # of numbers, every other byte is zero
+        if b"\0" not in start[1 - parity :: 2] and 2 * start[parity::2].count(0) > len(start[parity::2]):
+            return encoding
+    start = start.strip(b"\0")
+    control = sum(byte < 32 and byte not in b"\t\n\r\f" for byte in start)
+    before, zero, _ = start.partition(b"\0")
+    if zero:
+        line = len(rows_of(before.decode("latin-1") + "."))
+        damaged = f"a zero byte in line {line}, which is no text: repair or delete that line"
+        raise UnreadableLogError(_NO_TEXT if control > len(start) // 1000 else damaged)
+    try:
+        codecs.getincrementaldecoder("utf-8")().decode(start)
+        return "utf-8"
+    except UnicodeDecodeError:
+        if control > len(start) // 1000:
+            raise UnreadableLogError(_NO_TEXT) from None
+        return "cp1252" if re.search(rb"[\x80-\x9f]", start) else "latin-1"
 
 
 def as_utf8(path: Path, length: int, encoding: str, owner: object) -> Any:
@@ -153,28 +189,9 @@ def _written(content: bytes | mmap.mmap) -> int:
     return end
 
 
-def _is_whole(cell: str, before: Sequence[str]) -> bool:
-    """Whether a number cannot have been cut off: it has as many decimals (and digits of the exponent) as all before.
-
-    Parameters
-    ----------
-    cell : str
-        The last cell of the file.
-    before : sequence of str
-        The cells above it; ten of them at least, all of one form, are needed to tell.
-    """
-    forms = [form for text in before if text and (form := _form(text)) is not None]  # what is no number is a heading
-    return len(forms) >= _FEWEST and set(forms) == {_form(cell)} and forms[0] != (0, 0)
-
-
-def _form(cell: str) -> tuple[int, int] | None:
-    match = _DIGITS.match(cell)
-    return match and (len(match["fraction"] or ""), len(match["exponent"] or ""))
-
-
-def whole_rows(path: Path, dialect: Dialect) -> tuple[int, list[str]]:
-    """Bytes of a file without zeros, and without a last row that has no line end, unless that is seen to be whole; and
-    notes on what is left out.
+def whole_rows(path: Path, dialect: "Dialect") -> tuple[int, list[str]]:
+    """Bytes of a file without zeros, and without a last row that has no line end, which may be cut off within a number;
+    and notes on what is left out.
 
     Raises
     ------
@@ -193,7 +210,7 @@ def whole_rows(path: Path, dialect: Dialect) -> tuple[int, list[str]]:
         raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
     if not length:
         return size, notes
-    *before, last = [dialect.split(row) for row in rows]
+    last = dialect.split(rows[-1])
     if dialect.is_remark(rows[-1], last):
         return size, notes
     width = len(dialect.headings)
@@ -202,6 +219,4 @@ def whole_rows(path: Path, dialect: Dialect) -> tuple[int, list[str]]:
             f"truncated: it ends within a row ({len(last)} of {width} cells); "
             "delete that row if the log shall be used up to there"
         )
-    if _is_whole(last[width - 1], [row[width - 1] for row in before if len(row) >= width]):
-        return size, [*notes, "the last row has no line end; it is kept, its last number has as many digits as others"]
     return size - length, [*notes, "the last row has no line end and may be cut off within a number: left out"]

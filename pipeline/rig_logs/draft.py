@@ -17,8 +17,8 @@ from ..system.names import check_log_name, check_name, log_name, slug, true_name
 from ..units.units import DISPLACEMENT, FILL_IN, SECONDS, to_si
 from .attributes import monitor_ratio
 from .channel_roles import Role, Suggestion, suggested_unit
-from .experiments import Purpose, purpose_of, purposes
 from .inspection import NO_CHANNEL, InspectedChannel, Inspection
+from .purposes import Purpose, purpose_of, purposes
 from .recording import as_other_logs
 from .source import rates_beside
 

@@ -166,6 +166,13 @@ def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Fl
     rates = {str(name): float(rate) for name, rate in answer["rates"].items()}
     descriptions = {str(name): str(text) for name, text in answer["descriptions"].items()}
     return Recording(
-        path, str(answer["format"]), channels, tuple(answer["listed"]), tuple(answer["notes"]), rates, descriptions,
-        str(answer["heading"]),
-    )  # fmt: skip
+        path=path,
+        format=str(answer["format"]),
+        channels=channels,
+        listed=tuple(answer["listed"]),
+        notes=tuple(answer["notes"]),
+        warnings=tuple(answer["warnings"]),
+        rates=rates,
+        descriptions=descriptions,
+        heading=str(answer["heading"]),
+    )

@@ -20,10 +20,7 @@ from .attributes import description_among, rates_among, scales_among, starts_amo
 from .channel_roles import is_called
 from .hdf5_attributes import (
     NUMBERS,
-    PACKING,
-    Packing,
-    described,
-    packing_of,
+    missing_values,
     scales_of_axis,
     unit_of,
     why_unread,
@@ -169,7 +166,7 @@ class Hdf5Source(Source):
 
     def __init__(self, path: Path, *_: object) -> None:
         super().__init__()
-        self._places: dict[str, tuple[Any, _Column, Packing | None]] = {}
+        self._places: dict[str, tuple[Any, _Column, NDArray[Any] | None]] = {}
         self._entries: list[Entry] = []
         self._file = open_hdf5(path)
         self._filled = "_NCProperties" in self._file.attrs
@@ -196,11 +193,11 @@ class Hdf5Source(Source):
         """The samples of some channels, in slices along the stored chunks."""
         counted = Counted()
         for name in names:
-            dataset, column, packing = self._places[name]
+            dataset, column, missing = self._places[name]
             axis = int(np.argmax(dataset.shape))
             written = written_chunks(dataset, axis)
             if written is not None:
-                self.notes.append(
+                self.warnings.append(
                     f"{name!r}: {np.sum(~written)} of {written.size} chunks were never written, no values"
                 )
             for first, last in ranges(dataset.shape[axis], rows_at_a_time(dataset, axis)):
@@ -210,7 +207,9 @@ class Hdf5Source(Source):
                     part = flat(dataset.fields(column[0]), first, last, dataset.shape)[(..., *column[1:])]
                 else:
                     part = dataset[first:last, column] if axis == 0 else dataset[column, first:last]
-                samples = counted(name, part) if packing is None else packing.unpack(np.asarray(part))
+                samples = counted(name, part)
+                if missing is not None:
+                    samples = np.where(np.isin(part, missing), np.nan, samples)
                 if written is not None:
                     samples = np.where(written[np.arange(first, last) // dataset.chunks[axis]], samples, np.nan)
                 yield name, samples
@@ -267,26 +266,20 @@ class Hdf5Source(Source):
 
     def _add(self, name: str, dtype: np.dtype[Any], count: int, dataset: Any, column: _Column) -> None:
         """List a channel, unless its attributes cannot be applied; what they say is noted."""
-        table = isinstance(column, tuple)  # its attributes are of all of its columns
         try:
-            packing = None if isinstance(column, tuple) else packing_of(dataset, column, filled=self._filled)
+            missing = missing_values(dataset, filled=self._filled) if dataset.dtype.names is None else None
         except UnreadableLogError as error:
             self.texts[name] = f"{error}"
             return
         columns: Sequence[Any] = dataset.dtype.names or range(min(dataset.shape))
         place = columns.index(column[0]) if isinstance(column, tuple) else column or 0
         unit, since = unit_of(dataset.attrs, place, len(columns))
-        own = name if table else dataset.name.lstrip("/")
-        possible_notes = {
-            f"time of {own!r} counts from {since}": since,
-            f"{own!r} is unpacked by its attributes: {described(dataset)}": packing and described(dataset),
-            f"{own!r} has {described(dataset)}, not applied here: export each column": table and described(dataset),
-        }
-        unapplied = {key: value for key, value in dataset.attrs.items() if key not in PACKING}
-        notes = [note for note, applies in possible_notes.items() if applies] + scales_among(unapplied, own)
+        own = name if isinstance(column, tuple) else dataset.name.lstrip("/")
+        notes = [f"time of {own!r} counts from {since}"] if since else []
+        notes += scales_among(dataset.attrs, own)
         self.notes += [note for note in notes if note not in self.notes]
-        self._places[name] = (dataset, column, packing)
-        if text := "" if table else description_among(dataset.attrs):
+        self._places[name] = (dataset, column, missing)
+        if text := "" if isinstance(column, tuple) else description_among(dataset.attrs):
             self.descriptions[name] = text
         self._entries.append(Entry(name, "s" if dtype.kind in "mM" else unit, dtype.name, int(count)))
 

@@ -9,16 +9,15 @@ import numpy as np
 from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import FloatArray
 from ..signals.columns import Signal, sparse
-from ..signals.dropouts import NONE, Dropouts, dropout_remarks, dropouts
 from ..signals.missing import code_remarks, codes_in, masked
+from ..signals.outliers import NONE, Dropouts, dropout_remarks, dropouts
 from ..signals.quality_gates import MOST_REPEATED
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import SignalQuality, examine_signal
 from ..signals.timebase import TimeQuality, examine
 from ..system.names import shell_word
 from ..units.units import SECONDS
-from .channel_roles import Suggestion, is_called, is_record, suggest, suggested_unit
-from .experiments import far_shorter, note_on, second_experiments
+from .channel_roles import Suggestion, is_called, suggest, suggested_unit
 from .guarded import read_recording
 from .recording import RecordedChannel, Recording
 from .remarks import Clock, Context, counted, remarks_on, stamped
@@ -32,6 +31,9 @@ _SERIAL_DATES = ((35_000.0, 60_000.0), (725_000.0, 750_000.0))
 """Days since 1900 and since the year 0, of the years 1995 to 2053."""
 
 _WRITTEN_DATES = 1.95e13, 2.1e13
+
+_FAR_SHORTER = 10
+"""Times as many samples has the longest channel as a parameter, which is no record."""
 
 NO_CHANNEL = "the log holds no vector of numbers"
 """Said where nothing can be drafted or examined."""
@@ -130,9 +132,9 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         raise InputError(f"{path}: is a settings file; {check} looks at the logs that it names")
     recording, codes = _without_codes(read_recording(path, csv=csv))
     own_time = any(channel.time is not None for channel in recording.channels)
-    notes = list(recording.notes)
+    notes = [*recording.notes, *recording.warnings]
     rates = {} if own_time else dict(recording.rates) | _constant_rates(recording.channels, notes)
-    roles, apart = _roles(recording, rates, notes, own_time=own_time)
+    roles, apart = _roles(recording, rates, own_time=own_time)
     column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)
     stamps: list[FloatArray] = []
     bases: list[TimeQuality] = []
@@ -223,23 +225,23 @@ def _constant_rates(channels: Sequence[RecordedChannel], notes: list[str]) -> di
 
 
 def _roles(
-    recording: Recording, rates: Collection[str], notes: list[str], *, own_time: bool
+    recording: Recording, rates: Collection[str], *, own_time: bool
 ) -> tuple[tuple[Suggestion, ...], tuple[str, ...]]:
-    """Suggestions for the roles, and the channels that are set apart before; why is added to the notes."""
+    """Suggestions for the roles, and the channels that are set apart before."""
     channels = recording.channels
     usual = [channel for channel in channels if channel.time is not None or not own_time]
     counts = {} if own_time else {channel.name: channel.samples.size for channel in channels}
     unnamed = [channel for channel in usual if rates and not is_called("time", channel.name)]
-    left_out = far_shorter(counts).union(rates, (each.name for each in unnamed if _counts_samples(each.samples)))
-    further = second_experiments([channel.name for channel in usual if channel.name not in left_out], is_record)
-    notes += note_on(further)
-    offered = [channel for channel in usual if channel.name not in left_out and channel.name not in further]
+    longest = max(counts.values(), default=0)
+    left_out = {name for name, count in counts.items() if _FAR_SHORTER * count < longest}
+    left_out = left_out.union(rates, (each.name for each in unnamed if _counts_samples(each.samples)))
+    offered = [channel for channel in usual if channel.name not in left_out]
     rising = () if own_time else [channel.name for channel in offered if _rises_evenly(channel.samples)]
     named = [(channel.name, channel.unit) for channel in offered]
     roles = suggest(named, own_time=own_time, rising=rising, counts=counts, described=recording.descriptions)
     time = next((role.only for role in roles if role.role == "time" and role.only is not None), None)
     others = () if time is None else (channel.name for channel in offered if counts[channel.name] != counts[time])
-    return roles, (*sorted(left_out & counts.keys()), *further, *others)
+    return roles, (*sorted(left_out & counts.keys()), *others)
 
 
 def _counts_samples(samples: FloatArray) -> bool:

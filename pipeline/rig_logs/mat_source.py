@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..units.units import SECONDS, time_unit
 from .attributes import is_unit, scales_among, starts_among
 from .channel_roles import is_called
-from .controldesk import is_recorder, recorder_channels
+from .mat_recorders import is_recorder, is_simulink_log, recorder_channels, simulink_channels
 from .mat_tables import TABLES, table_channels
 from .mat_values import (
     MatArray,
@@ -22,7 +22,6 @@ from .mat_values import (
     scalar_of,
     text_of,
 )
-from .simulink import is_simulink_log, simulink_channels
 from .source import (
     MOST_COLUMNS,
     Counted,
@@ -149,7 +148,9 @@ class MatSource(Source):
         if number is None:
             return
         if (rate := stated_rate(name, number)) is not None:
-            self.rates[name] = rate = rate if stated_rate(name, 2.0) == 2.0 else rate / second
+            self.rates[name] = rate = (
+                rate if (stated_rate(name, 2.0) or 0.0) > (stated_rate(name, 1.0) or 0.0) else rate / second
+            )
             self.notes.append(note_on_rate(name, number, rate))
         self.stated_starts |= starts_among({name: number}, "")
         self.notes += scales_among({name: number})

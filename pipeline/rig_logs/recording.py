@@ -65,6 +65,8 @@ class Recording:
         Names of all numeric channels of the log.
     notes : tuple of str
         What a reader should know, such as the dialect that was found in a CSV file.
+    warnings : tuple of str
+        What of the samples was left out or changed.
     rates : mapping of str to float
         Sample rates [Hz] that single numbers beside the channels state, by their names; information only.
     descriptions : mapping of str to str
@@ -78,6 +80,7 @@ class Recording:
     channels: tuple[RecordedChannel, ...]
     listed: tuple[str, ...]
     notes: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
     rates: Mapping[str, float] = field(default_factory=dict)
     descriptions: Mapping[str, str] = field(default_factory=dict)
     heading: str = ""

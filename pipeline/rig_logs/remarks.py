@@ -87,8 +87,8 @@ def counted(number: int, thing: str) -> str:
 
 
 def stamped(stamp: float) -> str:
-    """A time stamp [s] without its unit, written to the millisecond where the clock has run for long."""
-    return f"{stamp:.3f}" if abs(stamp) >= _LONG_AGO else f"{stamp:.6g}"
+    """A time stamp [s] without its unit, to the nanosecond; to the millisecond where the clock has run for long."""
+    return f"{stamp:.3f}" if abs(stamp) >= _LONG_AGO else f"{round(stamp, 9) + 0.0:.6g}"
 
 
 def _first(places: tuple[float, ...], clock: Clock) -> str:

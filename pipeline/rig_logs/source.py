@@ -15,6 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..units.units import SECONDS
+
 MEGABYTE = 1 << 20
 
 
@@ -105,6 +107,8 @@ class Source(ABC):
         Whether all channels are read in one pass, so that one of them cannot fail alone.
     notes : list of str
         What its reader found out or had to assume.
+    warnings : list of str
+        What of the samples it left out or changed, of which every use of them speaks.
     texts : dict of str to str
         Names of columns that are no numbers, with a cell that shows it and what to do.
     rates : dict of str to float
@@ -117,8 +121,6 @@ class Source(ABC):
         What the log writes beside a channel, by its name.
     heading : str
         What it writes above or beside all of them.
-    whole_seconds : set of str
-        Columns of times of day without parts of a second.
     """
 
     format = ""
@@ -126,13 +128,13 @@ class Source(ABC):
 
     def __init__(self) -> None:
         self.notes: list[str] = []
+        self.warnings: list[str] = []
         self.texts: dict[str, str] = {}
         self.rates: dict[str, float] = {}
         self.starts: dict[str, tuple[float, float]] = {}
         self.stated_starts: dict[str, float] = {}
         self.descriptions: dict[str, str] = {}
         self.heading = ""
-        self.whole_seconds: set[str] = set()
 
     def note_rates(self, stated: Mapping[str, tuple[float, float]]) -> None:
         """Keep numbers that state a sample rate, and that [Hz], by their names; each is noted once."""
@@ -232,18 +234,26 @@ def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
 
 
 _SAMPLING = "(sampl(e|ing)|scan|acquisition|abtast|measuring)[_ ]?"
-_RATE = re.compile(rf"(?i)(.*[./])?(f_?s|{_SAMPLING}(rate|freq(uency)?|frequenz))")
+_RATE = re.compile(
+    rf"(?i)(.*[./])?(f_?s|s?rate|samples?[_ ]?per[_ ]?sec(ond)?|{_SAMPLING}(rate|freq(uency)?|frequenz))"
+)
 _STEP = re.compile(
     rf"(?i)(.*[./])?(t_?s|dt|delta[_ ][xt]|((x|wf)[_ ]?)?increment|[tx]_?inc|t(ime)?[_ ]?(step|interval)|"
     rf"{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit))"
 )
-"""Names of single numbers that say how often a log was sampled."""
+"""Names of single numbers that say how often a log was sampled …"""
+_WITH_UNIT = re.compile(r"(?i)(?P<name>.*?)[_ ]+[\[(]?(?P<unit>k?hz|[mu]?s)[\])]?")
+"""… and a unit behind such a name."""
 
 
 def stated_rate(name: str, number: float) -> float | None:
-    """Sample rate [Hz] that a single number of this name states, as `fs` [Hz] or `Ts` [s]; None for other names."""
+    """Sample rate [Hz] that a single number of this name states, as `fs` [Hz], `Ts` [s] or `dt_ms`; None for others."""
     if not 0.0 < number < math.inf:
         return None
+    unit = _WITH_UNIT.fullmatch(name)
+    if unit and not (_RATE.fullmatch(name) or _STEP.fullmatch(name)):
+        name = unit["name"]
+        number *= SECONDS.get(unit["unit"].lower(), 1000.0 if unit["unit"].lower() == "khz" else 1.0)
     rate = number if _RATE.fullmatch(name) else 1.0 / number if _STEP.fullmatch(name) else math.inf
     return rate if rate < math.inf else None
 

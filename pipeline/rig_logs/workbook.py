@@ -1,5 +1,4 @@
-"""Workbooks of Excel and LibreOffice through calamine: the visible sheet of the most rows, and those in which it goes
-on, read as the CSV that they would be.
+"""Workbooks of Excel and LibreOffice through calamine: the visible sheet of the most rows, read as the CSV that it is.
 
 calamine rounds dates, times and durations to 1 ms. In XLSX they are days with 15 digits, which it gives where it finds
 no styles; so such a file is opened a second time with the name of its styles changed.
@@ -10,17 +9,15 @@ import io
 import math
 import re
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from datetime import date, datetime, time, timedelta
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from python_calamine import CalamineError, CalamineWorkbook
 
 from .csv import CsvSource
-from .csv_heading import names_and_units
 from .source import CsvOptions, UnreadableLogError, View, temporary_path
 
 _STYLES = b"xl/styles.xml"
@@ -48,40 +45,28 @@ class WorkbookSource(View):
             numbers = CalamineWorkbook.from_filelike(io.BytesIO(plain)) if plain else None
             visible = [each.name for each in book.sheets_metadata if f"{each.visible}".endswith(".Visible")]
             sheets = {name: book.get_sheet_by_name(name) for name in visible or book.sheet_names}
-            of_table = _one_table({name: each.to_python(False, _START) for name, each in sheets.items()}, sheets)
-            rows = {name: sheets[name].to_python(skip_empty_area=False) for name in of_table}
-            raw = rows
-            if numbers is not None:
-                raw = {name: numbers.get_sheet_by_name(name).to_python(skip_empty_area=False) for name in of_table}
+            name = _one_table(sheets)
+            rows = sheets[name].to_python(skip_empty_area=False)
+            raw = rows if numbers is None else numbers.get_sheet_by_name(name).to_python(skip_empty_area=False)
         except (CalamineError, ValueError, OSError) as error:
             raise UnreadableLogError(f"the workbook cannot be opened: {error}") from error
-        _check_order(of_table, rows, raw)
-        if plain and any(cell == "" for each in rows.values() for row in each for cell in row):
+        if plain and any(cell == "" for row in rows for cell in row):
             _check_formulas(content)
         written = temporary_path(self)
         mark = options.decimal or "."
-        kinds = _clocks(rows[of_table[0]])
+        kinds = _clocks(rows)
         with written.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
-            for k, name in enumerate(of_table):
-                first = _first_of_numbers(rows[name]) if k else 0
-                for row, numbers_of_row in zip(rows[name][first:], raw[name][first:], strict=True):
-                    cells = zip(row, numbers_of_row, kinds, strict=False)
-                    writer.writerow([_text(cell, number, mark, clock) for cell, number, clock in cells])
+            for row, numbers_of_row in zip(rows, raw, strict=True):
+                cells = zip(row, numbers_of_row, kinds, strict=False)
+                writer.writerow([_text(cell, number, mark, clock) for cell, number, clock in cells])
         super().__init__(CsvSource(written, replace(options, encoding="utf-8", delimiter=",", decimal=mark)))
         self.format = "workbook"
-        self._note_sheets(book.sheet_names, of_table, rounded=numbers is None and any(kinds))
-
-    def _note_sheets(self, sheets: Sequence[str], of_table: Sequence[str], *, rounded: bool) -> None:
-        """Note which sheets are read, and what their cells do not hold."""
-        named = ", ".join(map(repr, of_table))
-        if len(of_table) > 1:
-            self.notes.insert(0, f"the table goes on from sheet to sheet: {named}")
-        if len(sheets) > len(of_table):
-            others = ", ".join(repr(name) for name in sheets if name not in of_table)
-            self.notes.insert(0, f"{len(sheets)} sheets: {named} is read, {others} not")
-        if rounded:
-            self.notes.append("times of such a workbook are rounded to 1 ms; XLSX holds more digits")
+        others = ", ".join(repr(other) for other in book.sheet_names if other != name)
+        if others:
+            self.warnings.append(f"of the sheets {name!r} is read, {others} not")
+        if numbers is None and any(kinds):
+            self.warnings.append("times of such a workbook are rounded to 1 ms; XLSX holds more digits")
 
 
 def _without_styles(content: bytes) -> bytes:
@@ -119,26 +104,24 @@ def _first_of_numbers(rows: Rows) -> int:
     return next((i for i, is_data in enumerate(wanted) if is_data), len(rows))
 
 
-def _one_table(starts: dict[str, Rows], sheets: dict[str, Any]) -> list[str]:
-    """The sheet of the most rows, and those beside it with the same heading, or with none, above as many columns."""
+def _one_table(sheets: Mapping[str, Any]) -> str:
+    """The sheet of the most rows.
+
+    Raises
+    ------
+    UnreadableLogError
+        Another one has as many columns, and the same heading or none: the table may go on there.
+    """
     main = max(sheets, key=lambda name: sheets[name].total_height)
-    heads = {name: _heading(rows) for name, rows in starts.items()}
-    alike = [name for name in sheets if heads[name] is not None and sheets[name].width == sheets[main].width]
-    named = next((heads[name] for name in alike if heads[name]), [])
-    _check_units({name: rows for name in alike if (rows := heads[name])})
-    of_table = [name for name in alike if heads[name] in ([], named)]
-    return of_table if named and main in of_table else [main]
-
-
-def _check_units(heads: Mapping[str, Rows]) -> None:
-    """Refuse headings of the same names with other units: the table goes on, but its numbers do not."""
-    read = {name: names_and_units(tuple(map(str, rows[-1])), (), len(rows[-1])) for name, rows in heads.items()}
-    for before, behind in pairwise(read):
-        if read[before][0] == read[behind][0] and read[before][1] != read[behind][1]:
-            raise UnreadableLogError(
-                f"the sheets {before!r} and {behind!r} hold the same columns in other units: save each as a file of "
-                "its own, or write both in one unit"
-            )
+    heads = {name: _heading(each.to_python(False, _START)) for name, each in sheets.items()}
+    alike = [name for name in sheets if heads[name] == heads[main] or [] in (heads[name], heads[main])]
+    alike = [name for name in alike if heads[name] is not None and sheets[name].width == sheets[main].width]
+    if len(alike) > 1:
+        raise UnreadableLogError(
+            f"the sheets {', '.join(map(repr, alike))} hold tables of one heading: save each as a file of its own, or "
+            "where the table goes on, all as one CSV"
+        )
+    return main
 
 
 def _heading(rows: Rows) -> Rows | None:
@@ -149,26 +132,6 @@ def _heading(rows: Rows) -> Rows | None:
     columns = [j for j, cell in enumerate(rows[first]) if cell != ""]
     above = [[row[j] for j in columns] for row in rows[:first]]
     return [cells for cells in above if all(cell != "" for cell in cells)]
-
-
-def _check_order(names: Sequence[str], rows: dict[str, Rows], raw: dict[str, Rows]) -> None:
-    """Refuse tables that do not follow each other in their first column, as those of several recordings."""
-    if len(names) == 1:
-        return
-    clocks: list[list[Any]] = []
-    for name in names:
-        body = rows[name][_first_of_numbers(rows[name]) :]
-        column = next(j for j, cell in enumerate(body[0]) if cell != "")
-        cells = [row[column] for row in raw[name][-len(body) :]]
-        kind = datetime if isinstance(cells[0], datetime) else float | int
-        clocks.append([cell for cell in cells if isinstance(cell, kind)])
-    for before, behind in pairwise(clocks):
-        alike = before and behind and isinstance(before[-1], datetime) == isinstance(behind[0], datetime)
-        if not alike or behind[0] <= before[-1]:
-            raise UnreadableLogError(
-                f"the sheets {', '.join(map(repr, names))} hold tables of one heading that do not follow each other: "
-                "save each as a file of its own"
-            )
 
 
 def _clocks(rows: Rows) -> list[str]:

@@ -11,11 +11,11 @@ from ..numerics.arrays import BoolArray, FloatArray
 
 CHUNK = 1 << 17
 """Rows at a time."""
+ROUNDING = 1e-6
+"""Share that is left to rounding: of a number of 32 bits, of a place on a grid or a lattice, of a first moment."""
 BLOCKS = 64
-BLOCK = 4096
+BLOCK = 2 * CHUNK // BLOCKS
 """Blocks spread over a long column, and rows of each, from which a median is taken."""
-_LONG = 1 << 22
-"""Bytes from which on a column is not held in memory."""
 
 Entry = TypeVar("Entry", bound=np.generic)
 Signal = tuple[FloatArray, FloatArray]
@@ -39,7 +39,7 @@ def column(size: int, parts: Iterable[NDArray[Entry]], dtype: type[Entry]) -> ND
     OSError
         The temporary folder is full.
     """
-    if size * np.dtype(dtype).itemsize < _LONG:
+    if size <= CHUNK:
         return np.concatenate([np.empty(0, dtype), *parts])
     with tempfile.TemporaryFile(prefix="debist-") as file:
         for part in parts:
@@ -47,12 +47,15 @@ def column(size: int, parts: Iterable[NDArray[Entry]], dtype: type[Entry]) -> ND
         return np.asarray(np.memmap(file, dtype, "r", shape=(size,)))
 
 
-def differences(samples: FloatArray, order: int = 1) -> FloatArray:
-    """Differences of some order, of the whole or of blocks spread over a long column, so that their cost is bounded."""
-    if samples.size <= BLOCKS * BLOCK:
-        return np.diff(samples, order)
-    starts = np.linspace(0, samples.size - BLOCK, BLOCKS).astype(np.int64).tolist()
-    return np.concatenate([np.diff(samples[i : i + BLOCK], order) for i in starts])
+def differences(samples: FloatArray, order: int = 1, spacing: int = 1) -> FloatArray:
+    """Differences of some order between samples so far apart, of the whole or of blocks spread over a long column."""
+    parts = [samples]
+    if samples.size > BLOCKS * BLOCK:
+        starts = np.linspace(0, samples.size - BLOCK, BLOCKS).astype(np.int64).tolist()
+        parts = [samples[i : i + BLOCK] for i in starts]
+    for _ in range(order):
+        parts = [part[spacing:] - part[:-spacing] for part in parts]
+    return np.concatenate(parts)
 
 
 def scaled(samples: FloatArray, factor: float, offset: float) -> FloatArray:

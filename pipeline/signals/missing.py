@@ -7,7 +7,7 @@ import numpy as np
 
 from ..errors import DataRefusedError
 from ..numerics.arrays import BoolArray, FloatArray
-from .columns import Signal, chunks, column
+from .columns import ROUNDING, Signal, chunks, column
 
 
 @dataclass(frozen=True)
@@ -88,8 +88,6 @@ _CODES = np.array([*_NINES[1:], *(-code for code in (*_NINES, *_WHOLE)), *(end -
 """Codes that recorders write: nines, positive ones from 9999 on, and the ends of whole numbers of 16 and 32 bits."""
 _HUGE = 0.999e20
 """No measurement is that large: 9.9E37 of instruments, 9.97E36 of netCDF, 1.8E308."""
-_CLOSE = 1e-6
-"""Relative difference between a number of 32 bits and the code that it represents, with room."""
 
 
 def masked(samples: FloatArray, codes: Iterable[float]) -> FloatArray:
@@ -135,7 +133,7 @@ def codes_in(
             part = part[~beyond]
         least = part.min(initial=np.inf)
         most = part.max(initial=-np.inf)
-        for code in (c for c in counts if least <= c + _CLOSE * abs(c) and c - _CLOSE * abs(c) <= most):
+        for code in (c for c in counts if least <= c + ROUNDING * abs(c) and c - ROUNDING * abs(c) <= most):
             at_code = _is_any(part, (code,))
             if at_code.any():
                 counts[code] += int(np.count_nonzero(at_code))
@@ -151,7 +149,7 @@ def codes_in(
 def _is_any(part: FloatArray, codes: Iterable[float]) -> BoolArray:
     is_code = np.zeros(part.size, dtype=np.bool_)
     for code in codes:
-        is_code |= np.abs(part) >= _HUGE if abs(code) >= _HUGE else np.abs(part - code) <= _CLOSE * abs(code)
+        is_code |= np.abs(part) >= _HUGE if abs(code) >= _HUGE else np.abs(part - code) <= ROUNDING * abs(code)
     return is_code
 
 

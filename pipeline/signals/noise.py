@@ -8,7 +8,7 @@ from ..numerics.arrays import FloatArray
 from ..numerics.metrics import robust_std
 from .columns import CHUNK, differences
 
-CHANCE = 1e-3
+CHANCE = 0.01
 """Significance level of every test on a signal or a clock."""
 REACH = 6.0
 """Standard deviations that none of 10⁶ normal samples exceeds, at that level."""
@@ -24,59 +24,56 @@ _RESOLUTION = 1e-12
 """Share of the range of a record, or of its largest difference, below which a difference is only rounding."""
 
 
-def noise_std(samples: FloatArray) -> float:
-    """Standard deviation of the noise on a smooth signal [signal].
+def white_noise(samples: FloatArray) -> float:
+    """Standard deviation of the white noise on a smooth signal, as far as a quantiser does not hide it [signal].
 
     The median modulus of a high difference shows the noise and ignores rare events, such as the edges of a ring-down.
     The smallest of several differences is taken: order 6 lets less of the signal through than order 4, and
     between samples two apart the estimate is made at a quarter of the sampling rate, where an anti-alias
-    filter has not yet taken the noise away.  A quantised signal at rest has differences of zero, and then
-    the step of the quantiser over sqrt(12) is the estimate.
+    filter has not yet taken the noise away. Cost: that of blocks, however long the signal is.
+    """
+    estimates = [
+        robust_std(differences(samples, order, spacing)) / math.sqrt(math.comb(2 * order, order))
+        for spacing in _SPACINGS
+        for order in _ORDERS
+        if samples.size > 2 * spacing * order
+    ]
+    return min(estimates, default=0.0)
+
+
+def noise_std(samples: FloatArray) -> float:
+    """Standard deviation of the noise on a smooth signal, with that of its quantiser [signal].
+
+    A quantised signal at rest has differences of zero, and then the step of the quantiser over sqrt(12) is the
+    estimate.
 
     Parameters
     ----------
     samples : FloatArray, shape (N,)
-        Uniformly sampled record.
+        Uniformly sampled record, N ≥ 1.
 
     Returns
     -------
     float
         Zero if and only if the record is constant.
     """
-    span = float(np.ptp(samples))
-    estimates = [
-        _difference_std(samples, spacing, order)
-        for spacing in _SPACINGS
-        for order in _ORDERS
-        if samples.size > 2 * spacing * order
-    ]
-    return max(min(estimates, default=0.0), _quantisation_std(samples, _RESOLUTION * span), _RESOLUTION * span)
+    least = _RESOLUTION * float(np.ptp(samples))
+    steps = np.abs(differences(samples))
+    moving = steps[steps > least]
+    quantised = 0 < moving.size <= _MOST_MOVING * steps.size
+    return max(white_noise(samples), rounding(float(moving.min()) if quantised else None), least)
 
 
-def _quantisation_std(samples: FloatArray, resolution: float) -> float:
-    """Standard deviation of the quantiser's error where a tenth of the steps or more are zero, else 0 [signal]."""
-    steps = np.abs(np.diff(samples))
-    moving = steps[steps > resolution]
-    if moving.size == 0 or moving.size > _MOST_MOVING * steps.size:
-        return 0.0
-    return rounding(float(moving.min()))
+def noise_level(samples: FloatArray) -> float:
+    """As `white_noise`, 0 for the steps of a command, which would make all of it noise."""
+    level = white_noise(samples)
+    is_command = level > 0.0 and float(np.ptp(samples)) <= 2.0 * REACH * level and is_stepped(samples)
+    return 0.0 if is_command else level
 
 
-def _difference_std(samples: FloatArray, spacing: int, order: int) -> float:
-    difference = samples
-    for _ in range(order):
-        difference = difference[spacing:] - difference[:-spacing]
-    return noise_ofdifferences(difference, order)
-
-
-def noise_ofdifferences(difference: FloatArray, order: int) -> float:
-    """Standard deviation of white noise from its k-th differences, whose variance is C(2k, k) times its own."""
-    return robust_std(difference) / math.sqrt(math.comb(2 * order, order))
-
-
-def is_idle(span: float, noise: float) -> bool:
-    """Whether a signal shows only its noise: its span is that of 10⁶ normal samples, or smaller."""
-    return span <= 2.0 * REACH * noise
+def is_idle(samples: FloatArray) -> bool:
+    """Whether finite samples show only noise: they span what 10⁶ normal ones do or less, and are no command."""
+    return float(np.ptp(samples)) <= 2.0 * REACH * noise_std(samples) and not is_stepped(samples)
 
 
 def rounding(resolution: float | None) -> float:
@@ -137,34 +134,3 @@ def _excerpt(samples: FloatArray) -> FloatArray:
     first = samples[:CHUNK]
     finite: FloatArray = first[np.isfinite(first)]
     return finite
-
-
-def noise_level(samples: FloatArray) -> float:
-    """Standard deviation of white noise on a smooth signal, robust against steps and spikes.
-
-    It comes from the median magnitude of second differences. Where more than half of them vanish (a coarsely quantised
-    signal), their root mean square below the 90th percentile is taken. Steps that would make all of a signal noise are
-    none: it is 0 then.
-    """
-    if samples.size < 3:
-        return 0.0
-    second = differences(samples, 2)
-    level = noise_ofdifferences(second, 2)
-    if level <= _RESOLUTION * float(np.ptp(samples)):
-        magnitude = np.abs(second)
-        usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
-        level = float(np.sqrt(np.mean(usual**2) / 6.0))
-    return 0.0 if _would_be_idle(samples, level) and is_stepped(samples) else level
-
-
-def _would_be_idle(samples: FloatArray, level: float) -> bool:
-    values = _excerpt(samples)
-    return level > 0.0 and values.size > 0 and is_idle(float(np.ptp(values)), level)
-
-
-def high_difference_level(samples: FloatArray) -> float:
-    """As `noise_level` from the median of sixth differences, which suppress a fast signal more; else infinite."""
-    order = 6
-    if samples.size <= 2 * order:
-        return np.inf
-    return noise_ofdifferences(differences(samples, order), order) or np.inf

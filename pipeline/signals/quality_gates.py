@@ -13,7 +13,7 @@ from ..numerics.arrays import FloatArray
 from ..settings.prototype import Gate
 from .findings import Finding, Number, refusal
 from .missing import Missing
-from .signal_quality import SignalQuality, examine_signal
+from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
 from .spectrum import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
 from .timebase import TimeQuality
 
@@ -163,16 +163,13 @@ def scale_suspicion(span: float, plausible: tuple[float, float] | None) -> float
         plausible, zero, or nothing is known of it.
     """
     low, high = plausible or (0.0, np.inf)
-    if not np.isfinite(span) or span <= 0.0 or low <= span <= high:
+    if not 0.0 < span < np.inf or low <= span <= high:
         return None
-    factor = 1000.0 if span > high else 0.001
-    while not low <= span / factor <= high and 1e-9 < factor < 1e9:
-        factor *= 1000.0 if span > high else 0.001
+    prefix = 1000.0 if span > high else 1.0 / 1000.0
+    factor = prefix
+    while max(low * factor / span, span / (high * factor)) > 1.0 and max(factor, 1.0 / factor) < 1e9:
+        factor *= prefix
     return factor
-
-
-_ABOUT_ZERO = 0.02
-"""Share of the largest magnitude of an input below which a level is a rest about zero."""
 
 
 def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
@@ -198,7 +195,7 @@ def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) ->
     remarks = []
     for low, high in quality.rails:
         level = 0.5 * (low + high)
-        if abs(level) <= _ABOUT_ZERO * max(abs(quality.smallest), abs(quality.largest)):
+        if abs(level) <= BOTH_SIGNS * max(abs(quality.smallest), abs(quality.largest)):
             continue
         there = (samples >= low) & (samples <= high)
         first = time[np.argmax(there)]

@@ -16,8 +16,6 @@ from .noise import CHANCE, below_resolution, resolution
 
 _APPROACH = 15.0
 """Widths of the level over which an approach is looked at."""
-_LINEAR = 0.37
-"""Share of it that is left at half time, between 0.26 of an exponential and 0.53 of a line."""
 IN_A_ROW = 3
 """Samples that make a stay."""
 
@@ -148,7 +146,7 @@ def _cut_off(values: FloatArray, runs: IntArray, level: float, width: float, *, 
         ]
         if approaches:
             left, stay = np.median(np.array(approaches), axis=0).tolist()
-            if left < _LINEAR or stay < 2.0:
+            if left**2 < 0.5**3 or stay < 2.0:  # between the half of a line and the quarter of an exponential
                 return False
         seen += len(approaches)
     return seen >= (IN_A_ROW if noisy else 1)

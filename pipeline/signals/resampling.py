@@ -14,15 +14,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..numerics.arrays import FloatArray, IntArray, runs_of
-from .columns import CHUNK, chunks, column
+from .columns import CHUNK, ROUNDING, chunks, column
 from .decimation_kernel import REACH, kernel, slope_window
 
 LEAST_RATIO = 1.5
 """Fewest raw samples per output interval for decimation; fewer are interpolated."""
 
 _BLOCK = 1 << 15
-ROUNDING = 1e-6
-"""Share of an interval that is left to rounding: of a place on the grid, and of a first moment."""
 
 
 def uniform_grid(start: float, stop: float, interval: float) -> FloatArray:

@@ -16,14 +16,12 @@ import numpy as np
 from ..errors import DataRefusedError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..units.quantity import quantity
-from .columns import chunks, column, finite, select
+from .columns import ROUNDING, chunks, column, finite, select
 from .noise import CHANCE
 from .timebase import ONE_LOST, default_gap_limit, nominal_step
 
 _BLOCK = 256
 """Stamps over which the lattice is taken as constant."""
-_EXACT = 1e-6
-"""Share of the resolution to which a line is found; the solver's own is 1e-7."""
 
 
 @dataclass(frozen=True)
@@ -223,14 +221,14 @@ def _line(stamps: FloatArray, count: IntArray, half: FloatArray, fuzz: float, pa
         bounds = np.concatenate((off + limit, limit - off))
         solved = linprog([0.0, 0.0, -1.0], np.concatenate((above, below)), bounds, bounds=[(None, None)] * 3)
         level, tilt, margin = (np.nan, np.nan, -np.inf) if solved.x is None else solved.x
-        if margin < -_EXACT:
+        if margin < -ROUNDING:
             return None
         worst = []
         for rows in chunks(part.stop - part.start):
             numbers = np.arange(part.start + rows.start, part.start + rows.stop)
             place, off, limit = scaled(numbers)
             beyond = np.abs(off - level - tilt * place) - limit + margin
-            if beyond.max() > _EXACT:
+            if beyond.max() > ROUNDING:
                 worst.append(int(numbers[np.argmax(beyond)]))
         if not set(worst) - set(binding.tolist()):
             return _Line(part, first, start + unit * float(level), slope + unit * float(tilt) / length)

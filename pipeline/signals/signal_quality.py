@@ -9,7 +9,7 @@ import numpy as np
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..numerics.metrics import NORMAL_MEDIAN
 from .columns import chunks, column, finite, select
-from .noise import REACH, high_difference_level, is_idle, is_stepped, noise_level, resolution
+from .noise import REACH, is_idle, is_stepped, noise_level, resolution
 from .rails import rail
 from .spectrum import MAINS, Bandwidth, Hum, bandwidth, hum
 from .timebase import LOCATED
@@ -40,9 +40,8 @@ class SignalQuality:
         Smallest and largest that three samples in a row reach.
     noise : float
         Standard deviation of the white noise in it, from the medians of its differences.
-    roughness : float
-        The same from second differences alone: in a fast signal with few samples a period it is the signal's own bend,
-        and single samples are spikes only beyond that.
+    idle : bool
+        Whether there is only noise: the span is that of 10⁶ normal samples or less, and it is no command.
     low_rail, high_rail : float
         Share of the samples that stay at the lower, at the upper end of the sensor's range.
     rails : tuple of (float, float)
@@ -60,7 +59,7 @@ class SignalQuality:
     rests : bool
         Whether that run may be a rest in the steps of a sensor, as it is entered and left by few of them.
     spikes : int
-        Single samples that leave the line between their neighbours by more than 12 times the roughness.
+        Single samples that leave the line between their neighbours by more than noise reaches.
     spikes_at : tuple of float
         Where, the first `LOCATED` of them.
     hum : tuple of Hum
@@ -78,7 +77,7 @@ class SignalQuality:
     mean: float
     usual: tuple[float, float]
     noise: float
-    roughness: float
+    idle: bool
     low_rail: float
     high_rail: float
     rails: tuple[tuple[float, float], ...]
@@ -107,11 +106,6 @@ class SignalQuality:
     def ramped(self) -> bool:
         """Whether it comes to both ends of its range at a slope, beneath its noise, as a command with ramps does."""
         return len(self.rails) == 2 and all(high > low for low, high in self.rails)
-
-    @property
-    def idle(self) -> bool:
-        """Whether there is only noise: the span is that of 10⁶ normal samples or less, and it is no command."""
-        return is_idle(self.span, self.noise) and not self.stepped
 
 
 def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> SignalQuality:
@@ -144,14 +138,14 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
         nan = float("nan")
-        numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, (), False, (), 0.0, 0, nan, False
+        numbers = nan, nan, nan, (nan, nan), nan, False, 0.0, 0.0, (), False, (), 0.0, 0, nan, False
         return SignalQuality(samples.size, missing, lost, located, *numbers, 0, (), (), Bandwidth(nan, nan))
-    (smallest, largest), roughness = span(values), noise_level(values)
+    smallest, largest = span(values)
+    noise = noise_level(values)
     frozen, start = _longest_run(values)
     began, ended = stamps[[start, start + frozen - 1]].tolist()
-    spikes, first_spikes = single_spikes(values, roughness)
+    spikes, first_spikes = single_spikes(values, noise)
     usual = usual_span(values)
-    noise = min(roughness, high_difference_level(values))
     ends = rail(values, usual, 0, noise), rail(values, usual, 1, noise)
     return SignalQuality(
         n=samples.size,
@@ -163,7 +157,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         mean=float(values.mean()),
         usual=usual,
         noise=noise,
-        roughness=roughness,
+        idle=is_idle(values),
         low_rail=ends[0].share if ends[0] else 0.0,
         high_rail=ends[1].share if ends[1] else 0.0,
         rails=tuple((end.low, end.high) for end in ends if end),
@@ -176,7 +170,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         spikes=spikes,
         spikes_at=tuple(stamps[first_spikes].tolist()),
         hum=tuple(line for f in MAINS if (line := hum(values, step, f)) is not None),
-        band=bandwidth(bridged(values, roughness) if spikes else values, step, noise),
+        band=bandwidth(bridged(values, noise) if spikes else values, step, noise),
     )
 
 

@@ -47,11 +47,8 @@ SHAPE_REWEIGHTED = 2.0
 _SAME_SCALE = 0.05
 _ROUNDS = 25
 _LONGEST_SECANT = 4.0
-_BACK = 0.5
-_SEARCH_TOLERANCE = 1e-6
-_SEARCH_TOLERANCE_REWEIGHTED = 1e-3
-_NOTHING = 0.5
-"""Effective parameters below which the record is a polynomial and noise."""
+_SEARCH_TOLERANCE = 1e-3
+"""Of a minimisation within the search, whose scale need not be known better than by a twentieth."""
 
 
 @dataclass(frozen=True)
@@ -99,12 +96,11 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
     Returns
     -------
     SmoothingParameter
-        Deterministic.  The cost is that of four to ten minimisations at a tolerance of 1e-6 (1e-3 with reweighting).
+        Deterministic.  The cost is that of four to ten minimisations at a tolerance of 1e-3.
     """
     sigma = noise_std(samples)
     increments = samples.size - order - 1
     shape = SHAPE_REWEIGHTED if reweighted else SHAPE
-    tolerance = _SEARCH_TOLERANCE_REWEIGHTED if reweighted else _SEARCH_TOLERANCE
     weights = np.ones(samples.size)
     log_scale = float(np.log(sigma))
     before = None
@@ -122,9 +118,9 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
             fitted_start=True,
             weights=weights,
         )
-        t = minimise_variation(problem, tolerance=tolerance, max_iterations=100).t
+        t = minimise_variation(problem, tolerance=_SEARCH_TOLERANCE, max_iterations=100).t
         determined = float(effective_parameters(t, problem.lam_of_terms(), problem.delta, order))
-        if determined < _NOTHING or not t.any():
+        if round(determined) == 0 or not t.any():  # a polynomial and noise
             settled = True
             break
         target = increment_scale(t[order + 1 :], determined / increments, shape, weights[order + 1 :])
@@ -150,7 +146,7 @@ def _stretch(log_scale: float, change: float, before: tuple[float, float] | None
     if before is None or abs(change) >= abs(before[1]):
         return 1.0
     if change * before[1] < 0.0:
-        return _BACK
+        return 0.5
     return min(_LONGEST_SECANT, (log_scale - before[0]) / (before[1] - change))
 
 

@@ -46,15 +46,9 @@ def bandwidth(samples: FloatArray, step: float, noise: float) -> Bandwidth:
     Cost: the spectra of at most 64 windows of 2¹⁴ samples, spread over the signal: 6 ms of 10⁶ samples.
     """
     size = min(samples.size, _WINDOW)
-    window = np.hanning(size)
-    power = np.zeros(size // 2 + 1)
-    windows = min(BLOCKS, 2 * samples.size // size - 1)
-    starts = np.linspace(0, samples.size - size, windows).astype(np.int64).tolist()
-    for start in starts:
-        part = samples[start : start + size]
-        power += np.abs(np.fft.rfft((part - part.mean()) * window)) ** 2
-    floor = noise**2 * float(np.sum(window**2)) * len(starts)
-    below: FloatArray = np.cumsum(np.maximum(power - floor, 0.0))
+    if size < 2:
+        return Bandwidth(np.nan, np.nan)
+    below: FloatArray = np.cumsum(np.maximum(_spectrum(samples, size) - 2.0 * noise**2 / size, 0.0))
     if not below[-1] > 0.0:
         return Bandwidth(np.nan, np.nan)
     half, most = np.searchsorted(below, below[-1] * np.array([0.5, _NEARLY_ALL])) / (size * step)

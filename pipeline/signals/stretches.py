@@ -11,8 +11,8 @@ import numpy as np
 
 from ..errors import DataRefusedError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
-from .columns import CHUNK, chunks, column, select
-from .resampling import ROUNDING, decimated, interpolated
+from .columns import CHUNK, ROUNDING, chunks, column, select
+from .resampling import decimated, interpolated
 from .timebase import advancing, default_gap_limit, nominal_step, segments
 
 TimeReversal = Literal["refuse", "split", "unwrap"]

@@ -7,8 +7,7 @@ import numpy as np
 from ..numerics.arrays import FloatArray, sample_interval
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
-from ..signals.inputs import UNKNOWN
-from ..signals.log import Log, log_of, voltages
+from ..signals.log import UNKNOWN, Log, log_of, voltages
 from ..store import layout
 from ..store.run_folder import RunFolder
 from ..store.tables import Table

@@ -152,7 +152,7 @@ def _si_log(
     if channels.qdot is not None and plant.velocity is not None:
         signals.append((channels.qdot, plant.velocity))
         names.append("qdot")
-    notes: list[str] = []
+    notes = list(recording.warnings)
     columns = [_si(recording, channel, unit, name, notes) for (channel, unit), name in zip(signals, names, strict=True)]
     bases = _bases(
         recording, dict(zip(names, (channel for channel, _ in signals), strict=True)), prototype, clocks or {}, notes

@@ -199,3 +199,13 @@ def test_gaps_silence_weak_and_short_logs_are_no_findings(pair: list[LogSignals]
     short = replace(pair[1], t=pair[1].t[:900], q=pair[1].q[:900], v=pair[1].v[:900])
     for log in (replace(pair[0], q=q), replace(pair[1], v=0.0 * pair[1].v), LogSignals("b", t, weak, v, 1e-3), short):
         assert not _gates(check_logs([pair[0], log], JOINT, 0.01))
+
+
+def test_the_angle_of_a_joint_is_named_and_may_answer_at_other_times(pair: list[LogSignals]) -> None:
+    """Voltages turn the tip before the joint moves: q by the angle has no delay that a recorder could make up for."""
+    moved = [_late(pair[0], 60)]
+    found = [
+        {finding.code for finding in check_logs(moved, replace(JOINT, angle=angle), 0.01)}
+        for angle in (None, SiUnit(1.0, "rad"))
+    ]
+    assert [codes & {"from_angle", "late_answer"} for codes in found] == [{"late_answer"}, {"from_angle"}]

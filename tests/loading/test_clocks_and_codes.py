@@ -6,6 +6,8 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.rig_logs.channel_roles import clocks_beside
+from pipeline.rig_logs.source import stated_rate
 from pipeline.store.run_folder import RunFolder
 
 RUNNER = CliRunner()
@@ -74,6 +76,33 @@ def test_one_stamp_far_ahead_is_refused_before_a_record_of_that_length_is_made(t
     far = np.where(np.arange(T.size) < 4000, T, T + 1e12)
     told, _ = ingested(tmp_path, {"t": far, "q": Q, "v": np.abs(V)}, channels)
     assert "holds 8 s of samples within 1e+12 s" in told
+
+
+def test_clocks_may_stand_behind_their_channels():
+    assert clocks_beside(["q", "time", "v1", "time (2)"]) == {"q": "time", "v1": "time (2)"}
+    assert clocks_beside(["time", "q", "time (2)", "v1"]) == {"q": "time", "v1": "time (2)"}
+    assert clocks_beside(["clock", "q", "clock_v", "v1"]) == {"q": "clock", "v1": "clock_v"}
+
+
+@pytest.mark.parametrize(
+    ("name", "number", "rate"),
+    [("fs", 500.0, 500.0), ("Fs_Hz", 500.0, 500.0), ("sample rate [kHz]", 0.5, 500.0), ("dt_ms", 2.0, 500.0),
+     ("t_s", 2e-3, 500.0), ("sampling_interval_us", 2000.0, 500.0), ("gain_ms", 2.0, None), ("frequency", 2.0, None)],
+)  # fmt: skip
+def test_single_numbers_that_state_a_sample_rate(name, number, rate):
+    assert stated_rate(name, number) == (None if rate is None else pytest.approx(rate))
+
+
+def test_what_a_reader_left_out_is_a_warning_of_ingest(tmp_path):
+    rows = [f"{t:.3f},{q:.4f},{v:.1f}" for t, q, v in zip(T, Q, V, strict=True)]
+    rows[2500:2500] = ["operator paused the rig", "# again"]
+    (tmp_path / "log.csv").write_text("\n".join(["t,q,v", *rows]) + "\n")
+    (tmp_path / "d.toml").write_text(
+        'name = "d"\n[logs]\ntrain = ["log.csv"]\n[channels]\ntime = { channel = "t", unit = "s" }\n'
+        'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }\n[plant]\ninputs = "linear"\n'
+    )
+    result = RUNNER.invoke(app, ["ingest", str(tmp_path / "d.toml"), "-o", str(tmp_path / "run")])
+    assert "2 lines left out: line 2502: 'operator paused the rig'" in " ".join(result.output.split()), result.output
 
 
 @pytest.mark.parametrize("names", [("X_Value", "X_Value"), ("t_q", "t_v"), ("Time", "v time")])

@@ -6,8 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from pipeline.settings.prototype import Prototype, parse_prototype
-from pipeline.signals.inputs import UNKNOWN
-from pipeline.signals.log import EDGE, Log, log_of
+from pipeline.signals.log import EDGE, UNKNOWN, Log, log_of
 from pipeline.store import layout
 from pipeline.store.tables import Table
 from pipeline.workflow.logs import load_motion

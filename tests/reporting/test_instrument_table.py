@@ -37,6 +37,13 @@ def test_what_is_not_beyond_its_limit_stays_as_it_stands() -> None:
     assert entry(part, _rows("clock"), "m") == '{ file = "long.mat", zero = "0.1 mm", clock = 0.99003 }'
 
 
+def test_corrections_that_cancel_are_not_written() -> None:
+    part = LogPart.model_validate({"file": "long.mat", "gain": {"q": 1.05}, "zero": "0.1 mm", "clock": 1.01})
+    unity = [{**row, "correction": 0.0 if row["quantity"] == "zero_q" else 1.0} for row in _rows(*VALUES)]
+    rows = [row for row in unity if row["quantity"] != "delay"]
+    assert entry(part, rows, "m") == '{ file = "long.mat" }'
+
+
 @pytest.mark.parametrize(
     ("rows", "words"),
     [

@@ -2,14 +2,12 @@
 
 import h5py
 import numpy as np
-import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
 from pipeline.rig_logs import read_recording
-from pipeline.rig_logs.source import UnreadableChannelError
-from tests.rig_logs.small_logs import TIME, Q, V, load, open_here
+from tests.rig_logs.small_logs import TIME, Q, V, open_here
 
 SLOW = 100.0 + np.arange(80) / 200.0
 
@@ -52,43 +50,6 @@ def test_a_dimension_of_netcdf_without_values_is_no_clock(tmp_path):
 
 
 STAMPS = 1_700_000_000_400_000_000 + np.round(TIME * 1e9).astype(np.int64)
-
-
-@pytest.mark.parametrize(
-    ("whole", "part", "per_second", "clock"),
-    [
-        ("header.stamp.sec", "header.stamp.nanosec", 10**9, "header.stamp.time"),
-        pytest.param("stamp_secs", "stamp_nsecs", 10**9, "stamp_time", marks=pytest.mark.long),
-        ("tv_sec", "tv_usec", 10**6, "tv_time"),
-        ("Seconds", "Milliseconds", 10**3, "time"),
-    ],
-)
-@pytest.mark.parametrize("ending", ["csv", "parquet", "h5"])
-def test_seconds_and_parts_of_them_are_one_clock(tmp_path, whole, part, per_second, clock, ending):
-    ticks = STAMPS // (10**9 // per_second)
-    columns = {whole: ticks // per_second, part: ticks % per_second, "q": Q}
-    path = tmp_path / f"log.{ending}"
-    if ending == "csv":
-        pd.DataFrame(columns).to_csv(path, index=False)
-    elif ending == "parquet":
-        pd.DataFrame(columns).to_parquet(path)
-    else:
-        with h5py.File(path, "w") as file:
-            for name, column in columns.items():
-                file[name] = column
-    channels = {channel.name: channel for channel in read_recording(path).channels}
-    np.testing.assert_allclose(channels[clock].samples, TIME + 0.4, atol=1e-9)
-    assert channels[clock].unit == "s" and {whole, part} <= set(channels)
-    asked = read_recording(path, channels=[clock, "q"])
-    np.testing.assert_allclose(asked.channel(clock).samples, TIME + 0.4, atol=1e-9)
-    np.testing.assert_allclose(asked.channel("q").samples, Q, atol=1e-8)
-
-
-def test_a_column_that_exceeds_a_second_is_no_part_of_a_clock(tmp_path):
-    pd.DataFrame({"sec": np.arange(400), "nsec": 1e9 * TIME * 10.0, "q": Q}).to_parquet(tmp_path / "log.parquet")
-    with pytest.raises(UnreadableChannelError, match="no part of a clock"):
-        load(open_here(tmp_path / "log.parquet"), "time")
-    assert "time" not in [channel.name for channel in read_recording(tmp_path / "log.parquet").channels]
 
 
 def test_columns_of_structs_in_parquet_are_channels(tmp_path):

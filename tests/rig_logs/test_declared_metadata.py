@@ -23,30 +23,24 @@ def _hdf5(path, attributes, raw=RAW):
 
 
 @pytest.mark.parametrize(
-    ("attributes", "expected"),
-    [
-        ({"scale_factor": 0.001, "add_offset": 5.0}, RAW * 0.001 + 5.0),
-        ({"scale_factor": np.array([0.5])}, RAW * 0.5),
-        ({"add_offset": b"2"}, RAW + 2.0),
-        ({"_FillValue": RAW[7]}, np.where(RAW[7] == RAW, np.nan, RAW)),
-        ({"missing_value": RAW[[3, 9]], "scale_factor": 2.0}, np.where(np.isin(RAW, RAW[[3, 9]]), np.nan, 2.0 * RAW)),
-        ({"valid_range": np.array([-9000, 2000], "i2")}, np.where((RAW < -9000) | (RAW > 2000), np.nan, RAW)),
-        ({"valid_max": 0.0, "scale_factor": 0.1, "add_offset": 99.0}, np.where(RAW > -990, np.nan, RAW * 0.1 + 99.0)),
-        ({"_Unsigned": "true"}, RAW.view("u2")),
-        ({"_Unsigned": np.int8(1)}, RAW.view("u2")),
-    ],
+    ("attributes", "missing"),
+    [({"_FillValue": RAW[7]}, [RAW[7]]), ({"missing_value": RAW[[3, 9]]}, RAW[[3, 9]]), ({"units": "mm"}, [])],
 )
-def test_packed_numbers_are_unpacked_and_the_attributes_named(tmp_path, attributes, expected):
-    source, q = _hdf5(tmp_path / "log.h5", attributes)
-    np.testing.assert_allclose(q, expected, rtol=1e-12)
-    assert all(name in source.notes[0] for name in attributes)
+def test_numbers_that_stand_for_no_value_are_none(tmp_path, attributes, missing):
+    _, q = _hdf5(tmp_path / "log.h5", attributes)
+    np.testing.assert_array_equal(q, np.where(np.isin(RAW, missing), np.nan, RAW))
 
 
-def test_columns_may_have_factors_of_their_own(tmp_path):
+@pytest.mark.parametrize(
+    "attributes", [{"scale_factor": 0.001, "add_offset": 5.0}, {"_Unsigned": "true"}, {"valid_range": [-9000, 2000]}]
+)
+def test_packed_numbers_are_not_taken_for_the_values(tmp_path, attributes):
     with h5py.File(tmp_path / "log.h5", "w") as file:
-        file.create_dataset("m", data=np.stack([RAW, RAW], axis=1)).attrs["scale_factor"] = [2.0, 3.0]
-    source = open_here(tmp_path / "log.h5")
-    np.testing.assert_allclose(load(source, "m[:,1]"), 3.0 * RAW)
+        file["v"] = V
+        file.create_dataset("q", data=RAW).attrs.update(attributes)
+    with pytest.raises(InputError, match=r"holds no plain numbers, but packed .*save its unpacked values"):
+        read_recording(tmp_path / "log.h5", channels=["q"])
+    assert read_recording(tmp_path / "log.h5").listed == ("v",)
 
 
 def test_attributes_that_cannot_be_applied_leave_the_channel_out_and_others_are_named(tmp_path):
@@ -57,7 +51,7 @@ def test_attributes_that_cannot_be_applied_leave_the_channel_out_and_others_are_
     source = open_here(tmp_path / "log.h5")
     assert [entry.name for entry in source.entries()] == ["p", "v"]
     assert "gain = 0.5, not applied" in source.notes[0]
-    assert "'q' (scale_factor = see manual is no number)" in source.notes[1]
+    assert "'q' (packed (scale_factor = see manual): save its unpacked values)" in source.notes[1]
 
 
 def test_the_unit_of_time_since_a_date(tmp_path):
@@ -276,4 +270,4 @@ def test_chunks_that_were_never_written_hold_no_values(tmp_path, fill):
     source = open_here(tmp_path / "log.h5")
     for name in ("q", "m[:,1]"):
         np.testing.assert_array_equal(load(source, name), np.r_[numbers, np.full(150, np.nan)])
-    assert "'q': 3 of 8 chunks were never written, no values" in source.notes
+    assert "'q': 3 of 8 chunks were never written, no values" in source.warnings

@@ -213,35 +213,6 @@ def test_parameters_beside_a_record_are_not_proposed(tmp_path):
     assert set(inspect_log(path).apart) >= {"est.volt", "est.level", "data.tstep"}
 
 
-@pytest.mark.parametrize(
-    ("names", "q", "v1"),
-    [
-        (("U", "U_val", "Y", "Y_val"), "Y", "U"),
-        (("uEst", "uVal", "yEst", "yVal"), "yEst", "uEst"),
-        (("uval", "yval", "u", "y"), "y", "u"),
-        (("y_test", "y_train", "u_test", "u_train"), "y_train", "u_train"),
-    ],
-)
-def test_a_second_experiment_in_a_file_is_no_second_input(tmp_path, names, q, v1):
-    rng = np.random.default_rng(0)
-    path = _mat(tmp_path / "two.mat", **{name: rng.normal(size=900) for name in names})
-    text = toml_draft([inspect_log(path)])
-    assert _chosen(path) == {"q": q, "v1": v1} and tomllib.loads(text)["ingest"] == {"sample_rate": FILL_IN}
-    further = [name for name in names if name not in (q, v1)]
-    assert set(inspect_log(path).apart) == set(further)
-
-
-def test_experiments_in_groups_are_told_apart_and_sides_are_not(tmp_path):
-    rng = np.random.default_rng(0)
-    run = {name: rng.normal(size=900) for name in ("r", "y", "u")}
-    path = _mat(tmp_path / "runs.mat", run1=run, run2=run)
-    chosen = _chosen(path)
-    assert (chosen["q"], chosen["v1"]) == ("run1.y", "run1.u") and "v2" not in chosen
-    motor = {"volt": rng.normal(size=900), "temp": rng.normal(size=900)}
-    sides = _chosen(_mat(tmp_path / "sides.mat", angle=rng.normal(size=900), side1=motor, side2=motor))
-    assert (sides["v1"], sides["v2"]) == ("side1.volt", "side2.volt")
-
-
 WAVE, INPUT = np.sin(0.1 * np.arange(900.0)), np.arange(900) % 7 / 7.0
 
 

@@ -125,7 +125,7 @@ def test_a_workbook_is_known_by_its_content_and_its_hidden_sheets_are_not_read(t
     workbook(tmp_path / name, rows, hidden=[*rows, *rows[1:]])
     source = open_here(tmp_path / name)
     np.testing.assert_array_equal(load(source, "q"), Q)
-    assert "2 sheets" in source.notes[0] and "'Log'" in source.notes[0]
+    assert source.warnings == ["of the sheets 'Log' is read, 'Old' not"]
 
 
 def test_numbers_that_a_workbook_holds_as_text_need_their_decimal_mark(tmp_path):
@@ -214,7 +214,7 @@ def test_what_was_appended_to_tdms_begins_when_it_was_recorded(tmp_path, second,
     recording = read_recording(tmp_path / "log.tdms")
     expected = np.concatenate([TIME[:200], begins + TIME[:200]])
     np.testing.assert_allclose(recording.channel("q").time, expected, atol=1e-9)
-    assert ("'q' begins anew at 40 s" in " ".join(recording.notes)) == (begins == 40.0)
+    assert ("'q' begins anew at 40 s" in " ".join(recording.warnings)) == (begins == 40.0)
 
 
 def test_a_step_of_tdms_that_changes_is_refused(tmp_path):
@@ -246,7 +246,6 @@ def test_an_index_beside_a_tdms_file_is_not_read(tmp_path):
 
 
 HEADING = ["t", "q", ""]
-DAYS = 46_000.99999 + TIME / 86_400.0
 
 
 def _sheets(path, times=TIME, form="0.0", cut=150, second=(HEADING,)):
@@ -256,26 +255,16 @@ def _sheets(path, times=TIME, form="0.0", cut=150, second=(HEADING,)):
 
 
 @pytest.mark.parametrize("cut", [10, 150, 390])
-@pytest.mark.parametrize(("times", "form"), [(TIME, "0.0"), (DAYS, "dd.mm.yyyy hh:mm:ss.000")])
 @pytest.mark.parametrize("second", [(), (HEADING,)])
-def test_a_table_goes_on_in_the_next_sheet(tmp_path, cut, times, form, second):
-    _sheets(tmp_path / "log.xlsx", times, form, cut, second)
-    source = open_here(tmp_path / "log.xlsx")
-    np.testing.assert_array_equal(load(source, "q"), Q)
-    np.testing.assert_allclose(load(source, "t"), TIME, atol=1e-6)
-    assert "goes on from sheet to sheet: 'Data', 'Data (2)'" in source.notes[0]
-
-
-def test_a_sheet_of_the_same_columns_in_other_units_is_not_passed_over(tmp_path):
-    _sheets(tmp_path / "log.xlsx", second=([HEADING[0], "q [µm]", *HEADING[2:]],))
-    with pytest.raises(UnreadableLogError, match=r"'Data' and 'Data \(2\)' hold the same columns in other units"):
-        open_here(tmp_path / "log.xlsx")
-
-
-def test_recordings_in_two_sheets_are_refused(tmp_path):
-    _sheets(tmp_path / "log.xlsx", TIME % 0.2, cut=200)
+def test_a_table_that_may_go_on_in_another_sheet_is_refused(tmp_path, cut, second):
+    _sheets(tmp_path / "log.xlsx", cut=cut, second=second)
     with pytest.raises(UnreadableLogError, match=r"the sheets .Data., .Data \(2\). hold tables of one heading"):
         open_here(tmp_path / "log.xlsx")
+
+
+def test_sheets_that_are_not_read_are_named(tmp_path):
+    _sheets(tmp_path / "log.xlsx", second=([HEADING[0], "q [µm]", *HEADING[2:]],))
+    assert open_here(tmp_path / "log.xlsx").warnings == ["of the sheets 'Data (2)' is read, 'Data' not"]
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.device.device import JOINT
-from pipeline.signals.noise import is_idle, noise_level, resolution
+from pipeline.signals.noise import is_idle, resolution
 from pipeline.signals.quality_gates import saturation, scale_suspicion
 from pipeline.signals.signal_quality import examine_signal, usual_span
 from pipeline.signals.spectrum import hum
@@ -130,9 +130,9 @@ def test_a_random_binary_input_is_no_noise(held):
     prbs = np.repeat(np.random.default_rng(held).choice([-3.0, 3.0], 20_000), held)[:20_000]
     quality = examine_signal(np.arange(prbs.size) / 1000.0, prbs, 1e-3)
     assert not quality.idle and quality.levels == (-3.0, 3.0)
-    assert not is_idle(6.0, noise_level(prbs))
+    assert not is_idle(prbs)
     rounded = prbs * (1.0 + 1e-15 * np.random.default_rng(0).integers(-2, 3, prbs.size))  # as interpolation leaves it
-    assert not is_idle(6.0, noise_level(rounded))
+    assert not is_idle(rounded)
 
 
 @pytest.mark.parametrize("held", [2, 3, 5])
@@ -140,7 +140,7 @@ def test_random_steps_are_no_noise(held):
     steps = np.repeat(np.random.default_rng(held).normal(size=20_000), held)[:20_000]
     quality = examine_signal(np.arange(steps.size) / 1000.0, steps, 1e-3)
     assert quality.stepped and not quality.idle and quality.levels == ()
-    assert not is_idle(quality.span, noise_level(steps))
+    assert not is_idle(steps)
 
 
 def test_the_flicker_of_a_converter_is_noise():
@@ -148,7 +148,7 @@ def test_the_flicker_of_a_converter_is_noise():
     flicker = 0.01 * (np.random.default_rng(0).random(20_000) < 0.2)
     quality = examine_signal(np.arange(flicker.size) / 1000.0, flicker, 1e-3)
     assert quality.idle and not quality.stepped
-    assert is_idle(0.01, noise_level(flicker))
+    assert is_idle(flicker)
 
 
 def test_the_steps_of_an_encoder_are_seen_where_most_values_occur_once():

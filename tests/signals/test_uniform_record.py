@@ -181,7 +181,6 @@ def test_the_result_does_not_depend_on_how_the_log_is_read(monkeypatch, interval
     t, q, v, raster = _awkward_log(chunk)
     whole = uniform_record(t, q, v, interval, v_time=raster, time_reversal="split")
     monkeypatch.setattr("pipeline.signals.columns.CHUNK", chunk)
-    monkeypatch.setattr("pipeline.signals.columns._LONG", 0)
     monkeypatch.setattr("pipeline.signals.uniform_record.CHUNK", chunk // 2)
     monkeypatch.setattr("pipeline.signals.stretches.CHUNK", chunk // 3)
     monkeypatch.setattr("pipeline.signals.resampling.CHUNK", chunk // 4)
@@ -214,7 +213,7 @@ from pathlib import Path
 from pipeline.signals.columns import chunks, column, scaled
 from pipeline.signals.signal_quality import examine_signal
 from pipeline.signals.uniform_record import Resampling, survey
-from pipeline.signals.untrusted import trusted
+from pipeline.signals.outliers import trusted
 
 def anonymous():
     return int(re.search(r"RssAnon:\\s+(\\d+)", Path("/proc/self/status").read_text())[1])

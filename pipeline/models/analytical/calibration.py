@@ -15,8 +15,7 @@ import numpy as np
 from ...device.parameters import JointParameters
 from ...numerics.arrays import BoolArray, FloatArray, IntArray
 from ...numerics.metrics import rms
-from ...signals.inputs import MOST_SAMPLES
-from ...signals.log import Log, within
+from ...signals.log import MOST_SAMPLES, Log, within
 from .calibration_problem import (
     LOSS_SCALE,
     RESOLUTION,

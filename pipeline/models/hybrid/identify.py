@@ -16,8 +16,7 @@ from ...fitting.posterior import posterior_factor, robust_spread, whiteness
 from ...fitting.regression import basis_centres, basis_width
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
-from ...signals.inputs import MOST_SAMPLES
-from ...signals.log import Log, operating_range, within
+from ...signals.log import MOST_SAMPLES, Log, operating_range, within
 from ..free_runs import scale_on
 from ..model_file import read_part
 from ..model_type import ModelType, Training, fitted_samples

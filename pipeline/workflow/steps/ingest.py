@@ -11,16 +11,16 @@ from ...diagnostics.gates import judge
 from ...errors import DataRefusedError
 from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
-from ...signals.inputs import LONGEST_BRIDGE, UNKNOWN
+from ...signals.log import LONGEST_BRIDGE, UNKNOWN
 from ...signals.raw_log import RawLog
 
 if TYPE_CHECKING:
     from ...signals.findings import Finding
+    from ...signals.outliers import Trusted
     from ...signals.signal_quality import SignalQuality
     from ...signals.stretches import TimeRows
     from ...signals.timebase import TimeQuality
     from ...signals.uniform_record import Resampling, Survey, UniformRecord
-    from ...signals.untrusted import Trusted
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
@@ -93,8 +93,8 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
 def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
     """The log with its inputs' single-sample spikes bridged, and noted."""
     from ...rig_logs.remarks import counted, stamped
+    from ...signals.outliers import without_spikes
     from ...signals.timebase import nominal_step
-    from ...signals.untrusted import without_spikes
 
     texts = list[str]()
     inputs = []
@@ -108,8 +108,8 @@ def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
 
 def _trusted(signals: RawLog, prototype: Prototype, raw_step: float) -> "Trusted":
     """The displacement without what is masked by the settings."""
+    from ...signals.outliers import trusted
     from ...signals.signal_quality import examine_signal
-    from ...signals.untrusted import trusted
 
     masked = {name: getattr(prototype.ingest, name) == "mask" for name in ("rails", "lost", "spikes")}
     inert = device(prototype).displacement.symbol != "V"
@@ -245,7 +245,7 @@ def _with_cuts(
 def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
     from ...rig_logs.remarks import counted
-    from ...signals.dropouts import dropout_remarks
+    from ...signals.outliers import dropout_remarks
 
     rails, lost, spikes = trusted.left_out
     plant = device(prototype)

@@ -53,6 +53,5 @@ def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | 
         """Its parts, so that a long log does not lie in memory."""
         return (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
 
-    note = "q: the displacement of the joint, by its kinematics (plant.parameters) from the logged angle"
     q = time, column(phi.size, displacement(), np.float64)
-    return replace(log, q=q, velocity=velocity, notes=(*log.notes, note))
+    return replace(log, q=q, velocity=velocity)

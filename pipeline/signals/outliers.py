@@ -1,0 +1,415 @@
+"""Samples that are no measurements. They are masked.
+
+A device with inertia does not jump: it passes through the values between, and its velocity changes over many samples.
+So a jump shows a fault of the sensor or of the recorder: a burst at one level, a value that was held, rows that were
+lost, or the level of a sensor without a target. But a jump that answers a step of an input is one of the device.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from .columns import BLOCK, Signal, chunks, column, finite, select
+from .noise import CHANCE, REACH, SELDOM, noise_level
+from .rails import IN_A_ROW, in_a_row, runs_between
+from .signal_quality import (
+    BESIDE_SPIKE,
+    OF_BESIDE,
+    SignalQuality,
+    bridged,
+    examine_signal,
+    single_spikes,
+    spikes_in,
+)
+from .timebase import GAP_FLOOR, GAP_STEPS, ONE_LOST
+
+_ANSWER = 0.03
+"""Time [s] that a device which jumps takes to answer."""
+_LEAST = 0.01
+_MUCH = 0.03
+"""Shares of the usual range: a jump exceeds the first, and the second where rows are missing, as encoders and
+potentiometers slip by 2 %. Between them lies the width of the level of a lost target: what is wider moves.
+"""
+_LONGEST = 0.25
+"""Duration [s] of the longest burst; what is longer and far outside is a lost target, what is not may be a place."""
+
+
+def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArray, step: float) -> bool:
+    """Whether some input has changed just before these times more often than by chance.
+
+    Parameters
+    ----------
+    times : FloatArray, shape (n,)
+        When the signal jumps [s].
+    inputs : sequence of (FloatArray, FloatArray)
+        Time stamps [s] and samples of what drives the device.
+    stamps : FloatArray, shape (N,)
+        Those of the signal [s], by which chance is judged.
+    step : float
+        Nominal sampling step of the signal [s].
+    """
+    from scipy.special import bdtrc
+
+    anywhere = stamps[:: max(1, stamps.size // BLOCK)]
+    for signal in inputs:
+        least = 2.0 * REACH * noise_level(select(signal[1], finite(signal[1])))
+        count = int(np.count_nonzero(_changed(signal, times, step, least)))
+        chance = float(np.mean(_changed(signal, anywhere, step, least)))
+        if count and bdtrc(count - 1, times.size, chance) < CHANCE:
+            return True
+    return False
+
+
+def _changed(signal: Signal, times: FloatArray, step: float, least: float) -> BoolArray:
+    """Whether an input differs at these times [s] by more than `least` from what it was shortly before."""
+    before = np.searchsorted(signal[0], times - max(GAP_STEPS * step, _ANSWER))
+    now = np.searchsorted(signal[0], times + step)
+    last = signal[1].size - 1
+    changed: BoolArray = np.abs(signal[1][np.minimum(now, last)] - signal[1][np.minimum(before, last)]) > least
+    return changed
+
+
+@dataclass(frozen=True)
+class Dropouts:
+    """What of a signal within its range is no measurement.
+
+    Attributes
+    ----------
+    bursts, held : IntArray, shape (n, 2)
+        First row and end of each burst at a level, and of each stretch in which the last value was held.
+    levels : tuple of float
+        Levels of the bursts, the most frequent first, in the unit of the signal.
+    cuts : FloatArray, shape (m, 2)
+        Last stamp before, and first stamp behind [s], each jump that is left: rows are missing though time goes on.
+    first : (float, float)
+        Stamps [s] of the first burst and of the first held value; NaN without any.
+    """
+
+    bursts: IntArray
+    held: IntArray
+    levels: tuple[float, ...]
+    cuts: FloatArray
+    first: tuple[float, float]
+
+    @property
+    def spans(self) -> IntArray:
+        """Rows of bursts and held values, in order."""
+        both: IntArray = np.concatenate((self.bursts, self.held))
+        return both[np.argsort(both[:, 0])]
+
+
+_NO_ROWS = np.empty((0, 2), dtype=np.int64)
+NONE = Dropouts(_NO_ROWS, _NO_ROWS, (), np.empty((0, 2)), (np.nan, np.nan))
+
+
+def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float) -> Dropouts:
+    """Find what cannot be a motion; nothing where the jumps go with steps of the inputs, or the signal is a command.
+
+    Parameters
+    ----------
+    q : (FloatArray, FloatArray)
+        Time stamps [s] and samples.
+    inputs : sequence of (FloatArray, FloatArray)
+        The same of what drives the device.
+    quality : SignalQuality
+        Of these samples.
+    step : float
+        Nominal sampling step [s].
+
+    Notes
+    -----
+    Cost: one pass in chunks, memory for the places of jumps.
+    """
+    stamps, samples = q
+    if quality.constant or quality.stepped or quality.idle:
+        return NONE
+    usual = quality.usual[1] - quality.usual[0]
+    jumps = _jumps(samples, max(2.0 * REACH * quality.noise, _LEAST * usual))
+    jumps = jumps[stamps[jumps + 1] - stamps[jumps] < ONE_LOST * step]
+    if not 0 < jumps.size <= SELDOM * samples.size:
+        return NONE
+    times = stamps[jumps + 1]
+    if answer_inputs(times[np.isfinite(times)], inputs, stamps, step):
+        return NONE
+    longest = round(_LONGEST / step) + 1
+    bursts = _bursts(samples, jumps, longest, 2.0 * REACH * quality.noise)
+    left = jumps[~np.isin(jumps, bursts.ravel() - 1)]
+    held = _held(samples, left, longest)
+    left = left[~np.isin(left, held[:, 1] - 1)]
+    left = left[np.abs(samples[left + 1] - samples[left]) > _MUCH * usual]
+    ends = np.stack((stamps[left], stamps[left + 1]), axis=1)
+    levels, counts = np.unique([np.median(samples[first:end]) for first, end in bursts], return_counts=True)
+    return Dropouts(
+        bursts,
+        held,
+        tuple(levels[np.argsort(-counts, kind="stable")].tolist()),
+        ends[np.isfinite(ends).all(axis=1)],
+        (_stamp_of_first(stamps, bursts), _stamp_of_first(stamps, held)),
+    )
+
+
+def _stamp_of_first(stamps: FloatArray, spans: IntArray) -> float:
+    return float(stamps[spans[0, 0]]) if spans.size else np.nan
+
+
+def _jumps(samples: FloatArray, least: float) -> IntArray:
+    """Rows before a step larger than `least` and several times those beside it."""
+    rows_before = []
+    for rows in chunks(samples.size):
+        begin = max(rows.start - 1, 0)
+        steps = np.abs(np.diff(samples[begin : rows.stop + 2]))
+        beside = OF_BESIDE * np.maximum(steps[:-2], steps[2:])
+        rows_before.append(begin + 1 + np.flatnonzero((steps[1:-1] > least) & (steps[1:-1] >= beside)))
+    return np.concatenate([np.empty(0, dtype=np.int64), *rows_before])
+
+
+def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> IntArray:
+    """Rows of what lies between a jump to a level and one back; `flat` is what noise may reach there."""
+    bursts = []
+    last = -1
+    for before, end in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
+        there = samples[before + 1] - samples[before]
+        back = samples[end + 1] - samples[end]
+        short = before > last and 2 <= end - before <= longest
+        if short and there * back < 0.0 and np.ptp(samples[before + 1 : end + 1]) <= flat:
+            bursts.append((before + 1, end + 1))
+            last = end
+    return np.array(bursts, dtype=np.int64).reshape(-1, 2)
+
+
+def _held(samples: FloatArray, jumps: IntArray, longest: int) -> IntArray:
+    """Rows of a value that was held up to a jump, without the first of them, which was measured."""
+    spans = []
+    for end in jumps.tolist():
+        before = samples[max(0, end - longest) : end]
+        other = np.flatnonzero(before != samples[end])
+        count = before.size - (int(other[-1]) + 1 if other.size else 0)
+        free = before[: before.size - count]
+        equal = float(np.mean(np.diff(free) == 0.0)) if free.size > 1 else 0.0
+        if count + 1 >= IN_A_ROW and samples.size * equal**count < CHANCE:
+            spans.append((end - count + 1, end + 1))
+    return np.array(spans, dtype=np.int64).reshape(-1, 2)
+
+
+def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list[str]:
+    """Remarks on them: what, how many, since when. Levels are printed in `unit`, which is `factor` × SI."""
+    remarks = []
+    if len(lost.bursts):
+        levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in lost.levels[:2])
+        more = f" and {len(lost.levels) - 2} more levels" if len(lost.levels) > 2 else ""
+        what = f"{_several(lost.bursts, 'burst')} at {levels}{more}, which no motion reaches"
+        remarks.append(f"{what}, the first at {lost.first[0]:.6g} s")
+    if len(lost.held):
+        what = f"{_several(lost.held, 'stretch', 'stretches')} in which the last value was held"
+        remarks.append(f"{what}, the first at {lost.first[1]:.6g} s")
+    if count := len(lost.cuts):
+        remarks.append(
+            f"{count} jump{'s' * (count > 1)} from one sample to the next, the first at {lost.cuts[0, 1]:.6g} s: rows "
+            "are missing though time goes on (a buffer was lost?)"
+        )
+    return remarks
+
+
+def _several(spans: IntArray, singular: str, plural: str = "") -> str:
+    """How many spans and samples."""
+    noun = singular if len(spans) == 1 else plural or f"{singular}s"
+    return f"{len(spans)} {noun} of {int(np.diff(spans).sum())} samples"
+
+
+def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:
+    """An input with its single samples far off neighbours that agree on the line between these; how many, and the
+    stamp [s] of the first.
+
+    Nothing is changed where a step [s] is longer than an amplifier needs to go there and back, where such samples are
+    frequent, and in a command without noise: there pulses may be as short. A controller that differentiates kicks for
+    one of its periods, and the device follows.
+    """
+    time, samples = signal
+    usable = finite(samples)
+    values = select(samples, usable)
+    noise = noise_level(values) if step < ONE_LOST * GAP_FLOOR and values.size else 0.0
+    count, first = single_spikes(values, noise)
+    if not 0 < count <= SELDOM * values.size:
+        return signal, 0, np.nan
+    at = float(select(time, usable)[first[0]])
+    return (time, bridged(samples, noise)), count, at
+
+
+def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float) -> tuple[float, float]:
+    """Values beyond which q is a level that the sensor shows without a target; infinite where there is none.
+
+    Such a level is constant except for little noise, lies farther outside than half the range of the rest, and is kept
+    for less than half of the log. A device that moves passes through the values between; here hardly a sample has one.
+    Nor does a sensor know the inputs: a level that is entered and left with their steps is one of the device.
+
+    Parameters
+    ----------
+    q : (FloatArray, FloatArray)
+        Time stamps [s] and displacement as measured.
+    inputs : sequence of (FloatArray, FloatArray)
+        Time stamps [s] and samples of the inputs.
+    quality : SignalQuality
+        Of these samples of q.
+    step : float
+        Nominal sampling step [s] of q.
+
+    Notes
+    -----
+    Cost: two passes over q, and where there is such a level two more, in chunks; the memory is that of a chunk and of
+    the places where the level is entered and left.
+    """
+    smallest, largest = quality.usual
+    span = largest - smallest
+    width = min(max(2.0 * REACH * quality.noise, _LEAST * span), _MUCH * span)
+    ends = []
+    for sign, bottom, other in ((-1.0, -smallest - width, -largest), (1.0, largest - width, smallest)):
+        bound = _gap(q[1], (bottom, bottom + 2.0 * width), other, sign)
+        if bound < np.inf:
+            runs = runs_between(q[1], bound, np.inf) if sign > 0.0 else runs_between(q[1], -np.inf, -bound)
+            edges = np.unique(runs)
+            times = q[0][edges[(edges > 0) & (edges < q[1].size)]]
+            most = 2 * np.diff(runs).sum() >= q[1].size
+            bound = np.inf if most or answer_inputs(times[np.isfinite(times)], inputs, q[0], step) else bound
+        ends.append(sign * bound)
+    return ends[0], ends[1]
+
+
+def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, sign: float) -> float:
+    """The middle of the gap below `level`, if that is entered by jumps, kept, and far from the rest of sign times q;
+    infinite where it is not.
+    """
+    bottom, ceiling = level
+    at_level = 0
+    runs = 0
+    before = False
+    for rows in chunks(samples.size):
+        part = sign * samples[rows]
+        there = part >= bottom
+        runs += int(np.count_nonzero(np.diff(there.astype(np.int8), prepend=np.int8(before)) == 1))
+        at_level += int(np.count_nonzero(there & (part <= ceiling)))
+        before = bool(there[-1])
+    if not IN_A_ROW * runs <= at_level < 0.5 * samples.size:
+        return np.inf
+    top = np.empty(0)
+    jumps = 2 * runs  # one sample of each jump may lie between
+    for rows in chunks(samples.size):
+        part = sign * samples[rows]
+        top = np.sort(np.concatenate((top, part[part < bottom])))[-jumps - 1 :]
+    if top.size <= jumps or bottom - top[0] < 0.5 * (top[0] - smallest):
+        return np.inf
+    return float(0.5 * (bottom + top[0]))
+
+
+@dataclass(frozen=True)
+class Trusted:
+    """A signal without what is not to be trusted.
+
+    Attributes
+    ----------
+    samples : FloatArray, shape (N,)
+        NaN where left out.
+    left_out : (int, int, int)
+        Samples left out at the rails, without a target, and as spikes.
+    rails : tuple of (float, float)
+        Between which values three samples in a row are a sensor at the end of its range.
+    bounds : (float, float)
+        Values beyond which the sensor has lost its target.
+    quality : SignalQuality
+        Of the samples that the sensor and the recorder did not lose; its counts are those of all.
+    dropouts : Dropouts
+        Bursts and held values, which are left out with those without a target; and places where rows are missing.
+    """
+
+    samples: FloatArray
+    left_out: tuple[int, int, int]
+    rails: tuple[tuple[float, float], ...]
+    bounds: tuple[float, float]
+    quality: SignalQuality
+    dropouts: Dropouts
+
+
+def trusted(
+    q: Signal,
+    inputs: Sequence[Signal],
+    quality: SignalQuality,
+    step: float,
+    *,
+    rails: bool,
+    lost: bool,
+    spikes: bool,
+    inert: bool = True,
+) -> Trusted:
+    """The signal without what is no measurement.
+
+    Parameters
+    ----------
+    q : (FloatArray, FloatArray)
+        Time stamps [s] and samples as measured.
+    inputs : sequence of (FloatArray, FloatArray)
+        The same of what drives the device; their steps separate a place of the device from a lost target.
+    quality : SignalQuality
+        Of these samples: the rails and the noise.
+    step : float
+        Nominal sampling step [s].
+    rails, lost, spikes : bool
+        What to leave out.
+    inert : bool
+        Whether the device has inertia, as a circuit need not: then it cannot jump.
+    """
+    time, samples = q
+    bounds = lost_bounds(q, inputs, quality, step) if lost and not quality.constant else (-np.inf, np.inf)
+    kept = _within(samples, bounds)
+    found = dropouts((time, kept), inputs, quality, step) if lost and inert else NONE
+    kept = _without(kept, found.spans)
+    if kept is not samples:  # their values do not describe the motion
+        as_measured = {key: getattr(quality, key) for key in ("n", "not_finite", "lost", "not_finite_at")}
+        quality = replace(examine_signal(time, kept, step), **as_measured)
+    at = quality.rails if rails else ()
+    noise = quality.noise if spikes and quality.spikes else 0.0
+    counts = np.zeros(3, dtype=np.int64)
+
+    def parts() -> Iterator[FloatArray]:
+        """The samples with NaN, chunk by chunk; what is left out is counted beside."""
+        for rows in chunks(samples.size):
+            first = max(rows.start - BESIDE_SPIKE, 0)
+            part = kept[first : rows.stop + BESIDE_SPIKE]
+            own = slice(rows.start - first, rows.stop - first)
+            at_rail = np.zeros(part.size, dtype=np.bool_)
+            for low, high in at:
+                at_rail |= in_a_row((part >= low) & (part <= high))
+            spiked = np.pad(spikes_in(part, noise), 1) & ~at_rail if noise and part.size > 2 else np.zeros_like(at_rail)
+            missed = np.isnan(part[own]) & ~np.isnan(samples[rows])
+            counts[:] += [np.count_nonzero(each) for each in (at_rail[own], missed, spiked[own])]
+            yield np.where((at_rail | spiked)[own], np.nan, part[own])
+
+    masked = column(samples.size, parts(), np.float64) if at or noise or kept is not samples else samples
+    rail, lost_target, spike = counts.tolist()
+    return Trusted(masked, (rail, lost_target, spike), at, bounds, quality, found)
+
+
+def _within(samples: FloatArray, bounds: tuple[float, float]) -> FloatArray:
+    """The samples, NaN beyond the bounds."""
+    if bounds == (-np.inf, np.inf):
+        return samples
+    parts = (
+        np.where((samples[r] < bounds[0]) | (samples[r] > bounds[1]), np.nan, samples[r]) for r in chunks(samples.size)
+    )
+    return column(samples.size, parts, np.float64)
+
+
+def _without(samples: FloatArray, spans: IntArray) -> FloatArray:
+    """The samples, NaN in these rows."""
+    if not spans.size:
+        return samples
+
+    def parts() -> Iterator[FloatArray]:
+        """Chunk by chunk."""
+        for rows in chunks(samples.size):
+            part = np.array(samples[rows])
+            for begin, end in spans[(spans[:, 0] < rows.stop) & (spans[:, 1] > rows.start)].tolist():
+                part[max(begin - rows.start, 0) : end - rows.start] = np.nan
+            yield part
+
+    return column(samples.size, parts(), np.float64)
