@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from pipeline.models.model_file import TEXT, column_of, declaration
+from pipeline.models.model_file import TEXT, column_of
 from pipeline.store.hashing import flatten
 
 UNITS = {"q": "m", "v": "V", "m": "kg", "c": "N/m", "F": "N", "d": "N·s/m", "g": "N/V²"}
@@ -12,7 +12,7 @@ UNITS = {"q": "m", "v": "V", "m": "kg", "c": "N/m", "F": "N", "d": "N·s/m", "g"
 
 def columns(model: Any) -> Callable[[str], tuple[str, str]]:
     """Of a device with known mass."""
-    return partial(column_of, units=UNITS, files={model.name: declaration(model)})
+    return partial(column_of, units=UNITS, files={model.name: type(model)})
 
 
 def unknown_entries(model: Any) -> list[str]:

@@ -11,7 +11,7 @@ import numpy as np
 from ..device.device import device
 from ..errors import CorruptArtifactError, InputError
 from ..export.subject import Exported, Subject, Validity
-from ..models.model_file import FilePart, ModelFile, Sizes, Span, Table, Unit, columns_of, declaration
+from ..models.model_file import ModelFile, Sizes, Span, Table, Unit, columns_of
 from ..models.model_type import StoredModel, model_from_tree
 from ..numerics.arrays import FloatArray
 from ..settings.former import translated
@@ -72,7 +72,7 @@ def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
         "qdot": np.array(bounds.qdot), "inputs": np.array(bounds.v),
     }  # fmt: skip
 
-    files: dict[str, type[FilePart]] = {_CHECK: _File, subject.name: declaration(subject.model)}
+    files: dict[str, type[Any]] = {_CHECK: _File, subject.name: type(subject.model)}
     write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, columns_of(plant, files))
 
 

@@ -209,7 +209,7 @@ def fetch(table: str, entry: int, index: Value) -> Value:
 
 
 def clip(x: Number, low: Number, high: Number) -> "Value":
-    """X within [low, high]."""
+    """The value x within [low, high]."""
     return _done("min", high, _done("max", low, x))
 
 

@@ -40,11 +40,11 @@ def kernel(
     width : int
         Joints side by side.
     value : str, optional
-        Name of the output that is returned.
+        Name of the output, of one entry, that is returned as a number.
     common : tuple of str
-        Inputs that are the same for all joints.
+        Names of the inputs that all joints share.
     single : bool
-        In single precision.
+        Whether numbers are float32.
     """
     real, number = (_SINGLE, types.float32) if single else (_REAL, types.float64)
     names = [name for name in [*graph.inputs, *graph.outputs] if name != value]

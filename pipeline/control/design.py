@@ -9,7 +9,7 @@ from ..codegen.numba_writer import kernel
 from ..errors import InputError
 from ..generated.condensed_joint import STOP_ELEMENTS
 from ..generated.condensed_joint_jacobian import PREPARE
-from ..models.hybrid.kernels import CURVES, INDEX, table_span, tabulate
+from ..models.hybrid.kernels import INDEX, tabulate
 from ..models.hybrid.statics import rest_state
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled
@@ -136,9 +136,7 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
     for q in grid:
         x, z = rest_state(q, np.zeros(2), k, p, basis, weights, 0.0)
         rests.append((x[2], x[4], z[0]))
-    centres = weights.shape[1]
-    first, per_metre = table_span(basis, centres, NODES)
-    curves = tabulate(basis, weights[None], NODES)[0, :, :, :CURVES] if centres else np.zeros((1, 6, CURVES))
+    first, per_metre, curves = tabulate(basis, weights, NODES)
     numbers = {
         "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
         **{f"kept_{side}": left for side, left in zip(SIDES, decays, strict=True)},

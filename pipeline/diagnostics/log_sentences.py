@@ -33,7 +33,7 @@ SHARES = {
 
 
 @dataclass(frozen=True)
-class Row:
+class ShownRow:
     """A finding in the table of the check: what was looked at, what was found, what it may be, what to do, and numbers
     beside it.
     """
@@ -45,7 +45,7 @@ class Row:
     more: str = ""
 
 
-def row(finding: Finding) -> Row:
+def row(finding: Finding) -> ShownRow:
     """The row of a finding of the check; advice is of no meaning where it is good or unseen."""
     return ROWS[finding.code](finding)
 
@@ -70,7 +70,7 @@ def _times(ratio: float) -> str:
     return f"{significant(ratio, 2)} times" if ratio >= 1.0 else f"1/{significant(1.0 / ratio, 2)}"
 
 
-def _range(finding: Finding) -> Row:
+def _range(finding: Finding) -> ShownRow:
     name = finding.subject
     limit = f"{_short(finding, 'least')} … {_short(finding, 'most')}" if "most" in finding.numbers else ""
     advice = ""
@@ -79,100 +79,102 @@ def _range(finding: Finding) -> Row:
     elif "times" in finding.numbers:
         times = _times(_value(finding, "times"))
         advice = f"check the unit of {name} in [channels]: its numbers look {times} as large as a joint's"
-    return Row(f"range of {name}", _shown(finding, "range"), limit, advice)
+    return ShownRow(f"range of {name}", _shown(finding, "range"), limit, advice)
 
 
-def _from_angle(_: Finding) -> Row:
+def _from_angle(_: Finding) -> ShownRow:
     more = "by the kinematics of the joint at rest (plant.parameters); hybrid reads the angle itself"
-    return Row("origin of q", "the logged angle", more=more)
+    return ShownRow("origin of q", "the logged angle", more=more)
 
 
-def _resolution(finding: Finding) -> Row:
+def _resolution(finding: Finding) -> ShownRow:
     noise = f"noise {_shown(finding, 'noise')}" if "noise" in finding.numbers else ""
     if "resolution" not in finding.numbers:
-        return Row("resolution of q", "no steps", more=noise)
+        return ShownRow("resolution of q", "no steps", more=noise)
     if noise and below_resolution(_value(finding, "noise"), _value(finding, "resolution")):
         noise = "noise below that"
     advice = "velocities come in steps: use the sensor's finer range, or average before recording"
-    return Row("resolution of q", _shown(finding, "resolution"), f"≤ {_short(finding, 'most')}", advice, noise)
+    return ShownRow("resolution of q", _shown(finding, "resolution"), f"≤ {_short(finding, 'most')}", advice, noise)
 
 
-def _held(finding: Finding) -> Row:
+def _held(finding: Finding) -> ShownRow:
     advice = (
         f"q has new values at {_shown(finding, 'rate')} only, late by half of that: record it as its sensor delivers "
         "it, or set [ingest] sample_interval no finer"
     )
-    return Row("values of q held", f"for {_value(finding, 'held'):.0f} samples", advice=advice)
+    return ShownRow("values of q held", f"for {_value(finding, 'held'):.0f} samples", advice=advice)
 
 
-def _drift(finding: Finding) -> Row:
+def _drift(finding: Finding) -> ShownRow:
     advice = (
         f"the places of rest move by {_shown(finding, 'moved')} over the log: let the sensor warm up, fix its mount, "
         "or take the drift off q"
     )
-    return Row("drift of the rests", _shown(finding, "drift"), advice=advice)
+    return ShownRow("drift of the rests", _shown(finding, "drift"), advice=advice)
 
 
-def _undriven_starts(finding: Finding) -> Row:
+def _undriven_starts(finding: Finding) -> ShownRow:
     found = f"{_value(finding, 'starts'):.0f}, the first at {_value(finding, 'first'):.4g} s"
     missing = "find out what does"
     if _value(finding, "inputs") == 1:
         missing = "name the second input as v2 (in [channels], or as an argument)"
     advice = f"what moves q there is not among the inputs: {missing}"
-    return Row("leaves rest though no input changes", found, advice=advice)
+    return ShownRow("leaves rest though no input changes", found, advice=advice)
 
 
-def _wrapped(finding: Finding) -> Row:
+def _wrapped(finding: Finding) -> ShownRow:
     advice = "unwrap it before it is logged or read (numpy.unwrap, MATLAB's unwrap): a turn is no motion of the device"
     found = f"{_value(finding, 'jumps'):.0f} by {_short(finding, 'turn')}"
-    return Row("jumps of the angle", found, "none", advice)
+    return ShownRow("jumps of the angle", found, "none", advice)
 
 
-def _rests(finding: Finding) -> Row:
+def _rests(finding: Finding) -> ShownRow:
     found = f"{_shown(finding, 'left')}, {_shown(finding, 'right')}"
     if finding.severity == "good":
-        return Row("rests", found)
+        return ShownRow("rests", found)
     unit = finding.numbers["left"].unit
     middle = quantity(-0.5 * (_value(finding, "left") + _value(finding, "right")), unit)
     advice = (
         "both wells are on one side of zero, where a joint, its parameter set and its mirror plane have the middle: "
         f"zero the sensor, or give `offset` in [channels] q (about {middle})"
     )
-    return Row("rests", found, "left < 0 < right", advice)
+    return ShownRow("rests", found, "left < 0 < right", advice)
 
 
-def _unseen_push(finding: Finding) -> Row:
+def _unseen_push(finding: Finding) -> ShownRow:
     """Of an input whose force a log does not show."""
     name = finding.subject
     found = {"idle_input": "nothing but noise", "never_on": "never on", "hardly_changes": "hardly ever changes"}
     advice = "name the channel that drives the device, or leave it out for a device with one input"
     if finding.code == "idle_input":
         advice = f"where no training log drives {name}, leave it out of [channels]: nothing is known of its gain"
-    return Row(f"push of {name}", found[finding.code], advice=advice)
+    return ShownRow(f"push of {name}", found[finding.code], advice=advice)
 
 
-def _push(finding: Finding) -> Row:
+def _push(finding: Finding) -> ShownRow:
     what = f"push of {finding.subject}"
     if finding.code == "unsure_push":
-        return Row(what, "not sure")
+        return ShownRow(what, "not sure")
     side = _SIDES[0] if _value(finding, "push") > 0.0 else _SIDES[1]
     if finding.code == "push":
-        return Row(what, side)
+        return ShownRow(what, side)
     advice = (
         "v1 is the left membrane and pushes q to the right, v2 to the left: swap v1 and v2 in [channels], or give q "
         "scale = -1 there; only if this device is wired the other way round, accept it"
     )
-    return Row(what, side, _SIDES[0] if finding.subject == "v1" else _SIDES[1], advice)
+    return ShownRow(what, side, _SIDES[0] if finding.subject == "v1" else _SIDES[1], advice)
 
 
-def _input_noise(finding: Finding) -> Row:
+def _input_noise(finding: Finding) -> ShownRow:
     what = f"noise of {finding.subject}"
     if finding.code == "command":
-        return Row(what, "none: a command?", more="a measurement has noise; an amplifier need not follow a command")
-    return Row(what, _shown(finding, "noise"))
+        return ShownRow(
+            what, "none: a command?", more="a measurement has noise; an amplifier need not follow a command"
+        )
+    return ShownRow(what, _shown(finding, "noise"))
 
 
-def _late_answer(finding: Finding) -> Row:
+def _late_answer(finding: Finding) -> ShownRow:
     number = finding.numbers["late"]
     shown, factor = scale("s", number.value)
     later = number.value > 0.0
@@ -184,10 +186,10 @@ def _late_answer(finding: Finding) -> Row:
             'estimates by how much, and rbf with drive = "lag" or "delay" in [identify.structure]'
         )
     found = f"about {short(abs(number.value) * factor)} {shown} {'late' if later else 'early'}"
-    return Row("answer of q", found, f"± {_short(finding, 'most')}", advice)
+    return ShownRow("answer of q", found, f"± {_short(finding, 'most')}", advice)
 
 
-def _coupling(finding: Finding) -> Row:
+def _coupling(finding: Finding) -> ShownRow:
     ratio = _value(finding, "ratio")
     most = _value(finding, "most")
     mass = _value(finding, "mass")
@@ -198,10 +200,10 @@ def _coupling(finding: Finding) -> Row:
         advice = "check the unit of plant.mass, then those of the channels"
     found = f"{significant(ratio, 2)} × as drawn"
     advice = f"that is {_times(ratio)} the coupling of the joint as drawn: {advice}"
-    return Row(what, found, f"{1.0 / most:.2g} … {most:g}", advice)
+    return ShownRow(what, found, f"{1.0 / most:.2g} … {most:g}", advice)
 
 
-def _coupling_ratio(finding: Finding) -> Row:
+def _coupling_ratio(finding: Finding) -> ShownRow:
     ratio = _value(finding, "ratio")
     off = max(ratio, 1.0 / ratio)
     advice = (
@@ -209,38 +211,38 @@ def _coupling_ratio(finding: Finding) -> Row:
         "channels, and the ratio of both probes"
     )
     most = f"{_value(finding, 'most'):g}"
-    return Row("coupling of v1 over v2", significant(ratio, 2), f"1/{most} … {most}", advice)
+    return ShownRow("coupling of v1 over v2", significant(ratio, 2), f"1/{most} … {most}", advice)
 
 
-def _correlated(finding: Finding) -> Row:
+def _correlated(finding: Finding) -> ShownRow:
     advice = (
         "v1 and v2 go together all the time, so what each does cannot be told apart: drive them apart, or leave v2 out"
     )
     found = f"correlation {_value(finding, 'correlation'):.4f}"
-    return Row("v2 beside v1", found, f"< {_value(finding, 'most'):g}", advice)
+    return ShownRow("v2 beside v1", found, f"< {_value(finding, 'most'):g}", advice)
 
 
-def _field(finding: Finding) -> Row:
+def _field(finding: Finding) -> ShownRow:
     film = _shown(finding, "film")
     limit = _value(finding, "limit")
     advice = f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
     if finding.code == "field_units":
         advice = f"check the units of plant.film_thickness ({film}) and plant.field_limit ({quantity(limit, 'V/m')})"
     most = f"≤ {significant(1e-6 * limit)} (+{100.0 * (limits.FIELD - 1.0):.0f} %) V/µm"
-    return Row("largest field", f"{significant(1e-6 * _value(finding, 'field'))} V/µm", most, advice)
+    return ShownRow("largest field", f"{significant(1e-6 * _value(finding, 'field'))} V/µm", most, advice)
 
 
-def _rest_level(finding: Finding) -> Row:
+def _rest_level(finding: Finding) -> ShownRow:
     name = finding.subject
     level = finding.numbers["level"]
     advice = (
         f"{name} never returns to zero: if its drive was off at some time, that is the probe's error; add "
         f"{quantity(-level.value, level.unit)} to its `offset` in [channels]"
     )
-    return Row(f"rest level of {name}", _shown(finding, "level"), f"≤ {_short(finding, 'most')}", advice)
+    return ShownRow(f"rest level of {name}", _shown(finding, "level"), f"≤ {_short(finding, 'most')}", advice)
 
 
-def _law(finding: Finding) -> Row:
+def _law(finding: Finding) -> ShownRow:
     other = finding.subject
     own = "linear" if other == "squared" else "squared"
     share = {name: significant(100.0 * number.value, 2) for name, number in finding.numbers.items()}
@@ -252,12 +254,12 @@ def _law(finding: Finding) -> Row:
             'it looks like the signed monitor of two membranes: give it to v1 with part = "positive" and to v2 with '
             'part = "negative", and set inputs = "squared" in [plant]'
         )
-    return Row("left by the law", found, advice=advice)
+    return ShownRow("left by the law", found, advice=advice)
 
 
-def _shared_recording(finding: Finding) -> Row:
+def _shared_recording(finding: Finding) -> ShownRow:
     advice = "what both hold counts twice in fits and scores: leave one of them out, or cut it"
-    return Row(f"shared with {finding.subject}", shared_spans(finding), "none", advice)
+    return ShownRow(f"shared with {finding.subject}", shared_spans(finding), "none", advice)
 
 
 def shared_spans(finding: Finding) -> str:
@@ -268,18 +270,18 @@ def shared_spans(finding: Finding) -> str:
     return f"{own} is {other} of it" if own != other else own
 
 
-ROWS: dict[str, Callable[[Finding], Row]] = {
+ROWS: dict[str, Callable[[Finding], ShownRow]] = {
     "range": _range,
     "from_angle": _from_angle,
     "still": _range,
     "resolution": _resolution,
-    "sampling_rate": lambda finding: Row("sampling rate", _shown(finding, "rate")),
+    "sampling_rate": lambda finding: ShownRow("sampling rate", _shown(finding, "rate")),
     "held": _held,
     "drift": _drift,
     "undriven_starts": _undriven_starts,
     "wrapped": _wrapped,
     "rests": _rests,
-    "no_rests": lambda finding: Row("rests", finding.subject),
+    "no_rests": lambda finding: ShownRow("rests", finding.subject),
     "idle_input": _unseen_push,
     "never_on": _unseen_push,
     "hardly_changes": _unseen_push,

@@ -83,7 +83,8 @@ def _membrane(s: CondensedSymbols, side: int, phi: FrameAngle, u_y: Any, speeds:
     a = k("a")
     c = k("c")
     l0 = k("l0")
-    length, x, y = elements.length(sign, a, c, k("e_z"), k("e_x"), s.constant("l"), s.x[0], phi.sin, phi.cos, u_y)
+    tip = elements.Tip(s.x[0], phi.sin, phi.cos, u_y)
+    length, x, y = elements.length(sign, elements.Mounts(a, c, k("e_z"), k("e_x")), s.constant("l"), tip)
     stretch = length / l0
     thickness = elements.thickness_stretch(stretch)
     inverse = thickness * thickness  # 1/λ

@@ -62,13 +62,13 @@ def confined_force(x: Any, force: Any, at_ends: Any, low: Any, high: Any) -> Exp
     Parameters
     ----------
     x : expression
-        Displacement.
+        Displacement, dimensionless.
     force : expression
-        Restoring force there.
+        Restoring force at x by the curve.
     at_ends : expression, shape (2,)
-        Restoring force at both ends.
+        The curve's values at `low` and `high`.
     low, high : expression
-        Ends of the range.
+        Reach of the curve.
     """
     left = at_ends[0] + ca.fmax(0.0, -at_ends[0]) / FADE * (low - x)
     right = at_ends[1] - ca.fmax(0.0, at_ends[1]) / FADE * (x - high)
@@ -108,17 +108,15 @@ def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any, drag: Any) 
     Parameters
     ----------
     p : expression
-        Velocity.
-    curves : expression
-        F and d at the displacement.
+        Velocity ẋ.
+    curves : expression, shape (2,)
+        Restoring force F and damping d at x.
     push : expression
-        Sum of all other forces.
-    arm : expression
-        Displacement less the centre of the arc.
-    arc : expression
-        Growth of the inertia by arm².
+        Sum of the forces of inputs, elements, friction and stops.
+    arm, arc : expression
+        x − x₀ and the curvature of the arc.
     drag : expression
-        Drag κ of a fluid.
+        κ.
     """
     inertia = 1.0 + arc * arm * arm
     return (curves[0] - (curves[1] + drag * ca.fabs(p)) * p - arc * arm * p * p + push) / inertia
@@ -136,13 +134,13 @@ def element_rate(coupling: Any, p: Any, rate: Any, load: Any) -> Expression:
     Parameters
     ----------
     coupling : expression
-        h(x).
+        h at x.
     p : expression
-        Velocity.
+        Velocity ẋ.
     rate : expression
-        Relaxation rate r(x).
+        Rate r of the relaxation.
     load : expression
-        Load e.
+        e.
     """
     return elements.maxwell_rate(coupling * p, rate, load)
 
@@ -163,7 +161,7 @@ def past_zone(drive: Any, zone: Any) -> Expression:
 
 
 def clipped(x: Any, low: Any, high: Any) -> Expression:
-    """X within [low, high]."""
+    """The value x within [low, high]."""
     return ca.fmin(high, ca.fmax(low, x))
 
 
@@ -223,21 +221,21 @@ def lagged_rates(q: Any, q_dot: Any, z: Any, curves: Any, push: Any, lag: Any) -
     Parameters
     ----------
     q, q_dot : expression
-        Displacement and velocity.
+        Displacement [m] and velocity [m/s].
     z : expression
-        Lagged velocity.
-    curves : expression
-        c and d at the displacement.
+        Lagged velocity [m/s].
+    curves : expression, shape (2,)
+        c [1/s²] and d [1/s] at q.
     push : expression
-        Generalised force of the inputs.
+        Acceleration by the inputs [m/s²].
     lag : expression
-        Time constant T of the friction.
+        T [s].
     """
     return ca.vertcat(push - curves[0] * q - curves[1] * z, lag_rate(q_dot, z, lag))
 
 
 def polynomial_variables(q: Any, q_dot: Any, scales: Any) -> Expression:
-    """Q and q̇ over their scales, and tanh(q̇/w): factors of monomials; w is the last of the scales.
+    """Factors of monomials: q and q̇ over their scales, and tanh(q̇/w); w is the last of the scales.
 
     Models of a turning arm have sin q and cos q beside them.
     """

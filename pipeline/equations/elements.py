@@ -4,7 +4,7 @@ A new element is one function here and one line where a joint lists its elements
 dielectric elastomer and of the frame that stretches it.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import casadi as ca
 
@@ -74,32 +74,47 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     return {"STOP_OPERATOR": ({"z": z, "play": play, "travel": travel}, outputs)}
 
 
-def length(
-    sign: float, a: Any, c: Any, e_z: Any, e_x: Any, l: Any, q: Any, sin: Any, cos: Any, u_y: Any
-) -> tuple[Expression, Expression, Expression]:
-    """Length [m] between the two mounts (eqs. 4, 5), `sign` −1 left and +1 right, and its components x, y.
+class Mounts(NamedTuple):
+    """Places of one membrane's mounts [m] (figure 2); c = b − a0."""
 
-    c = b − a0. The signs of x_i, y_i and a0 cos φ as printed in eq. 5 are no rigid frame with eq. 4. With the signs
-    used here λ = 1.43 at b = 23 mm (the text: strains below 50 %) and the pre-strain grows as b shrinks (§3.3.3);
-    as printed λ = 2.09 and it shrinks.
+    a: Any
+    c: Any
+    e_z: Any
+    e_x: Any
+
+
+class Tip(NamedTuple):
+    """Displacement [m] of the beam's tip, sine and cosine of its rotation, and its axial displacement [m]."""
+
+    q: Any
+    sin: Any
+    cos: Any
+    u_y: Any
+
+
+def length(sign: float, mounts: Mounts, l: Any, tip: Tip) -> tuple[Expression, Expression, Expression]:
+    """Length [m] between the two mounts (eqs. 4, 5) and its components x, y.
 
     Parameters
     ----------
     sign : float
         −1 for the left membrane, +1 for the right one.
-    a, c, e_z, e_x : expression
-        Places of its mounts [m]; c = b − a0.
+    mounts : Mounts
+        Where it is fixed.
     l : expression
         Length of the beam [m].
-    q : expression
-        Displacement of the tip [m].
-    sin, cos : expression
-        Sine and cosine of the tip rotation φ.
-    u_y : expression
-        Displacement of the tip along the beam [m].
+    tip : Tip
+        Where the beam's tip is.
+
+    Notes
+    -----
+    The signs of x_i, y_i and a0 cos φ as printed in eq. 5 are no rigid frame with eq. 4. With the signs
+    used here λ = 1.43 at b = 23 mm (the text: strains below 50 %) and the pre-strain grows as b shrinks (§3.3.3);
+    as printed λ = 2.09 and it shrinks.
     """
-    x = -sign * (a * cos - e_z) + c * sin - q
-    y = e_x - l - u_y + c * cos + sign * a * sin
+    a, c, e_z, e_x = mounts
+    x = -sign * (a * tip.cos - e_z) + c * tip.sin - tip.q
+    y = e_x - l - tip.u_y + c * tip.cos + sign * a * tip.sin
     return ca.sqrt(x * x + y * y), x, y
 
 

@@ -17,7 +17,7 @@ import casadi as ca
 from ..device.parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
 from . import elements
 from .beam import Expression, Polynomial, Powers, bending_density, shortening_density
-from .elements import dahl_rate, maxwell_rate
+from .elements import Mounts, Tip, dahl_rate, maxwell_rate
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ def stretches(s: FullSymbols) -> tuple[Expression, Expression]:
     result = []
     for side, sign in (("left", -1.0), ("right", 1.0)):
         a, b, a0, e_x, e_z, l0 = (s.parameter(f"{side}.{n}") for n in ("a", "b", "a0", "e_x", "e_z", "l0"))
-        result.append(elements.length(sign, a, b - a0, e_z, e_x, l, q, sin, cos, u_y)[0] / l0)
+        result.append(elements.length(sign, Mounts(a, b - a0, e_z, e_x), l, Tip(q, sin, cos, u_y))[0] / l0)
     return result[0], result[1]
 
 

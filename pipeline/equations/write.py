@@ -26,7 +26,7 @@ _FULL = """Kernels of the full-order joint.
 
 Inputs: `qm`, `qm_dot`, `qm_ddot` shape (4,) Ritz coordinates [1/m, 1/m², 1/m³, m] and their rates; `z` shape (3,)
 Maxwell strains and friction state; `v_squared` shape (2,) [V²]; `force` shape (1,) [N]; `p` shape (41,) parameters
-in the order of `parameters.VECTOR_NAMES`. The arguments after them are outputs, written in full."""
+in the order of `pipeline.device.parameters.VECTOR_NAMES`. The arguments after them are outputs."""
 
 _HEADER = '''"""{summary}
 
@@ -246,7 +246,7 @@ def _operation(builder: Builder, kind: int, operands: list[int]) -> int:
 
 
 def _sum(builder: Builder, a: int, b: int) -> int:
-    """A + b, or a difference where one of them is a negative."""
+    """Sum of a and b, or a difference where one of them is a negative."""
     for first, other in ((a, b), (b, a)):
         if builder.operations[other].name == "neg":
             return builder.add("sub", first, builder.operations[other].operands[0])

@@ -36,6 +36,10 @@ WEAKEST = 1e-8
 STRONGEST = 1e6
 
 
+PARAMETER_STEP = 1e-4
+"""Step of differences by parameters, in prior standard deviations."""
+
+
 class ObservedProblem(Protocol):
     """A simulation that an observer couples to data."""
 

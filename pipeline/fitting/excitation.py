@@ -16,12 +16,10 @@ from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..scoring.wells import NoWells, Wells, find_wells, snaps
 from ..settings.models import CENTRES, SMOOTHING
 from ..signals.findings import Finding, Number, refusal
-from ..signals.noise import is_idle
+from ..signals.noise import REACH, is_idle
 from .coverage import ACTING, Coverage, coverage
 from .information import Conditioning, ScaledRegressor, conditioning
 
-_INTERMEDIATE = (0.15, 0.85)
-"""Shares of the largest value between which an input is neither off nor full."""
 _POWER_SHARE = 0.95
 _SHORTEST = 64
 _WINDOW = 8.0
@@ -30,12 +28,8 @@ _RINGING_ABOVE = 4
 _RINGING_BELOW = 0.8
 """Line of the spectrum and share of the Nyquist frequency between which a peak is the device's: below it is the
 excitation's, above it is noise or folded over."""
-_PEAK = 0.05
 _BAND = 0.1
-_BESIDE = (0.5, 1.5)
-"""Half widths of a peak and of the bands beside it, and their places, shares of the peak's frequency."""
-_MOST_BESIDE = 0.45
-"""Power in the bands beside a peak, of that at the peak."""
+"""Half width of a peak, and of the bands half its frequency beside it, as a share of its frequency."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +49,8 @@ class Excitation:
     largest : FloatArray, shape (K,)
         Largest magnitude of each input.
     intermediate : FloatArray, shape (K,)
-        Share of an input's acting time in which it is between 15 and 85 % of its largest value.
+        Share of an input's acting time in which it is as far from its largest value as from zero, a tenth of it at
+        least.
     together : float
         Share of the time in which two inputs act at once; 0 for one input.
     conditioning : Conditioning
@@ -169,8 +164,7 @@ def _switches(q: FloatArray, wells: Wells | NoWells) -> tuple[int, int]:
 
 
 def _intermediate(magnitude: FloatArray, largest: FloatArray, acting: BoolArray) -> FloatArray:
-    low, high = _INTERMEDIATE
-    between = (magnitude > low * largest) & (magnitude < high * largest) & acting
+    between = (magnitude < (1.0 - ACTING) * largest) & acting
     share: FloatArray = between.sum(axis=0) / np.maximum(acting.sum(axis=0), 1)
     return share
 
@@ -206,21 +200,16 @@ def _ringing(q: FloatArray, interval: float) -> float | None:
     if peak in (_RINGING_ABOVE, last):  # the spectrum falls, or rises, all along
         return None
     ratio = frequency / frequency[peak]
-    low = _BESIDE[0]
-    high = min(_BESIDE[1], float(ratio[-1]) - _BAND)
-    most, *beside = (
-        power[np.abs(ratio - place) <= max(width, float(ratio[1]))].mean()
-        for place, width in ((1.0, _PEAK), (low, _BAND), (high, _BAND))
-    )
-    return float(frequency[peak]) if np.mean(beside) < _MOST_BESIDE * most else None
+    width = max(_BAND, float(ratio[1]))
+    places = (1.0, 0.5, min(1.5, float(ratio[-1]) - _BAND))
+    most, *beside = (power[np.abs(ratio - place) <= width].mean() for place in places)
+    return float(frequency[peak]) if np.mean(beside) < 0.5 * most else None
 
 
 LEAST_VISITS = 3
 """Samples nearest to a basis centre, below which its weight is the ridge's choice."""
 LARGEST_CONDITION = 1e4
 """Of the regressor on unit-norm columns: beyond it, an error of 0.01 % in the data is one of 100 % in some weight."""
-CERTAINLY = 6.0
-"""Student's t beyond which an input that looks like noise moves the device."""
 
 
 def excitation_findings(
@@ -309,7 +298,7 @@ def _of_places(
 def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
     """Whether an input that looks like noise, as one does that is drawn anew for each sample, moves q all the same.
 
-    The second differences of q are regressed on place, way and input; Student's t of the input decides.
+    The second differences of q are regressed on place, way and input; Student's t of the input decides, beyond `REACH`.
     """
     inner = (segment[:-2] == segment[2:]) & (segment[1:-1] >= 0) & np.isfinite(q[:-2] + q[1:-1] + q[2:])
     way = (q[2:] - q[:-2])[inner]
@@ -319,4 +308,4 @@ def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
     left = [signal - regressors @ (regressors.T @ signal) for signal in (u[1:-1][inner], turn)]
     size = float(np.linalg.norm(left[0]) * np.linalg.norm(left[1]))
     share = float(left[0] @ left[1]) / size if size > 0.0 else 0.0
-    return bool(abs(share) * np.sqrt(len(way)) > CERTAINLY * np.sqrt(1.0 - min(1.0, share * share)))
+    return bool(abs(share) * np.sqrt(len(way)) > REACH * np.sqrt(1.0 - min(1.0, share * share)))

@@ -19,7 +19,7 @@ from .descent import FLOOR, Descent, ObservedProblem, Prior
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
 
-COUPLED = 0.3
+COUPLED = GAINS[2]
 """The one of them at which a chaotic device stays, because simulations part that are coupled less, and a bistable one,
 because single passages near the separatrix decide its free run."""
 

@@ -68,16 +68,12 @@ class ScaledRegressor:
 
         Parameters
         ----------
-        q : FloatArray, shape (N,)
-            Displacement [m].
-        qdot : FloatArray, shape (N,)
-            Velocity [m/s].
+        q, qdot : FloatArray, shape (N,)
+            A motion over the operating range [m, m/s].
         largest : FloatArray, shape (K,)
-            Largest input on each side [V].
-        basis_functions : int
-            Gaussians of each curve.
-        smoothing : float
-            σₙ.
+            Largest magnitude of each input.
+        basis_functions, smoothing : int, float
+            M and σ_n.
         inputs : {"squared", "linear"}
             How the inputs act.
 

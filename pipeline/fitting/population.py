@@ -156,13 +156,13 @@ def without_each(
     Parameters
     ----------
     members : sequence of Information
-        What the logs of each member show of θ.
+        Of N members.
     prior : NormalPopulation
-        Prior without a population.
+        What is believed without them.
     whole : NormalPopulation
-        Population of all members.
+        The population of all: where the estimation starts.
     shrinkage : Shrinkage, optional
-        Prior of the population itself.
+        How far the prior counts.
     """
     for i in range(len(members)):
         others = [*members[:i], *members[i + 1 :]]
@@ -188,13 +188,13 @@ def oddity(member: Information, others: NormalPopulation, count: int, entries: S
     Parameters
     ----------
     member : Information
-        What its logs show of θ.
+        What its logs show.
     others : NormalPopulation
-        Population of the others.
+        The population of the others.
     count : int
-        Number of the others.
+        How many others there are.
     entries : sequence of int
-        Entries of θ that are tested.
+        Places in θ that may be odd.
     """
     inverse = np.linalg.inv(others.covariance)
     turned = np.linalg.solve(member.precision + inverse, inverse).T  # P (Λ + P)⁻¹

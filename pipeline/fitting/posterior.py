@@ -9,7 +9,7 @@ from scipy.special import stdtrit
 
 from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.metrics import NORMAL_95
-from .descent import Prior
+from .descent import PARAMETER_STEP, Prior
 from .homotopy import HomotopyFit
 
 SIGNIFICANCE = 0.16
@@ -68,9 +68,6 @@ def surely_smaller(errors: FloatArray, reference: FloatArray) -> bool:
         return False
     return bool(gain.mean() > stdtrit(count - 1.0, 1.0 - SIGNIFICANCE) * gain.std() / np.sqrt(count))
 
-
-NUDGE = 1e-4
-"""Step of the differences of curves: of prior widths or logarithms."""
 
 GROUPS = 10
 """Groups of data whose pulls are compared."""
@@ -161,22 +158,20 @@ def first_order_curves(
     Parameters
     ----------
     curves : callable
-        θ, shape (P,) → curves by name, each of shape (n,).
+        Parameter vector (P,) → curves by name, each of shape (n,).
     mean : FloatArray, shape (P,)
-        Fitted θ.
+        θ.
     spread : FloatArray, shape (P, R)
-        Factor S of the covariance.
-    count : int
-        Number of draws.
-    seed : int
-        Seed of the draws.
+        S.
+    count, seed : int
+        Number of draws, and the seed that repeats them.
     nonnegative : collection of str
-        Curves that are cut at zero.
+        Names of curves that are cut at zero.
     """
     best = curves(mean)
     moved = np.flatnonzero(np.any(spread, axis=1))
-    ahead = [curves(mean + step) for step in NUDGE * np.eye(len(mean))[moved]]
-    deviations = posterior_draws(np.zeros(len(moved)), spread[moved], count, seed) / NUDGE
+    ahead = [curves(mean + step) for step in PARAMETER_STEP * np.eye(len(mean))[moved]]
+    deviations = posterior_draws(np.zeros(len(moved)), spread[moved], count, seed) / PARAMETER_STEP
     drawn = {}
     for name, middle in best.items():
         slopes = np.array([each[name] - middle for each in ahead]).reshape(len(moved), middle.size)

@@ -15,7 +15,7 @@ from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_95
 
 FEWEST = 4
-FEWEST_STEP = 6
+FEWEST_STEP = FEWEST + 2
 """Measurements from which a line and a step are looked for: three lie near some line by chance."""
 _DRAWS = 20_000
 _SEED = 2026

@@ -2,7 +2,7 @@
 
 Inputs: `qm`, `qm_dot`, `qm_ddot` shape (4,) Ritz coordinates [1/m, 1/m², 1/m³, m] and their rates; `z` shape (3,)
 Maxwell strains and friction state; `v_squared` shape (2,) [V²]; `force` shape (1,) [N]; `p` shape (41,) parameters
-in the order of `parameters.VECTOR_NAMES`. The arguments after them are outputs, written in full.
+in the order of `pipeline.device.parameters.VECTOR_NAMES`. The arguments after them are outputs.
 
 Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not edited.
 """

@@ -131,14 +131,8 @@ class HasDraws(Protocol):
 
         Parameters
         ----------
-        t : FloatArray, shape (N,)
-            Times [s].
-        v : FloatArray, shape (N, K) or (N, r, K)
-            Inputs at the samples, or at r times of each interval.
-        q0 : float
-            Displacement at the first sample [m or rad].
-        qdot0 : float
-            Velocity there.
+        t, v, q0, qdot0
+            As for `DynamicModel.simulate`.
         count : int
             Number of draws.
         """

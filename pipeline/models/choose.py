@@ -33,22 +33,9 @@ UNKNOWN_BOUND = 2.0
 JUDGED_TIME = 2.5
 """Processor time [s] of a network that is judged beside the equations, at most."""
 
-QUICK_TIME = 0.6
-FOLLOWED = 0.02
-HOPELESS = 2.0
-"""Processor time [s] of a first network, at most. One that follows what it is fitted to within this share of the
-operating range, and errs so many times as much as the equations on held-out data, is the last: 2.5 s instead of this
-changed the held-out error of such networks by −11 to +40 % (four simulated joints)."""
-
 POORER = 2.0
 """Times the error of the equations on what both were fitted to, beyond which a network does not replace them: a single
 slow passage of the last quarter may go wrong with equations that follow all others within 0.01 %."""
-
-JUDGED_NETWORKS = ((QUICK_TIME, "lag"), (JUDGED_TIME, "auto"))
-"""Processor time [s] at most, friction where that is left open: hidden shapes take time."""
-
-DIVERGED_ERROR = 1.0
-"""Error that a sample counts at most, a share of the operating range."""
 
 ABLATION = ("equations_alone", "equations_with_rbf", "rbf_alone")
 
@@ -115,8 +102,8 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
     Returns
     -------
     Choice
-        Cost: one identification; two to four where the hybrid joint does not predict well. Networks take at most
-        `QUICK_TIME` and `JUDGED_TIME` then, and one that replaces the equations what their time limit leaves.
+        Cost: one identification; two or three where the hybrid joint does not predict well. A network takes at most
+        `JUDGED_TIME` then, and one that replaces the equations what its time limit leaves.
 
     Raises
     ------
@@ -144,9 +131,10 @@ def _compared(
     """The hybrid joint or the network, after that has been judged on the same."""
     held_out = {"hybrid": _rms(hybrid_errors)}
     try:
-        errors, network_fitted = _network_errors(training, rbf, held_out["hybrid"])
+        network = rbf(_within(replace(training, records=_first_parts(training)), JUDGED_TIME))
     except DataRefusedError as refused:
         return Choice(model, f"rbf is no candidate: {refused}", held_out, None, interval)
+    errors = _errors(network, training.records)
     held_out["rbf"] = _rms(errors)
     block = _block(training, errors, hybrid_errors)
     excess = rms_difference_interval(errors, hybrid_errors, block, np.random.default_rng(SEED))
@@ -155,37 +143,17 @@ def _compared(
     surely = UNKNOWN_BOUND * held_out["rbf"] < held_out["hybrid"] if excess is None else excess.high < 0.0
     if not surely:
         return Choice(model, "rbf is not surely nearer to held-out training data", held_out, excess, interval)
-    fitted = _rms(_errors(getattr(model, "early", None) or model, _first_parts(training), held_out=False))
+    early = getattr(model, "early", None) or model
+    network_fitted, fitted = (_rms(_errors(m, _first_parts(training), held_out=False)) for m in (network, early))
     if network_fitted > POORER * fitted:
         return Choice(model, "rbf follows the data that both were fitted to less well", held_out, excess, interval)
-    best = rbf(_within(training, max(training.identify.time_limit - QUICK_TIME - JUDGED_TIME, JUDGED_TIME)))
+    best = rbf(_within(training, max(training.identify.time_limit - JUDGED_TIME, JUDGED_TIME)))
     if _rms(_errors(best, training.records, held_out=False)) > POORER * _rms(
         _errors(model, training.records, held_out=False)
     ):
         return Choice(model, "rbf of all training data follows them less well", held_out, excess, interval, best)
     excess = None if excess is None else Interval(-excess.high, -excess.low, excess.level)
     return Choice(best, "surely smaller error on held-out training data", held_out, excess, interval, model)
-
-
-def _network_errors(training: Training, rbf: Fit, rival: float) -> tuple[FloatArray, float]:
-    """Held-out errors of a network from the first parts of the logs, of a quick one if it is far from its rival.
-
-    And the RMS of its errors on these parts.
-    """
-    parts = _first_parts(training)
-    early = replace(training, records=parts)
-    for limit, friction in JUDGED_NETWORKS:
-        training_part = _within(early, limit)
-        identify = training_part.identify
-        if identify.structure.friction == "auto":
-            structure = identify.structure.model_copy(update={"friction": friction})
-            training_part = replace(training_part, identify=identify.model_copy(update={"structure": structure}))
-        model = rbf(training_part)
-        errors = _errors(model, training.records)
-        fitted = _rms(_errors(model, parts, held_out=False))
-        if _rms(errors) > HOPELESS * rival and fitted < FOLLOWED:
-            break
-    return errors, fitted
 
 
 def _first_parts(training: Training) -> tuple[Log, ...]:
@@ -211,7 +179,7 @@ def _rms(errors: FloatArray) -> float:
 def _errors(model: StoredModel, records: Sequence[Log], *, held_out: bool = True) -> FloatArray:
     """Errors of q in free runs from the start, over the operating range; those behind what candidates are fitted to.
 
-    NaN where masked; at most `DIVERGED_ERROR`, as where the run diverged.
+    NaN where masked; at most 1, as where the run diverged.
     """
     valid = [record.q[record.valid] for record in records]
     span = max(float(q.max()) for q in valid) - min(float(q.min()) for q in valid)
@@ -219,7 +187,7 @@ def _errors(model: StoredModel, records: Sequence[Log], *, held_out: bool = True
     for record in records:
         v = record.drive if model.fine_voltages else record.v
         run = model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
-        error = np.minimum(np.nan_to_num(np.abs(run.q - record.q), nan=np.inf) / span, DIVERGED_ERROR)
+        error = np.minimum(np.nan_to_num(np.abs(run.q - record.q), nan=np.inf) / span, 1.0)
         errors.append(np.where(record.valid, error, np.nan)[fitted_samples(len(record.t)) if held_out else 0 :])
     return np.concatenate(errors)
 

@@ -233,7 +233,8 @@ def tree_of(part: Any) -> dict[str, Any]:
     """What `read_part` reads: a dictionary of arrays, numbers and texts."""
     if isinstance(part, JointParameters):
         return {name: part.value(name) for name in VECTOR_NAMES}
-    entries = {name: getattr(part, name) for name in type(part).__pydantic_fields__}
+    fields = type(part).__pydantic_fields__
+    entries = {name: getattr(part, name) for name, field in fields.items() if not field.exclude}
     return {name: tree_of(entry) if is_dataclass(entry) else entry for name, entry in entries.items()}
 
 
@@ -339,7 +340,7 @@ _DIAGNOSTICS = {
 """Entries on the course of a fit, for every model."""
 
 
-def columns_of(device: Device, files: Mapping[str, type[FilePart]]) -> Columns:
+def columns_of(device: Device, files: Mapping[str, type[Any]]) -> Columns:
     """Unit and meaning of each entry of a file of models by its path there.
 
     Parameters
@@ -355,7 +356,7 @@ def columns_of(device: Device, files: Mapping[str, type[FilePart]]) -> Columns:
     return partial(column_of, units=units | device.curve_units, files=files)
 
 
-def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[FilePart]]) -> tuple[str, str]:
+def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[Any]]) -> tuple[str, str]:
     """Unit and meaning of one entry of a model file.
 
     Parameters
@@ -386,9 +387,3 @@ def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[File
     stated = next((mark.symbol for mark in field.metadata if isinstance(mark, Unit)), None)
     unit = stated or ("1" if part in (int, float, FloatArray, IntArray) else TEXT)
     return unit.format_map(units), " ".join((field.description or help_of_part).split()).rstrip(".")
-
-
-def declaration(model: Any) -> type[Any]:
-    """The declaration of a model's file: its own class, or what it names as `file`."""
-    declared: type[Any] = getattr(type(model), "file", type(model))
-    return declared

@@ -30,15 +30,8 @@ _variables = formula(POLYNOMIAL_VARIABLES)
 _lag_rate = formula(LAG_RATE)
 _turned = formula(trace(lambda q: {"of": [function("sin", q[0]), function("cos", q[0])]}, q=1))
 
-# Columns of an exponent table; one column per input follows, then one per lag.
-Q = 0
-QDOT = 1
-FRICTION = 2
-SINE = 3
-COSINE = 4
-FIRST_INPUT = 5
-_MOVING = 3
-"""Columns that the displacement and the velocity scale."""
+Q, QDOT, FRICTION, SINE, COSINE, FIRST_INPUT = range(6)
+"""Columns of an exponent table; one column per input follows, then one per lag."""
 
 
 @dataclass(frozen=True)
@@ -226,7 +219,7 @@ def free_run(
 def _followed(d: PolynomialDynamics, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
     """The scaled variables without the lag states, shape (N, 5 + K)."""
     u = np.square(v) if d.squared else v
-    moving = POLYNOMIAL_VARIABLES.evaluate(q=q[:, None], q_dot=qdot[:, None], scales=d.scales[:_MOVING])["variables"]
+    moving = POLYNOMIAL_VARIABLES.evaluate(q=q[:, None], q_dot=qdot[:, None], scales=d.scales[:SINE])["variables"]
     return np.column_stack([moving, np.sin(q), np.cos(q), u / d.scales[FIRST_INPUT:]])
 
 

@@ -62,15 +62,15 @@ def rates(system: Any, x: FloatArray, node: int, dx: FloatArray, acceleration: F
     Parameters
     ----------
     system : NamedTuple
-        The system.
-    x : FloatArray, shape (n,)
+        What moves.
+    x : FloatArray, shape (S,)
         State.
     node : int
-        Number of the half step.
-    dx : FloatArray, shape (n,)
-        Takes the rates.
-    acceleration : FloatArray
-        Takes the accelerations.
+        Half step.
+    dx : FloatArray, shape (S,)
+        Rates (output).
+    acceleration : FloatArray, shape (W,)
+        Accelerations of the W displacements (output).
     """
 
 
@@ -252,19 +252,17 @@ def bounded_run(
     Parameters
     ----------
     integrate : callable
-        Integrator of the system.
+        From `integrator`.
     system : NamedTuple
-        The system.
-    x : FloatArray, shape (n,)
-        State at the first sample.
-    samples : int
-        Number N of samples.
-    steps : int
-        Steps in a sample interval.
+        What moves.
+    x : FloatArray, shape (S,)
+        First state; becomes the last one.
+    samples, steps : int
+        N, and steps in a sample interval.
     interval : float
         Sample interval [s].
     bounds : (float, float)
-        Range of q.
+        Displacements beyond which the run ends.
     """
     out = np.full((samples, 3, 1), np.nan)
     valid = integrate(system, x, out, workspace(x), steps, interval / steps, float(bounds[0]), float(bounds[1]))

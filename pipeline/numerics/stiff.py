@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .arrays import FloatArray, IntArray
-from .compiled import compiled, part
+from .compiled import compiled, inner, part
 from .inner_loops import factorise, solve_factorised
 
 STATES = 11
@@ -41,18 +41,30 @@ SLOPES = 79
 
 
 class Method(NamedTuple):
-    """Coefficients of a method of s stages: γ, `start` (s,), `a` and `c` (s, s), `nodes` (s,) as shares of the step."""
+    """Coefficients of a method of s stages.
+
+    γ, `start` (s,), `a` and `c` (s, s − 1), `nodes` (s,) as shares of the step, `by_time` (s,): the share of h ∂f/∂t
+    in the right-hand side of each stage.
+    """
 
     gamma: float
     start: FloatArray
     a: FloatArray
     c: FloatArray
     nodes: FloatArray
+    by_time: FloatArray
 
 
-RODAS4 = Method(
+def _rosenbrock(gamma: float, a: FloatArray, c: FloatArray) -> Method:
+    """A Rosenbrock method: with Γ = (1/γ − C)⁻¹ its nodes are the row sums of A Γ, its shares of ∂f/∂t those of Γ."""
+    stages = len(a)
+    square = np.pad(np.stack([a, c]), ((0, 0), (0, 0), (0, 1)))
+    by_time = np.linalg.solve(np.eye(stages) / gamma - square[1], np.ones(stages))
+    return Method(gamma, np.ones(stages), a, c, square[0] @ by_time, by_time)
+
+
+RODAS4 = _rosenbrock(
     0.25,
-    np.ones(6),
     np.array(
         [
             [0.0, 0.0, 0.0, 0.0, 0.0],
@@ -73,7 +85,6 @@ RODAS4 = Method(
             [8.083246795921522, -7.981132988064893, -31.52159432874371, 16.31930543123136, -6.058818238834054],
         ]
     ),
-    np.array([0.0, 0.386, 0.21, 0.63, 1.0, 1.0]),
 )
 
 
@@ -85,7 +96,7 @@ def _alexander() -> Method:
     second = 0.25 * (6.0 * gamma**2 - 20.0 * gamma + 5.0)
     b = np.array([[0.0, 0.0, 0.0], [middle - gamma, 0.0, 0.0], [first, second, 0.0]]) / gamma
     a = np.asarray(np.linalg.solve(np.eye(3) + b, b), dtype=np.float64)
-    return Method(gamma, 1.0 - a.sum(axis=1), a, np.zeros((3, 0)), np.array([gamma, middle, 1.0]))
+    return Method(gamma, 1.0 - a.sum(axis=1), a, np.zeros((3, 0)), np.array([gamma, middle, 1.0]), np.zeros(3))
 
 
 SDIRK3 = _alexander()
@@ -136,19 +147,19 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
     Parameters
     ----------
     method : Method
-        Coefficients of the stages.
+        `RODAS4` or `SDIRK3`.
     stage_of : callable
-        Fills the right-hand side of a stage.
-    system : Any
-        What `stage_of` takes.
+        Fills the right-hand side of a stage, see below.
+    system : NamedTuple
+        What moves.
     x : FloatArray, shape (STATES · P,)
-        State at the beginning.
+        State at the start of the step.
     h : float
         Length of the step [s].
     work : Work
-        Arrays of the integrator.
+        Room; `work.y` takes the stages.
     columns : int
-        Number P of columns.
+        P.
     """
     shift = 1.0 / (method.gamma * h)
     for stage in range(len(method.nodes)):
@@ -173,7 +184,7 @@ def _add(weights: FloatArray, stage: int, over: float, y: FloatArray, total: Flo
             total[i] += weight * y[j, i]
 
 
-@compiled(inline="always")
+@inner
 def factorise_stages(shift: float, work: Work) -> bool:
     """Factorise the velocity block of ``shift·I − J``, multiplied by M: q_m and z are eliminated."""
     slopes = work.slopes
@@ -191,20 +202,20 @@ def factorise_stages(shift: float, work: Work) -> bool:
     return bool(factorise(factors, work.pivots))
 
 
-@compiled(inline="always")
+@inner
 def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> None:
     """Solve ``(shift·I − J) out = right``, with M⁻¹ `push` for the velocities beside, in all columns at once.
 
     Parameters
     ----------
     shift : float
-        1/(γ h) of the stage [1/s].
+        1/(γ h) [1/s].
     work : Work
-        Factors and right-hand sides.
+        Factors, mass, slopes and right-hand side.
     out : FloatArray, shape (STATES · P,)
-        Takes the solutions.
+        Solution (output).
     columns : int
-        Number P of columns.
+        P.
     """
     mass = work.mass
     slopes = work.slopes

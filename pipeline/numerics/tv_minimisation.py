@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from .arrays import FloatArray
-from .tv_newton import Iterate, NewtonStep, advance, newton_step, newton_step_high_order, objective
+from .tv_newton import Iterate, NewtonStep, advance, newton_step, objective
 
 Status = Literal["converged", "iteration limit", "limited by rounding"]
 
@@ -102,10 +102,7 @@ class _Iterate:
     def find_step(self, delta: float) -> tuple[float, float]:
         """Solve for the Newton step; return the longest dual step and the objective after a full one."""
         problem = self.problem
-        first_variance = 1.0 if self.problem.fitted_start else 0.0
-        if problem.order == 1:
-            return newton_step(self.at, self.step, delta, first_variance)
-        return newton_step_high_order(self.at, self.step, delta, problem.order, first_variance)
+        return newton_step(self.at, self.step, delta, problem.order, 1.0 if problem.fitted_start else 0.0)
 
     def objective(self, delta: float, share: float = 0.0) -> float:
         """Objective less that of a straight line, a `share` along the Newton step."""

@@ -15,11 +15,11 @@ Its matrix ``I + lam Tᵀ C T`` is banded, but factoring the band loses log10(la
 rate, where delta falls and lam grows with the step.  The same minimum is the estimate of a chain of two summators
 driven by noise of mean mu and variance 1/(lam C) and measured with unit variance; the covariance form of that
 smoother (Kalman filter forward, Bryson-Frazier adjoint backward) is accurate from variance 0 to variance ∞, and
-the adjoint is the new dual variable.
+the adjoint is the new dual variable. For the variation of derivative m the chain has m + 1 summators.
 
 Cost model: a step is one sweep forward and one backward without temporaries. It is bound by the latency of the
-covariance recursion, in which a division and three additions wait for each other. A step takes 20 ns a sample (64 for
-the third derivative), and 30 (100) with the update and the duality gap; memory is 12 arrays of N doubles.
+covariance recursion, in which a division and three additions wait for each other. A step for the third derivative takes
+64 ns a sample, and 100 with the update and the duality gap; memory is 12 arrays of N doubles.
 
 References
 ----------
@@ -89,14 +89,12 @@ def driving_noise(t: float, p: float, inverse_lam: float, delta: float) -> tuple
 
     Parameters
     ----------
-    t : float
-        Difference of the derivative.
-    p : float
-        Dual variable of its variation, within ±1.
+    t, p : float
+        Difference [signal] and its dual variable.
     inverse_lam : float
-        1/λ of the variation's weight.
+        1/lam [1/signal].
     delta : float
-        Rounding of the corner, √ε.
+        Rounding of the total variation [signal].
     """
     square = t * t + delta * delta
     inverse = 1.0 / math.sqrt(square)
@@ -120,105 +118,19 @@ def within_bounds(longest: float, p: float, dp: float) -> float:
 
 
 @compiled
-def newton_step(at: Iterate, step: NewtonStep, delta: float, first_variance: float) -> tuple[float, float]:
-    """Write the Newton step; return the longest dual step and the objective after a full step.
-
-    The longest dual step is the one that keeps |p| ≤ 1; the objective is that of `objective`.
-
-    Parameters
-    ----------
-    at : Iterate
-        Where the step starts.
-    step : NewtonStep
-        The step (output).
-    delta : float
-        Rounding of the total variation [unit of the data].
-    first_variance : float
-        0: the first sample is exact, 1: it is as noisy as the others.
-    """
-    b, y, _, q, _, _ = at
-    dy, dt, dp, _ = step
-    z0 = b[0] - y[0] - q[0]
-    z1 = b[1] - y[1] - q[1]
-    # Diffuse start: two samples fix value and increment.
-    _filter(at, step, delta, z1, z1 - z0, 1.0 + first_variance)
-    a0, a1, longest, variation, misfit = _smooth(at, step, delta)
-    dy[1] = z1 + a0 + a1
-    dy[0] = z0 - first_variance * a1
-    dt[:2] = 0.0
-    dp[:2] = 0.0
-    for i in range(2):
-        misfit += (y[i] + dy[i] - b[i]) ** 2
-    return longest, variation + 0.5 * misfit
-
-
-@compiled(inline="always")
-def _filter(at: Iterate, step: NewtonStep, delta: float, m0: float, m1: float, p11: float) -> None:
-    """Kalman filter from value `m0` and increment `m1`, covariance [[1, 1], [1, `p11`]]; mu to `dt`, v to `dy`."""
-    b, y, t, q, p, lam = at
-    dy, dt, _, gains = step
-    p00 = 1.0
-    p01 = 1.0
-    for i in range(2, b.size):
-        mu, v = driving_noise(t[i], p[i], 1.0 / lam[i], delta)
-        m0 += m1 + mu
-        m1 += mu
-        p00 += 2.0 * p01 + p11 + v
-        p01 += p11 + v
-        p11 += v
-        inverse = 1.0 / (p00 + 1.0)
-        innovation = (b[i] - y[i] - q[i] - m0) * inverse
-        m0 += p00 * innovation
-        m1 += p01 * innovation
-        gain = p01 * inverse
-        p11 -= gain * p01
-        p01 = gain
-        p00 *= inverse  # the same as p00 − p00²/(p00 + 1), without the cancellation
-        gains[i, 0] = p00
-        gains[i, 1] = p01
-        gains[i, 2] = innovation
-        dt[i] = mu
-        dy[i] = v
-
-
-@compiled(inline="always")
-def _smooth(at: Iterate, step: NewtonStep, delta: float) -> tuple[float, float, float, float, float]:
-    """Adjoint sweep down to sample 2: the adjoint there, the longest dual step, variation and squared misfit."""
-    b, y, t, q, p, lam = at
-    dy, dt, dp, gains = step
-    longest = math.inf
-    variation = 0.0
-    misfit = 0.0
-    a0 = 0.0
-    a1 = 0.0
-    for i in range(b.size - 1, 1, -1):
-        residual = gains[i, 2] - gains[i, 0] * a0 - gains[i, 1] * a1
-        a0 += residual
-        drive = a0 + a1
-        a1 += a0
-        dt[i] += dy[i] * drive
-        dp[i] = drive / lam[i]
-        longest = within_bounds(longest, p[i], dp[i])
-        dy[i] = b[i] - y[i] - q[i] - residual
-        variation += lam[i] * excess(t[i] + dt[i], delta)
-        misfit += (q[i] + residual) ** 2
-    return a0, a1, longest, variation, misfit
-
-
-@compiled
 def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> float:
     """Objective at ``(y, t) + share (dy, dt)`` less its value ``lam delta`` per difference for a straight line.
 
     Parameters
     ----------
     at : Iterate
-        The iterate.
+        Where the step starts.
     step : NewtonStep
-        Newton step from it.
+        The step.
     share : float
-        Share of the step that is taken.
+        Part of it that is taken.
     delta : float
-        Rounding of the corner, √ε.
+        Rounding of the total variation [signal].
     """
     b, y, t, _, _, lam = at
     dy, dt, _, _ = step
@@ -242,13 +154,13 @@ def advance(at: Iterate, step: NewtonStep, primal: float, dual: float, delta: fl
     Parameters
     ----------
     at : Iterate
-        The iterate, which is moved.
+        Data and unknowns; moved (output).
     step : NewtonStep
-        Newton step from it.
+        The step.
     primal, dual : float
-        Shares of the step that are taken.
+        Parts of it that are taken.
     delta : float
-        Rounding of the corner, √ε.
+        Rounding of the total variation [signal].
     """
     b, y, t, q, p, lam = at
     dy, dt, dp, _ = step
@@ -270,14 +182,11 @@ def advance(at: Iterate, step: NewtonStep, primal: float, dual: float, delta: fl
     return 0.5 * (variation + misfit)
 
 
-def newton_step_high_order(
-    at: Iterate, step: NewtonStep, delta: float, order: int, first_variance: float
-) -> tuple[float, float]:
-    """The Newton step for a variation of the second or a higher derivative; `newton_step` is its case m = 1.
+def newton_step(at: Iterate, step: NewtonStep, delta: float, order: int, first_variance: float) -> tuple[float, float]:
+    """Write the Newton step; return the longest dual step and the objective after a full step.
 
-    The smoother's state is the chain of m + 1 summators of `tv_chain`. With loops over the state a sample takes three
-    times as long as with the recursions of `newton_step` written out, with about (m+1)(m+5) multiplications and
-    additions.
+    The longest dual step is the one that keeps |p| ≤ 1; the objective is that of `objective`. The smoother's state is
+    the chain of m + 1 summators of `tv_chain`; its start is diffuse, as m + 1 samples fix it.
 
     Parameters
     ----------
@@ -294,12 +203,12 @@ def newton_step_high_order(
     """
     start = difference_weights(order)
     room = start_covariance(start, first_variance), np.zeros((2, order + 1))
-    longest, objective_after = _step_of_chain(at, step, delta, first_variance, start, *room)
+    longest, objective_after = _step(at, step, delta, first_variance, start, *room)
     return float(longest), float(objective_after)
 
 
 @compiled
-def _step_of_chain(
+def _step(
     at: Iterate, step: NewtonStep, delta: float, first_variance: float, start: FloatArray, cov: FloatArray,
     room: FloatArray,
 ) -> tuple[float, float]:  # fmt: skip
@@ -308,8 +217,8 @@ def _step_of_chain(
     size = len(start)
     mean = room[0]
     adjoint = room[1]
-    _filter_chain(at, step, delta, start, cov, mean)
-    longest, variation, misfit = _smooth_chain(at, step, delta, adjoint)
+    _filter(at, step, delta, start, cov, mean)
+    longest, variation, misfit = _smooth(at, step, delta, adjoint)
     for j in range(size):
         response = 0.0
         for k in range(size):
@@ -322,12 +231,10 @@ def _step_of_chain(
 
 
 @compiled(inline="always")
-def _filter_chain(
-    at: Iterate, step: NewtonStep, delta: float, start: FloatArray, cov: FloatArray, mean: FloatArray
-) -> None:
-    """As `_filter`, from the `start` of `difference_weights` with the covariance `cov`, which is overwritten.
+def _filter(at: Iterate, step: NewtonStep, delta: float, start: FloatArray, cov: FloatArray, mean: FloatArray) -> None:
+    """Kalman filter from the `start` of `difference_weights`; mu goes to `dt`, v to `dy`.
 
-    The state's `mean` is zero before.
+    The covariance `cov` is overwritten; the state's `mean` is zero before.
     """
     b, y, t, q, p, lam = at
     dy, dt, _, gains = step
@@ -350,8 +257,11 @@ def _filter_chain(
 
 
 @compiled(inline="always")
-def _smooth_chain(at: Iterate, step: NewtonStep, delta: float, adjoint: FloatArray) -> tuple[float, float, float]:
-    """As `_smooth`; `adjoint`, zero before, holds that of the first sample after the start."""
+def _smooth(at: Iterate, step: NewtonStep, delta: float, adjoint: FloatArray) -> tuple[float, float, float]:
+    """Adjoint sweep: the longest dual step, variation and squared misfit.
+
+    `adjoint`, zero before, holds that of the first sample after the start.
+    """
     b, y, t, q, p, lam = at
     dy, dt, dp, gains = step
     size = len(adjoint)

@@ -171,12 +171,17 @@ class Log:
         return replace(self.part(rows.start, rows.stop), past=None)
 
     @property
-    def begins_in_motion(self) -> bool:
-        """Whether q moves at the beginning and its velocity is a derivative, which is poor there."""
+    def moves_at_first(self) -> bool:
+        """Whether q moves at the beginning."""
         first = int(np.argmax(self.valid))
         edge = self.q[first : first + EDGE + 1]
         change = np.nanmax(edge) - np.nanmin(edge)
-        return self.velocity is None and bool(change > _MOVING * (np.nanmax(self.q) - np.nanmin(self.q)))
+        return bool(change > _MOVING * (np.nanmax(self.q) - np.nanmin(self.q)))
+
+    @property
+    def begins_in_motion(self) -> bool:
+        """Whether q moves at the beginning and its velocity is a derivative, which is poor there."""
+        return self.velocity is None and self.moves_at_first
 
     def to_fit(self) -> "Log":
         """The log from the first valid sample whose velocity is known on, with zeros where it is not valid.

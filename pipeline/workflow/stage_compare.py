@@ -9,7 +9,7 @@ from typing import Any
 from ..device.device import device
 from ..device.parameter_sets import parameter_values
 from ..device.parameters import JointParameters
-from ..models.model_file import columns_of, declaration
+from ..models.model_file import columns_of
 from ..models.model_type import model_type
 from ..settings.models import ENTRIES
 from ..settings.prototype import FILM, Prototype
@@ -51,5 +51,5 @@ def _write_fit(
     model = model_type(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    columns = columns_of(device(prototype), {name: declaration(model)})
+    columns = columns_of(device(prototype), {name: type(model)})
     return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, columns)}

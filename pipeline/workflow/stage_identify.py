@@ -9,7 +9,7 @@ from ..device.device import device
 from ..device.parameter_sets import parameter_values
 from ..device.parameters import JointParameters
 from ..diagnostics.gates import accepted_settings
-from ..models.model_file import columns_of, declaration
+from ..models.model_file import columns_of
 from ..models.model_type import MAIN_MODEL
 from ..settings.prototype import FILM, Prototype, TrainingGate
 from ..store import layout
@@ -70,5 +70,5 @@ def _identify(
     }
     if CHOICE in notes:
         tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
-    columns = columns_of(plant, {name: declaration(model) for name, model in models.items()})
+    columns = columns_of(plant, {name: type(model) for name, model in models.items()})
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}

@@ -161,7 +161,7 @@ def _control() -> None:
     joint = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, static_slope_ratio(NOMINAL))
     theta = joint.start()
     state = np.zeros(CONTROLLER_STATE)
-    plant = plant_of(HybridModel(joint, theta, np.eye(theta.size), np.eye(theta.size)))
+    plant = plant_of(HybridModel.of(joint, theta, np.eye(theta.size), np.eye(theta.size)))
     law = design(plant, Settings(3000.0, (0.003, 0.003)))
     begin_control(0.0, law, state)
     control(state, 0.0, 0.0, law, np.zeros(2))

@@ -24,7 +24,7 @@ def model(similarity: Similarity = SAME, **planted: float) -> HybridModel:
     theta = condensed.start()
     for name, value in planted.items():
         theta[condensed_parameters.NAMES.index(name)] = value
-    return HybridModel(condensed, theta, *2 * (0.01 * np.eye(len(theta)),))
+    return HybridModel.of(condensed, theta, *2 * (0.01 * np.eye(len(theta)),))
 
 
 def converters(lag: float) -> Converters:

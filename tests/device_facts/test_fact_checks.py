@@ -55,7 +55,7 @@ def test_calibrated_quantities_are_physical_values_around_which_their_intervals_
     names = [entry.name for entry in DEVIATIONS]
     at = names.index("log E")
     theta[at], spread[at, at] = -0.5, 0.1
-    model = HybridModel(joint.joint, theta, spread, spread)
+    model = HybridModel.of(joint.joint, theta, spread, spread)
     found = {one.name: one for one in calibrated(model)}
     modulus, nominal = found["E"], joint.joint.parameters.E
     width = DEVIATIONS[at].prior_std

@@ -41,7 +41,7 @@ def _joint(**deviations: float) -> HybridModel:
     theta = JOINT.start()
     for name, value in {"left.log C0": 0.5, **deviations}.items():
         theta[DEVIATIONS.index(name)] = value
-    return HybridModel(JOINT, theta, np.zeros((len(theta), 0)), np.zeros((len(theta), 0)))
+    return HybridModel.of(JOINT, theta, np.zeros((len(theta), 0)), np.zeros((len(theta), 0)))
 
 
 @pytest.fixture(scope="module")

@@ -49,7 +49,7 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
     for name, value in planted.items():
         theta[condensed_parameters.NAMES.index(name)] = value
     theta[len(condensed_parameters.NAMES) :] = 0.4 * np.random.default_rng(4).standard_normal(CORRECTIONS * centres)
-    return HybridModel(condensed, theta, *2 * (np.zeros((len(theta), 1)),))
+    return HybridModel.of(condensed, theta, *2 * (np.zeros((len(theta), 1)),))
 
 
 def data_driven(

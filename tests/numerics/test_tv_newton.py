@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.tv_newton import Iterate, NewtonStep, newton_step, newton_step_high_order
+from pipeline.numerics.tv_newton import Iterate, NewtonStep, newton_step
 
 
 def dense_step(
@@ -43,16 +43,14 @@ def test_smoother_is_the_newton_step(order: int, fitted: bool, n: int) -> None:
     expected = dense_step(b, y, q, p[order + 1 :], lam[order + 1 :], delta, order, fitted)
     full = objective(b, y + expected[0], np.append(np.zeros(order + 1), t[order + 1 :] + expected[1]), lam, delta)
 
-    kernels = [(newton_step_high_order, (order,))] + ([(newton_step, ())] if order == 1 else [])
-    for kernel, shape in kernels:
-        step = NewtonStep(*(np.empty(n) for _ in range(3)), np.empty((n, order + 2)))
-        longest, value = kernel(Iterate(b, y, t, q, p, lam), step, delta, *shape, float(fitted))
-        dy, dt, dp, _ = step
-        np.testing.assert_allclose(dy, expected[0], atol=1e-10)
-        np.testing.assert_allclose(dt[order + 1 :], expected[1], atol=1e-10)
-        np.testing.assert_allclose(dp[order + 1 :], expected[2], atol=1e-10)
-        assert np.abs(p + longest * dp).max() == pytest.approx(1.0)
-        assert value == pytest.approx(full)
+    step = NewtonStep(*(np.empty(n) for _ in range(3)), np.empty((n, order + 2)))
+    longest, value = newton_step(Iterate(b, y, t, q, p, lam), step, delta, order, float(fitted))
+    dy, dt, dp, _ = step
+    np.testing.assert_allclose(dy, expected[0], atol=1e-10)
+    np.testing.assert_allclose(dt[order + 1 :], expected[1], atol=1e-10)
+    np.testing.assert_allclose(dp[order + 1 :], expected[2], atol=1e-10)
+    assert np.abs(p + longest * dp).max() == pytest.approx(1.0)
+    assert value == pytest.approx(full)
 
 
 @pytest.mark.parametrize("order", [1, 2, 3, 4])
@@ -67,5 +65,5 @@ def test_step_is_accurate_where_the_banded_matrix_is_singular(order: int) -> Non
     b = np.polyval(np.ones(order + 1), i / n) + rng.standard_normal(n)
     zero = np.zeros(n)
     step = NewtonStep(*(np.empty(n) for _ in range(3)), np.empty((n, order + 2)))
-    newton_step_high_order(Iterate(b, zero, zero, zero, zero, np.ones(n)), step, 1e-20, order, 1.0)
+    newton_step(Iterate(b, zero, zero, zero, zero, np.ones(n)), step, 1e-20, order, 1.0)
     np.testing.assert_allclose(step.dy, np.polyval(np.polyfit(i, b, order), i), atol=1e-9 if order < 4 else 2e-6)

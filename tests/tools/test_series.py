@@ -28,7 +28,7 @@ def uncertain():
         ("left.log C0", "right.log C0", "log charging time", "laser offset", "log creep stiffness 0"),
     )
     spread = np.diag([0.01 * (name in names) for name in NAMES] + [0.0] * (len(joint.theta) - len(NAMES)))
-    return replace(joint, spread=spread, band_spread=spread, curve_spread=None)
+    return replace(joint, spread=spread, band_spread=spread, curve_spread=spread)
 
 
 DAYS = (0, 10, 5, 30, 20, 25)

@@ -11,6 +11,7 @@ from ...generated.analytical_joint import capacitance, static_sensitivity, stati
 from ...numerics.arrays import BoolArray, FloatArray
 from ...numerics.continuation import Branch, Residual, SpecialPoint, trace_branch
 from .statics import (
+    TYPICAL_SHAPE,
     StaticPath,
     describe_path,
     equilibria,
@@ -20,8 +21,6 @@ from .statics import (
     tip_values,
 )
 
-_SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
-"""Changes [m] of the four tip contributions that continuation takes for large."""
 _SEEDS = 7
 _HIGHEST = 6000.0  # V
 SHOWN = np.linspace(-0.02, 0.02, 161)
@@ -133,15 +132,15 @@ def branch_through(family: Family, qm: FloatArray, value: float, bounds: tuple[f
     Parameters
     ----------
     family : Family
-        Equilibria over a parameter λ.
+        The joints and their loads.
     qm : FloatArray, shape (4,)
         Ritz coordinates of an equilibrium.
     value : float
-        λ there.
+        Its λ, in the unit of the family.
     bounds : (float, float)
         Range of λ.
     """
-    scale = _SHAPE * length_scales(float(family.at(value)[0][0]))
+    scale = TYPICAL_SHAPE * length_scales(float(family.at(value)[0][0]))
     residual = _residual(family, scale)
     unit = family.unit
     raw = trace_branch(residual, qm / scale, value / unit, bounds=(bounds[0] / unit, bounds[1] / unit))
@@ -159,7 +158,7 @@ def equilibrium_diagram(family: Family, bounds: tuple[float, float]) -> list[Equ
     branches: list[Branch] = []
     for value in np.linspace(*bounds, _SEEDS):
         p, v, force = family.at(float(value))
-        scale = _SHAPE * length_scales(float(p[0]))
+        scale = TYPICAL_SHAPE * length_scales(float(p[0]))
         for seed in find_equilibria(p, v, force):
             if not any(_lies_on(branch, seed.qm, float(value), scale, family.unit) for branch in branches):
                 branches.append(branch_through(family, seed.qm, float(value), bounds))

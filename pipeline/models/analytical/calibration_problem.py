@@ -8,14 +8,12 @@ import numpy as np
 
 from ...device.parameters import VECTOR_NAMES, JointParameters, quantity_of
 from ...errors import InputError
+from ...fitting.descent import PARAMETER_STEP
 from ...numerics.arrays import FloatArray
 from .windows import WindowRuns, Windows, error_derivatives, simulate_windows
 
 RESOLUTION = 1e-3
 """Error of q [m] that weighs as much as one prior width; model errors are of this size."""
-
-STEP = 1e-4
-"""Step in prior widths of the differences of the equations (not of their solution)."""
 
 
 @dataclass(frozen=True)
@@ -128,7 +126,7 @@ class SimulatedProblem:
         problem = self.problem
         runs = self._made[x.tobytes()]
         self._made = {x.tobytes(): runs}  # a search never goes back behind a point that it took
-        steps = np.where(x + STEP <= problem.upper, STEP, -STEP)
+        steps = np.where(x + PARAMETER_STEP <= problem.upper, PARAMETER_STEP, -PARAMETER_STEP)
         moved = [problem.parameters(x + step * unit) for step, unit in zip(steps, np.eye(x.size), strict=True)]
         return np.vstack([error_derivatives(runs, moved, steps, problem.pool) / RESOLUTION, np.eye(x.size)])
 
@@ -165,15 +163,15 @@ def search(
     Parameters
     ----------
     simulated : SimulatedProblem
-        Residuals and their derivatives.
+        Residuals and derivatives.
     x0 : FloatArray, shape (P,)
-        Start.
+        Start in prior widths; it is moved inside the bounds.
     limit : int
         Most simulations.
     tolerance : float
-        Relative decrease of the cost at which the search ends.
+        Relative fall of the cost at which the search ends.
     tick : callable
-        Is called before each step.
+        Called before each step.
     """
     from scipy.optimize import least_squares
 

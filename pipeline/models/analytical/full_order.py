@@ -12,15 +12,13 @@ from ...device.parameters import JointParameters
 from ...errors import InputError
 from ...generated.analytical_joint import dissipation, motion, motion_slopes, statics
 from ...numerics.arrays import FloatArray, IntArray
-from ...numerics.compiled import compiled, part
+from ...numerics.compiled import compiled, inner
 from ...numerics.inner_loops import copy_into, factorise, solve_factorised
 from ...numerics.stiff import R_S, RODAS4, STATES, Work, advance, factorise_stages, working
-from .statics import StaticPath, equilibria, hold_tip, length_scales, unactuated_path
+from .statics import TYPICAL_SHAPE, StaticPath, equilibria, hold_tip, length_scales, unactuated_path
 
 REACH = 0.06
 """Displacement [m] beyond which a run counts as diverged."""
-_TYPICAL = np.array([0.1, 0.1, 0.1, 1e-3])
-"""Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,7 @@ class FullOrderMotion:
 
 def state_scale(parameters: JointParameters) -> FloatArray:
     """Typical size of each state, shape (11,); tolerances are relative to it."""
-    shape = _TYPICAL * length_scales(parameters.l)
+    shape = TYPICAL_SHAPE * length_scales(parameters.l)
     return np.concatenate([shape, 20.0 * shape, [0.1, 0.1, 1.0]])
 
 
@@ -76,10 +74,8 @@ def rest_state(
     ----------
     parameters : JointParameters
         The joint.
-    q0 : float
-        Displacement [m].
-    qdot0 : float
-        Velocity [m/s].
+    q0, qdot0 : float
+        Displacement [m] and velocity [m/s] of the tip.
     v : FloatArray, shape (2,)
         Voltages [V].
     z : FloatArray, shape (3,), optional
@@ -111,13 +107,13 @@ def rest_states(
     parameters : JointParameters
         The joint.
     measured : FloatArray, shape (W, 2)
-        Displacements [m] and velocities [m/s].
+        q0 [m] and qdot0 [m/s].
     v : FloatArray, shape (W, 2)
         Voltages [V].
     z : FloatArray, shape (W, 3)
-        Maxwell strains and friction states.
+        Maxwell strains and friction state.
     path : StaticPath
-        Shapes to start from.
+        Shapes from which the searches start.
     """
     nearest = np.argmin(np.abs(path.q - measured[:, :1]), axis=1)
     shapes = path.qm[nearest] + path.tangent[nearest] * (measured[:, :1] - path.q[nearest, None])
@@ -218,9 +214,6 @@ def simulate(
     )  # fmt: skip
 
 
-_TIME_DERIVATIVE = np.array([0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0.0])
-"""Share of h ∂f/∂t in each stage of RODAS4."""
-
 MOST_TRIES = 20_000
 """Steps between two samples, refused ones too, beyond which a run counts as diverged: a joint takes 2 to 20 in 10 ms;
 one that blows up would never end."""
@@ -273,7 +266,7 @@ class _Motion(NamedTuple):
     pivots: IntArray
 
 
-@part
+@inner
 def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: FloatArray) -> bool:
     """ẋ (11,) of the state x (11,) at `offset` [s] behind the sample, and M (4, 4); False if that is singular."""
     n = s.sample[0]
@@ -290,7 +283,7 @@ def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: Float
     return True
 
 
-@part
+@inner
 def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
     """∂f/∂t by the inputs' rates where the step starts, whose mass matrix has just been factorised."""
     n = s.sample[0]
@@ -307,7 +300,7 @@ def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
     solve_factorised(s.factors, s.pivots, s.f_t[4:8], 1)
 
 
-@compiled(inline="always")
+@inner
 def _rises(t: FloatArray, v: FloatArray, force: FloatArray, sample: int, rise: FloatArray) -> float:
     """Rates of voltages and force behind a sample, filled into `rise` (3,); interval to the next, 0 at the last."""
     if sample == t.size - 1:
@@ -319,7 +312,7 @@ def _rises(t: FloatArray, v: FloatArray, force: FloatArray, sample: int, rise: F
     return float(interval)
 
 
-@compiled(inline="always")
+@inner
 def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
     """ẋ at a stage, with its share of h ∂f/∂t; rates and Jacobian of the first are those of the step's start."""
     if stage == 0:
@@ -328,11 +321,11 @@ def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
     else:
         fine = _rate(s, work.at, s.offset[0] + RODAS4.nodes[stage] * h, s.mass, s.f)
     for i in range(STATES):
-        work.right[i] = s.f[i] + _TIME_DERIVATIVE[stage] * h * s.f_t[i]
+        work.right[i] = s.f[i] + RODAS4.by_time[stage] * h * s.f_t[i]
     return fine
 
 
-@compiled(inline="always")
+@inner
 def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
     """Stiffly accurate: the last stage completes the solution and is the error estimate; its RMS over the scale."""
     norm = 0.0

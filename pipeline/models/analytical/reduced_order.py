@@ -24,6 +24,7 @@ from ...generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION
 from ...numerics.arrays import FloatArray, IntArray, sample_interval
 from ...numerics.compiled import compiled
 from ...numerics.fixed_step import Methods, integrator, workspace
+from ...numerics.linear_filters import first_order_lag
 from ...numerics.metrics import nrmse
 from .full_order import FullOrderMotion, rest_state, simulate
 from .statics import StaticPath, equilibria, static_path
@@ -311,7 +312,9 @@ def simulate_reduced(
 
 
 def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> FloatArray:
-    """e_i along a measured motion: ``ė = λ̇3 − rate·e`` with λ3 linear between samples, at rest before the first.
+    """e_i along a measured motion: ``ė = λ̇3 − rate·e``, which is λ3 without what a first-order lag follows.
+
+    λ3 is linear between samples, and at rest before the first.
 
     Parameters
     ----------
@@ -322,17 +325,12 @@ def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> Float
     rate : FloatArray, shape (2,)
         Y_MW/η_MW [1/s].
     """
-    gain = np.where(rate > 0.0, -np.expm1(-rate * dt) / np.where(rate > 0.0, rate * dt, 1.0), 1.0)
-    return _relaxing(thickness, gain, np.exp(-rate * dt))
-
-
-@compiled
-def _relaxing(thickness: FloatArray, gain: FloatArray, decay: FloatArray) -> FloatArray:
-    e = np.zeros(thickness.shape)
-    for n in range(1, len(e)):
-        for side in range(2):
-            e[n, side] = decay[side] * e[n - 1, side] + gain[side] * (thickness[n, side] - thickness[n - 1, side])
-    return e
+    slowest = np.finfo(np.float64).tiny
+    lagged = [
+        first_order_lag(np.ascontiguousarray(column), dt, 1.0 / max(float(r), slowest))[0]
+        for column, r in zip(thickness.T, rate, strict=True)
+    ]
+    return thickness - np.column_stack(lagged)
 
 
 @compiled
@@ -352,13 +350,11 @@ def pulse_sequence(
     Parameters
     ----------
     voltage : float
-        Voltage of the pulses [V].
-    pulse : float
-        Length of a pulse [s].
-    pause : float
-        Length of a pause [s].
+        Of a pulse [V].
+    pulse, pause : float
+        Durations [s].
     count : int
-        Number of pulses.
+        Pulses.
     dt : float
         Sample interval [s].
     """
@@ -401,11 +397,11 @@ def simulate_both(parameters: JointParameters, t: FloatArray, v: FloatArray, *, 
     parameters : JointParameters
         The joint.
     t : FloatArray, shape (N,)
-        Times [s].
+        Uniform times [s].
     v : FloatArray, shape (N, 2)
         Voltages [V].
     q0 : float, optional
-        Displacement at the start [m].
+        First displacement [m]; that of the left well if left out.
     """
     start = q0 if q0 is not None else next(e.q for e in equilibria(parameters, v[0]) if e.stable)
     state = rest_state(parameters, start, 0.0, v[0])

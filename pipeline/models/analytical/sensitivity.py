@@ -178,17 +178,17 @@ def integrate_sensitivities(
     Parameters
     ----------
     t : FloatArray, shape (N,)
-        Times [s].
+        Sample times [s].
     system : _Variation
-        The linearised equations along a motion.
+        What is tabulated along the solution.
     x : FloatArray, shape (11 P,)
-        Derivatives at the first sample.
+        Derivatives of the first state; overwritten.
     work : Work
-        Arrays of the integrator.
+        Room for the steps.
     count : int
-        Number P of columns.
+        P.
     out : FloatArray, shape (N, 11 P)
-        Takes the derivatives.
+        Derivatives at the samples (output).
     """
     copy_into(out[0], x)
     for n in range(t.size - 1):

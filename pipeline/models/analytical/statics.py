@@ -21,6 +21,8 @@ from ...numerics.inner_loops import factorise, solve_factorised
 
 STEEPEST = np.pi / 4
 """Tip rotation [rad] up to which the beam equations (moderate slopes) are believed."""
+TYPICAL_SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
+"""Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""
 REACH = 0.03
 """Largest deflection [m] of the shapes that Newton's method starts from."""
 
@@ -73,7 +75,7 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
     Parameters
     ----------
     qm : FloatArray, shape (4,)
-        Ritz coordinates; the start, then the solution.
+        Start; the solution (output).
     v_squared : FloatArray, shape (2,)
         Squared voltages [V²].
     force : float
@@ -81,7 +83,7 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
     p : FloatArray, shape (41,)
         Parameter vector.
     iterations : int
-        Most iterations.
+        Most steps.
     """
     gradient = np.empty(4)
     hessian = np.empty((4, 4))
@@ -234,13 +236,13 @@ def hold_tip(
     q : float
         Displacement of the tip [m].
     qm : FloatArray, shape (4,)
-        Ritz coordinates; the start, then the solution.
+        Start; the shape (output).
     v_squared : FloatArray, shape (2,)
         Squared voltages [V²].
     p : FloatArray, shape (41,)
         Parameter vector.
     tangent : FloatArray, shape (4,)
-        Takes dq_m/dq.
+        dq_m/dq (output).
 
     Returns
     -------

@@ -202,7 +202,23 @@ def propagate(
     path: Path, laws: Laws, stepping: Stepping, columns: Columns,
     starts: SingleArray, stops: SingleArray, displacements: FloatArray,
 ) -> None:  # fmt: skip
-    """Derivatives of the reading by all columns, `displacements` (N, columns), from those at the start."""
+    """Derivatives of the reading at the samples by all columns, `displacements` (N, columns), from those at the start.
+
+    Parameters
+    ----------
+    path : Path
+        The run.
+    laws : Laws
+        Constants and corrections of the joint.
+    stepping : Stepping
+        As in the run.
+    columns : Columns
+        Places of the numbers that act.
+    starts, stops : SingleArray, shapes (blocks, STATES, BATCH) and (blocks, STOPS, BATCH)
+        Derivatives of the first state and of the first stop operators; those at the end (output).
+    displacements : FloatArray, shape (N, blocks · BATCH)
+        Derivatives of the reading at the samples (output).
+    """
     sources, targets, own, instruments, corrected = columns
     points, slips, squares, by_instruments, pole = path
     (k, weights, basis), (dt, substeps, _, lead, reading) = laws, stepping
@@ -257,7 +273,7 @@ def propagate(
             _act_by_instruments(by_instruments[:, node], pull, reading, stage_lane, instruments, a, b, drive)
             if centres > 0:
                 _act_by_weights(bells, by_c, stage_lane, centres, corrected, drive)
-        _advance(first, min(first + 2, steps), points, stepping, a, w, drive, starts, stops, displacements)
+        _advance((first, min(first + 2, steps)), points, stepping, (a, w, drive), (starts, stops, displacements))
 
 
 @inner
@@ -267,10 +283,13 @@ def _zeros(count: int) -> SingleArray:
 
 @compiled(inline="always")
 def _advance(
-    first: int, stop: int, points: FloatArray, stepping: Stepping, a: SingleArray, w: SingleArray,
-    drive: SingleArray, starts: SingleArray, stops: SingleArray, displacements: FloatArray,
+    between: tuple[int, int], points: FloatArray, stepping: Stepping,
+    acting: tuple[SingleArray, SingleArray, SingleArray], moving: tuple[SingleArray, SingleArray, FloatArray],
 ) -> None:  # fmt: skip
-    """All columns from the step `first` to `stop`, at most two later; `starts` and `stops` move."""
+    """All columns from one step to another, at most two later; starts and stops move, displacements are filled."""
+    first, stop = between
+    a, w, drive = acting
+    starts, stops, displacements = moving
     by_q, by_tau = stepping.reading
     for step in range(first, stop):
         of_step = a[STEP_STAGES * (step - first) :]

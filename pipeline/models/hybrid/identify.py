@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -17,11 +18,12 @@ from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import MOST_SAMPLES, Log, operating_range, within
 from ..free_runs import scale_on
+from ..model_file import read_part
 from ..model_type import ModelType, Training, fitted_samples
 from . import parameters as condensed_parameters
 from .kernels import CURVES
 from .model import HybridModel
-from .problem import DEVIATION_COUNT, CondensedJoint, CondensedProblem
+from .problem import DEVIATION_COUNT, POLES, CondensedJoint, CondensedProblem
 from .similarity import SAME, Similarity
 from .start import NoJoint, mass_factor, prior_root, shift_of, similar_joint, theta_places
 
@@ -29,25 +31,21 @@ TUBE_MARGIN = 4.0
 """Times the 90 % quantile of errors on the training logs that tubes of other logs need: of fifty simulated joints of
 three physics."""
 
-COUPLED = (60.0, 30.0)
-FREE = (8.0, 2.0, 0.0)
-"""Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
+COUPLED, FREE = POLES[:2], POLES[2:]
+"""Poles at which every sample stands alone, and those from there to the free run."""
 
-WHOLE = (8.0, 0.0, 0.0)
+WHOLE = (POLES[2], 0.0, 0.0)
 """Poles on whole logs. The free run comes twice: the first one may bring runs back that had lost their log."""
 
-CORRECTED = (30.0, 8.0, 2.0, 0.0)
+CORRECTED = POLES[1:]
 """Poles with corrections: they, too, are first fitted while every sample stands alone."""
 
-COUPLED_STEPS = (12, 5)
+FIRST_STEPS = 12
 STEPS = 3
-EARLY_STEPS = 4
-WHOLE_STEPS = 2
 LAST_STEPS = 20
-"""Steps of the descent: coupled, at each level between, in free run on the first quarters, at each level before the
-last on whole logs, and at the last one there."""
+"""Steps of the descent: while each sample stands alone, at each level from there on, and at the last on whole logs."""
 
-COMPARED_POLE = 8.0
+COMPARED_POLE = POLES[2]
 """Observer pole [1/s] at which corrections are judged on held-out data: a free run there is decided by single pulses
 that end near the separatrix, held like this it is decided by all of them."""
 
@@ -154,17 +152,17 @@ def identify_hybrid(
         raise DataRefusedError(_NO_FIT)
     nothing = np.zeros((len(early.fit.theta), 0))
     report = _report((*first.levels, *fit.levels), fit, similarity)
-    model = HybridModel(
+    model = HybridModel.of(
         _of_device(joint, similarity),
         fit.theta,
         posterior_factor(fit, search.prior(len(fit.theta))),
         search.band_spread(joint, fit),
         search.curve_spread(joint, fit),
-        report
+        diagnostics=report
         | {"held_share": search.held_share(joint, fit.theta)}
         | {"ablation": {name: error.free for name, error in errors.items()}}
         | first.decision,
-        early=HybridModel(_of_device(early.joint, similarity), early.fit.theta, nothing, nothing),
+        early=HybridModel.of(_of_device(early.joint, similarity), early.fit.theta, nothing, nothing),
     )
     return replace(model, tube=scale_on(records, model, report["training_rms_m"], TUBE_MARGIN))
 
@@ -207,13 +205,11 @@ def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = replace(joint, basis=search.basis, largest_voltage=largest)
     # Most of the convergence happens while the observer is strong: what is not settled there ends in another minimum.
-    first = search.early.without_siblings.fit(
-        plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1]
-    )
-    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
+    first = search.early.without_siblings.fit(plain, plain.start(), COUPLED, steps=FIRST_STEPS)
+    alone = search.early.fit(plain, first.theta, FREE)
     decision = dict[str, Any]()
     if search.siblings is not None:
-        without = search.without_siblings.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
+        without = search.without_siblings.early.fit(plain, first.theta, FREE)
         errors = [search.held_out(plain, fit.theta).coupled if fit.levels else np.inf for fit in (alone, without)]
         decision = {"siblings_held_out": dict(zip(("with", "without"), map(_finite, errors), strict=True))}
         pairs = errors, [_free_error(fit) for fit in (alone, without)]
@@ -224,9 +220,7 @@ def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _
     fits = {ALONE: _Fitted(plain, alone)}
     if corrections == "always" or (corrections == "auto" and not search.follows(alone, UNCORRECTED_ERROR)):
         joint = replace(plain, centres=BASIS_FUNCTIONS)
-        fits[WITH_RBF] = _Fitted(
-            joint, search.early.fit(joint, _extended(joint, first.theta), CORRECTED, last=EARLY_STEPS)
-        )
+        fits[WITH_RBF] = _Fitted(joint, search.early.fit(joint, _extended(joint, first.theta), CORRECTED))
     return _FirstFits(search, (*first.levels, *alone.levels), fits, decision)
 
 
@@ -241,7 +235,7 @@ def _whole_fit(first: _FirstFits, *, corrected: bool) -> tuple[_Fitted, _Fitted]
     """A first fit and the fit to whole logs that goes on from it: without corrections where those do not get there."""
     for name in (WITH_RBF, ALONE) if corrected else (ALONE,):
         early = first.fits[name]
-        fit = first.search.fit(early.joint, early.fit.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
+        fit = first.search.fit(early.joint, early.fit.theta, WHOLE, last=LAST_STEPS)
         if fit.reached_last:
             break
     return early, _Fitted(early.joint, fit)
@@ -294,8 +288,8 @@ class _Search:
         start: FloatArray,
         poles: Sequence[float],
         *,
-        last: int,
         steps: int = STEPS,
+        last: int = STEPS,
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
         problem = CondensedProblem(joint, self.records)
@@ -306,7 +300,7 @@ class _Search:
 
     def anew(self, plain: CondensedJoint) -> _Fitted:
         """The equations alone, fitted to the logs from the set."""
-        first = self.without_siblings.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+        first = self.without_siblings.fit(plain, plain.start(), COUPLED, steps=FIRST_STEPS)
         return _Fitted(plain, self.fit(plain, first.theta, FREE, last=LAST_STEPS))
 
     def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
@@ -412,4 +406,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 
-HYBRID = ModelType(_fit, HybridModel.from_tree, "export.hybrid:realise")
+HYBRID = ModelType(_fit, partial(read_part, HybridModel, name="hybrid", command="identify"), "export.hybrid:realise")

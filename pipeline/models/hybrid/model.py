@@ -4,33 +4,30 @@ Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.hy
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property, lru_cache
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import Field, model_validator
+from pydantic.dataclasses import dataclass
 from scipy.interpolate import CubicSpline
 
-from ...errors import CorruptArtifactError
 from ...fitting.posterior import first_order_curves, posterior_draws
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...signals.decimation_kernel import filtered_samples
 from ...signals.log import Log
 from ..base import FreeRun, checked
-from ..model_file import JointSet, ModelFile, Positive, Real, Sizes, Table, Unit, tree_of
+from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, Unit, tree_of
 from ..tubes import NO_TUBES, TubeScale
 from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
-from .problem import CondensedJoint, CondensedProblem, age_at, simulate
+from .problem import POLES, CondensedJoint, CondensedProblem, age_at, simulate
 from .runs import BATCH, Driving, Followed, Laws, continued_runs
 from .similarity import Similarity
 from .statics import static_curves, substeps
-
-COUPLING_POLE = 30.0
-"""Observer pole [1/s] of a joint of the set's size at which each sample stands nearly alone: above its 18 1/s."""
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
 
@@ -44,8 +41,12 @@ _FARTHEST = 300.0
 """Largest magnitude of an entry of theta [widths]; exponentials of more overflow."""
 
 
-class _File(ModelFile):
-    """The file of the model."""
+@dataclass(frozen=True, config=STORED)
+class HybridModel:
+    """An identified hybrid joint, and its file.
+
+    `early`, which is not filed, is the same fitted to the first three quarters of each training log.
+    """
 
     sizes: ClassVar[Sizes] = {
         "P": (1, 5000),
@@ -65,15 +66,6 @@ class _File(ModelFile):
     slope_ratio: Real
     """Slope of the beam at rest over q/l, from which the search for a rest starts."""
     similarity: Similarity
-    rotation: Annotated[FloatArray, Table("K 2", -1e3, 1e3), Unit("SI")] = np.empty((0, 2))
-    """Where the angle of the joint was measured: q and the angle at rest, by which it was made a displacement."""
-    tube: TubeScale
-    constants: str
-    """Names of the constants of the equations, in order."""
-    deviations: str
-    """Names of the first entries of theta: deviations from the set; weights follow."""
-    prior_std: Annotated[FloatArray, Table("D"), Unit("SI")]
-    """Standard deviations of the deviations' priors, in which theta counts."""
     theta: Annotated[FloatArray, Table("P", -_FARTHEST, _FARTHEST)]
     """Fitted parameters in widths of their priors."""
     spread: Annotated[FloatArray, Table("P R")]
@@ -83,53 +75,76 @@ class _File(ModelFile):
     curve_spread: Annotated[FloatArray, Table("C S")]
     """Factor S, a row for each entry of theta, of the covariance S Sᵀ of theta, for the bands of the curves; with
     corrections that are left open."""
-
-    @model_validator(mode="after")
-    def _corrections(self) -> Self:
-        if self.basis[1:].min() <= 0.0:
-            raise ValueError("distance and width in basis are not positive")
-        if len(self.curve_spread) < len(self.theta) or (len(self.curve_spread) - len(self.theta)) % CURVES:
-            raise ValueError(f"curve_spread has {len(self.curve_spread)} rows for {len(self.theta)} parameters")
-        return self
-
-
-@dataclass(frozen=True)
-class HybridModel:
-    """An identified hybrid joint.
-
-    Attributes
-    ----------
-    joint : CondensedJoint
-        Parameter set and RBF basis.
-    theta : FloatArray, shape (P,)
-        Deviations and weights in prior widths.
-    spread : FloatArray, shape (P, P)
-        Factor S of the posterior covariance S Sᵀ of θ, which outcomes of pulses are drawn from.
-    band_spread : FloatArray, shape (P, R)
-        Factor of the covariance that the training data show (`pipeline.fitting.posterior.robust_spread`). The band of
-        the lowest voltage comes from it.
-    curve_spread : FloatArray, shape (P, R) or (P + 9 M, R), or None
-        The same for the bands of the curves, of the θ of `of_curves`; None if it is that of `band_spread`.
-    diagnostics : dict
-        How the fit went.
-    tube : TubeScale
-        Scale of the tubes about free runs.
-    early : HybridModel or None
-        The same fitted to the first three quarters of each training log; it is not filed.
-    """
-
-    file: ClassVar[type[ModelFile]] = _File
-    joint: CondensedJoint
-    theta: FloatArray
-    spread: FloatArray
-    band_spread: FloatArray
-    curve_spread: FloatArray | None = None
-    diagnostics: dict[str, Any] = field(default_factory=dict)
+    rotation: Annotated[FloatArray, Table("K 2", -1e3, 1e3), Unit("SI")] = field(
+        default_factory=lambda: np.empty((0, 2))
+    )
+    """Where the angle of the joint was measured: q and the angle at rest, by which it was made a displacement."""
+    diagnostics: Facts = field(default_factory=dict)
     tube: TubeScale = NO_TUBES
-    early: "HybridModel | None" = field(default=None, repr=False)
+    constants: str = " | ".join(CONSTANTS)
+    """Names of the constants of the equations, in order."""
+    deviations: str = " | ".join(condensed_parameters.NAMES)
+    """Names of the first entries of theta: deviations from the set; weights follow."""
+    prior_std: Annotated[FloatArray, Table("D"), Unit("SI")] = field(
+        default_factory=lambda: condensed_parameters.PRIOR_STD
+    )
+    """Standard deviations of the deviations' priors, in which theta counts."""
+    early: Annotated[Any, Field(exclude=True)] = field(default=None, repr=False)
 
     name = "hybrid"
     fine_voltages = True
+
+    @model_validator(mode="after")
+    def _fit(self) -> Self:
+        current = (" | ".join(CONSTANTS), " | ".join(condensed_parameters.NAMES))
+        if (self.constants, self.deviations) != current or not np.array_equal(
+            self.prior_std, condensed_parameters.PRIOR_STD
+        ):
+            raise ValueError("the parameters belong to another version of debist")
+        if self.basis[1:].min() <= 0.0:
+            raise ValueError("distance and width in basis are not positive")
+        if len(self.theta) != len(self.joint.start()):
+            raise ValueError(f"theta has {len(self.theta)} entries for {self.centres} Gaussians")
+        more = len(self.curve_spread) - len(self.theta)
+        if more < 0 or more % CURVES:
+            raise ValueError(f"curve_spread has {len(self.curve_spread)} rows for {len(self.theta)} parameters")
+        return self
+
+    @classmethod
+    def of(
+        cls, joint: CondensedJoint, theta: FloatArray, spread: FloatArray, band_spread: FloatArray,
+        curve_spread: FloatArray | None = None, **more: Any,
+    ) -> "HybridModel":  # fmt: skip
+        """The model of a joint.
+
+        Parameters
+        ----------
+        joint : CondensedJoint
+            Parameter set and RBF basis.
+        theta : FloatArray, shape (P,)
+            Deviations and weights in prior widths.
+        spread : FloatArray, shape (P, R)
+            Factor S of the posterior covariance S Sᵀ of θ.
+        band_spread : FloatArray, shape (P, B)
+            Factor of the covariance that the training data show (`pipeline.fitting.posterior.robust_spread`).
+        curve_spread : FloatArray, shape (P + 9 M, S), optional
+            The same for the bands of the curves, of the θ of `of_curves`; that of `band_spread` if left out.
+        more
+            Diagnostics, tube and early fit.
+        """
+        curves = band_spread if curve_spread is None else curve_spread
+        return cls(
+            joint.parameters, joint.basis, joint.centres, joint.largest_voltage, joint.slope_ratio, joint.similarity,
+            theta, spread, band_spread, curves, joint.rotation, **more,
+        )  # fmt: skip
+
+    @cached_property
+    def joint(self) -> CondensedJoint:
+        """Parameter set and RBF basis."""
+        return CondensedJoint(
+            self.parameters, self.basis, self.centres, self.largest_voltage_V, self.slope_ratio, self.similarity,
+            self.rotation,
+        )  # fmt: skip
 
     @property
     def mass(self) -> float:
@@ -220,24 +235,20 @@ class HybridModel:
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
         wide = self.of_curves
-        spread = self._curve_spread
+        spread = self.curve_spread
         return first_order_curves(lambda theta: wide._curves(theta, q), wide.theta, spread, count, SEED, ("d",))
-
-    @property
-    def _curve_spread(self) -> FloatArray:
-        return self.band_spread if self.curve_spread is None else self.curve_spread
 
     @property
     def of_curves(self) -> "HybridModel":
         """For the curves: the same with the corrections that their bands leave open, zero where none acts."""
-        more = len(self._curve_spread) - len(self.theta)
-        joint = replace(self.joint, centres=self.joint.centres + more // CURVES)
-        return replace(self, joint=joint, theta=np.append(self.theta, np.zeros(more)))
+        more = len(self.curve_spread) - len(self.theta)
+        centres = self.centres + more // CURVES
+        return replace(self, centres=centres, theta=np.append(self.theta, np.zeros(more)))
 
     @property
     def coupling(self) -> float:
         """Observer pole [1/s] at which each sample stands nearly alone."""
-        return COUPLING_POLE / self.joint.similarity.time
+        return POLES[1] / self.joint.similarity.time
 
     def observed(self, parts: Sequence[Log]) -> CondensedProblem:
         """The joint coupled to the parts of a log."""
@@ -280,48 +291,7 @@ class HybridModel:
 
     def to_tree(self) -> dict[str, Any]:
         """The model as a dictionary of arrays, numbers and texts."""
-        return {
-            **({"rotation": self.joint.rotation} if self.joint.angle else {}),
-            "parameters": tree_of(self.joint.parameters),
-            "basis": self.joint.basis,
-            "centres": self.joint.centres,
-            "largest_voltage_V": self.joint.largest_voltage,
-            "slope_ratio": self.joint.slope_ratio,
-            "similarity": tree_of(self.joint.similarity),
-            "tube": tree_of(self.tube),
-            "constants": " | ".join(CONSTANTS),
-            "deviations": " | ".join(condensed_parameters.NAMES),
-            "prior_std": condensed_parameters.PRIOR_STD,
-            "theta": self.theta,
-            "spread": self.spread,
-            "band_spread": self.band_spread,
-            "curve_spread": self._curve_spread,
-            "diagnostics": dict(self.diagnostics),
-        }
-
-    @classmethod
-    def from_tree(cls, tree: dict[str, Any]) -> "HybridModel":
-        """The model back from `to_tree`.
-
-        Raises
-        ------
-        CorruptArtifactError
-            An entry is missing, of another kind or shape, or beyond its range, or the parameters belong to another
-            version of the program.
-        """
-        file = _File.read(tree, "hybrid", "identify")
-        joint = CondensedJoint(
-            file.parameters, file.basis, file.centres, file.largest_voltage_V, file.slope_ratio,
-            file.similarity, file.rotation,
-        )  # fmt: skip
-        current = file.deviations == " | ".join(condensed_parameters.NAMES) and file.constants == " | ".join(CONSTANTS)
-        current = current and np.array_equal(file.prior_std, condensed_parameters.PRIOR_STD)
-        if not current or len(file.theta) != len(joint.start()):
-            raise CorruptArtifactError(
-                "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
-            )
-        spreads = file.spread, file.band_spread, file.curve_spread
-        return cls(joint, file.theta, *spreads, file.diagnostics, file.tube)
+        return {name: entry for name, entry in tree_of(self).items() if name != "rotation" or self.joint.angle}
 
     def _simulate(self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray) -> FloatArray:
         """Free runs of several θ (None: the fit's) from one state, shape (2,), or of one from several, shape (B, 2).

@@ -23,7 +23,18 @@ def slopes(model: HybridModel, t: FloatArray, v: FloatArray, start: float) -> Fl
 
     Its first second is left out where the joint does not begin at rest.
 
-    `t` (N,) [s] is uniform, `v` (N, 2) are the voltages [V]. Cost: as a Jacobian of the fit, 1 to 2 ms a second.
+    Cost: as a Jacobian of the fit, 1 to 2 ms a second.
+
+    Parameters
+    ----------
+    model : HybridModel
+        Identified.
+    t : FloatArray, shape (N,)
+        Uniform times [s].
+    v : FloatArray, shape (N, 2)
+        Voltages [V].
+    start : float
+        Displacement at rest at the first sample [m].
     """
     run = model.simulate(t, v, start, 0.0)
     if run.status != "ok":
@@ -81,7 +92,21 @@ class Uncertainty:
 
 
 def uncertainty(model: HybridModel, t: FloatArray, v: FloatArray, start: float, interval: float) -> Uncertainty | None:
-    """What is open of the free run under `v` from rest at `start`; None where it diverges."""
+    """What is open of the free run under `v` from rest at `start`; None where it diverges.
+
+    Parameters
+    ----------
+    model : HybridModel
+        Identified.
+    t : FloatArray, shape (N,)
+        Uniform times of the programme [s].
+    v : FloatArray, shape (N, 2)
+        Its voltages [V].
+    start : float
+        Displacement at rest at the first sample [m].
+    interval : float
+        Sample interval [s] of the logs that the model was identified from.
+    """
     by_theta = slopes(model, t, v, start)
     if by_theta is None:
         return None

@@ -5,12 +5,13 @@ RBF corrections, all in prior standard deviations.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 
 from ...device.parameters import JointParameters
+from ...fitting.descent import PARAMETER_STEP
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import BoolArray, FloatArray, samples_of
 from ...signals.decimation_kernel import sharpened
@@ -40,11 +41,12 @@ HELD_POLE = 15.0
 HELD_ON = 0.3
 """Pole [1/s] of the observer that holds a run where it would lose its log, and how long [s] it does so from there."""
 
-BEGINNING = 0.1
-MOVING = 0.02
+POLES = (60.0, 30.0, 8.0, 2.0, 0.0)
+"""Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
+
 SETTLING = 1.0
-"""Time [s] and share of the range of q: a log in which q moves by more at its beginning does not begin at rest. Shape
-and strains are not known there, so a run is held for `SETTLING` s first, and compared from then on."""
+"""Time [s] for which a run is held first where the log begins in motion, and from which on it is compared: shape and
+strains are not known there."""
 
 CONFINED = 1.5
 """Largest displacements of the training logs at which a wall confines every run. Fitted energies are polynomials. One
@@ -64,15 +66,6 @@ BRIDGED = 0.03
 
 SETTLED = 3.0
 """Times 1/pole after a longer one, after which a run that is held has forgotten it."""
-
-SMALL = 1e-4
-ROUNDING = 1e-11
-"""Steps [widths] of the differences of constants; and derivatives by θ, in shares of the constant, that are none."""
-
-DELAY_STEP = 2e-7
-CHARGING_STEP = 1e-4
-PROBE_STEP = 0.02
-"""Steps of the differences by which voltages depend on delay [s], charging time (a share) and probes [V]."""
 
 
 @dataclass(frozen=True)
@@ -149,19 +142,13 @@ class CondensedJoint:
     def derivatives(self, theta: FloatArray) -> "Derivatives":
         """Derivatives by θ of the numbers that a run takes."""
         count = len(theta)
-        base = self.instruments(theta)
-        moved = SMALL * np.eye(DEVIATION_COUNT, count)
-        units = np.eye(count)
+        moved = PARAMETER_STEP * np.eye(DEVIATION_COUNT, count)
         constants = np.zeros((len(CONSTANTS), count))
+        changes = self.constants(theta + moved) - self.constants(theta - moved)
+        constants[:, :DEVIATION_COUNT] = changes.T / (2.0 * PARAMETER_STEP)
         instruments = np.zeros((INSTRUMENTS, count))
-        changes = (self.constants(theta + moved) - self.constants(theta - moved)).T / (2.0 * SMALL)
-        rounding = ROUNDING * np.abs(self.constants(theta))[:, None]
-        constants[:, :DEVIATION_COUNT] = np.where(np.abs(changes) > rounding, changes, 0.0)
-        for i in condensed_parameters.OF_INSTRUMENTS:  # all of them linear but the logarithm of the charging time
-            shifted = self.instruments(theta + units[i])
-            instruments[:2, i] = shifted.offset - base.offset, shifted.delay - base.delay
-            instruments[2, i] = base.charging * np.log(shifted.charging / base.charging)
-            instruments[3:, i] = shifted.probe - base.probe
+        instruments[range(INSTRUMENTS), condensed_parameters.OF_INSTRUMENTS] = 1.0
+        instruments[0] *= self.instruments(np.ones(count)).offset - self.similarity.origin
         widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
         return Derivatives(constants, instruments, widths)
 
@@ -200,8 +187,9 @@ class CondensedJoint:
 
 @dataclass(frozen=True)
 class Derivatives:
-    """Derivatives by θ of constants (C, P) and instruments (5, P: offset, delay, charging time, probes), and the prior
-    widths (9,) of the weights.
+    """Derivatives by θ of constants (C, P) and instruments (5, P), and the prior widths (9,) of the weights.
+
+    Instruments are the offset [m] and, in units of θ, delay, charging time and probes.
     """
 
     constants: FloatArray
@@ -360,13 +348,9 @@ class _Log:
         by_theta = joint.derivatives(theta)
         largest = joint.largest_voltage
         u = self._inputs(seen, steps, largest)
-        slower = CHARGING_STEP * seen.charging
-        moves = [
-            (DELAY_STEP, replace(seen, delay=seen.delay + DELAY_STEP)),
-            (slower, replace(seen, charging=seen.charging + slower)),
-            *((PROBE_STEP, replace(seen, probe=seen.probe + PROBE_STEP * side)) for side in np.eye(2)),
-        ]
-        by_inputs = np.array([(self.v.squared(steps, moved, largest) - u) / step for step, moved in moves])
+        moved = theta + PARAMETER_STEP * np.eye(len(theta))[condensed_parameters.OF_INSTRUMENTS[1:]]
+        later = [self.v.squared(steps, joint.instruments(each), largest) for each in moved]
+        by_inputs = (np.array(later) - u) / PARAMETER_STEP
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
         derivatives = sensitivities(
             Laws(joint.constants(theta), joint.weights(theta), joint.basis), np.abs(by_theta.constants).max(axis=1),
@@ -411,9 +395,7 @@ def age_at(t: FloatArray) -> float:
 
 def _settling(record: Log) -> int:
     """Samples of a record until its state is known, none where it begins at rest."""
-    begin = slice(0, samples_of(BEGINNING, record.interval) + 1)
-    moves = np.ptp(record.q[begin][record.valid[begin]]) > MOVING * np.ptp(record.known_q)
-    return min(samples_of(SETTLING, record.interval), len(record.t) // 2) if moves else 0
+    return min(samples_of(SETTLING, record.interval), len(record.t) // 2) if record.moves_at_first else 0
 
 
 def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
@@ -439,7 +421,24 @@ def simulate(
 ) -> FloatArray:  # fmt: skip
     """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`.
 
-    `built`: constants and weights of the joints, where they are known already.
+    Parameters
+    ----------
+    joint : CondensedJoint
+        Structure.
+    thetas : FloatArray, shape (B, P)
+        Parameter vectors.
+    inputs : callable
+        Instruments → squared voltages [V²] on the half steps, shape (2 substeps (N − 1) + 1, 2).
+    start : FloatArray, shape (3,) or (B, 3)
+        Reading [m] and its rate [m/s] at the first sample, and the time [s] since the recording began.
+    followed : Followed
+        What an observer follows.
+    stepping : Stepping
+        Steps of the run.
+    every_step : bool
+        Return every Runge-Kutta step.
+    built : (FloatArray, FloatArray), optional
+        Constants (B, len(CONSTANTS)) and weights (B, 9, M) of the joints, where they are known already.
     """
     constants, weights = built or (joint.constants(thetas), joint.weights(thetas))
     seen = [joint.instruments(theta) for theta in thetas]

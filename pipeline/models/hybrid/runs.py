@@ -16,7 +16,7 @@ from ...codegen.numba_writer import kernel
 from ...generated.condensed_joint import RATES, STATES, STOP_MOVE, STOPS
 from ...numerics.arrays import FloatArray, IntArray
 from ...numerics.fixed_step import SHARES, Methods, inlined, integrator, workspace
-from .kernels import VALUES, look_up, prepare, table_span, tabulate
+from .kernels import VALUES, corrections_at, prepare
 from .statics import rest_at_reading
 
 BATCH = 8
@@ -34,15 +34,15 @@ class Joints(NamedTuple):
         Its length makes W known to the compiler.
     p : FloatArray, shape (PREPARED · W,)
         Prepared constants.
-    c, z, start, u, now : FloatArray, shapes (VALUES · W,), (STOPS · W,), (3 W,), (2 W,), (3,)
-        Filled in a run: corrections, stop operators, (q, τ, β) at the start of the step, squared voltages [V²]; half
-        step and observer pole of the step, and its stage.
+    c, own, z, start, u, now : FloatArray, shapes (VALUES · W,), (VALUES,), (STOPS · W,), (3 W,), (2 W,), (3,)
+        Filled in a run: corrections of all joints and of one, stop operators, (q, τ, β) at the start of the step,
+        squared voltages [V²]; half step and observer pole of the step, and its stage.
     squares : FloatArray, shape (V, H, 2)
         Squared voltages [V²] on the H half steps, as V different sets of instruments show them.
-    variant, table : NDArray[int64], shape (W,)
-        Which of them drives a joint, and which of the tables is its own.
-    span, tables : FloatArray
-        Of the corrections, see `pipeline.models.hybrid.kernels`.
+    variant : NDArray[int64], shape (W,)
+        Which of them drives a joint.
+    basis, weights : FloatArray, shapes (3,) and (W, CURVES, M)
+        Of the corrections, see `pipeline.models.hybrid.kernels.corrections_at`.
     offset : FloatArray, shape (W,)
         Of the laser [m]: reading = q + offset.
     observed, pole : FloatArray, shapes (H,) and (H,)
@@ -58,15 +58,15 @@ class Joints(NamedTuple):
     slots: tuple[int, ...]
     p: FloatArray
     c: FloatArray
+    own: FloatArray
     z: FloatArray
     start: FloatArray
     u: FloatArray
     now: FloatArray
     squares: FloatArray
     variant: NDArray[np.int64]
-    table: NDArray[np.int64]
-    span: FloatArray
-    tables: FloatArray
+    basis: FloatArray
+    weights: FloatArray
     offset: FloatArray
     observed: FloatArray
     pole: FloatArray
@@ -141,9 +141,11 @@ def _rates_of(w: int) -> Any:
         for j in range(w):
             system.u[j] = system.squares[system.variant[j], node, 0]
             system.u[w + j] = system.squares[system.variant[j], node, 1]
-        if system.tables.shape[1] > 0:
+        if system.weights.shape[2] > 0:
             for j in range(w):
-                look_up(x[j], system.span, system.tables[system.table[j]], system.c, j, w)
+                corrections_at(x[j], system.basis, system.weights[j], system.own)
+                for i in range(VALUES):
+                    system.c[i * w + j] = system.own[i]
         equations((x, system.u, system.c, system.z, system.start, system.p, dx))
         by_q, by_tau = system.reading
         for j in range(w):
@@ -278,10 +280,7 @@ def run_joints(
     samples = len(followed.pole)
     substeps = stepping.substeps
     shown, parts = (substeps * (samples - 1) + 1, 1) if every_step else (samples, substeps)
-    span = table_span(basis, weights.shape[2])
     prepared = prepare(constants)
-    alike = bool(np.all(weights == weights[:1]))
-    tables = tabulate(basis, weights[:1] if alike else weights)
     poles = np.repeat(followed.pole, 2 * substeps) if np.any(followed.pole > 0.0) else np.zeros(0)
     out = np.empty((count, shown, 3))
     width = 1 if count == 1 else BATCH
@@ -290,10 +289,9 @@ def run_joints(
         x, z = _at_rest(laws, prepared, driving, stepping, chosen)
         shown_states = np.empty((shown, 3, width))
         system = Joints(
-            (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), z,
+            (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), np.zeros(VALUES), z,
             np.zeros(3 * width), np.zeros(2 * width), np.zeros(3), driving.squares, driving.variant[chosen],
-            np.zeros(width, dtype=np.int64) if alike else chosen, span, tables,
-            driving.offset[chosen], followed.reading, poles,
+            basis, weights[chosen], driving.offset[chosen], followed.reading, poles,
             stepping.wall, stepping.lead, stepping.reading, *NO_STAGES,
         )  # fmt: skip
         integrate_joints(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
@@ -327,8 +325,6 @@ def continued_runs(
     only = np.zeros(1, dtype=np.int64)
     none = np.zeros(0)
     parts = 2 * stepping.substeps
-    span = table_span(laws.basis, laws.weights.shape[2])
-    tables = tabulate(laws.basis, laws.weights)
     poles = np.repeat(followed.pole, parts)
     x, z = _at_rest(laws, prepared, driving, stepping, only)
     work = workspace(x)
@@ -338,8 +334,8 @@ def continued_runs(
         nodes = slice(parts * first, parts * (first + count) + 1)
         out = np.empty((count + 1, 3, 1))
         system = Joints(
-            (0,), prepared[0], np.zeros(VALUES), z,
-            np.zeros(3), np.zeros(2), np.zeros(3), driving.squares[:, nodes], only, only, span, tables,
+            (0,), prepared[0], np.zeros(VALUES), np.zeros(VALUES), z,
+            np.zeros(3), np.zeros(2), np.zeros(3), driving.squares[:, nodes], only, laws.basis, laws.weights,
             driving.offset, followed.reading[nodes] if held else none, poles[nodes] if held else none,
             stepping.wall, stepping.lead, stepping.reading, *NO_STAGES,
         )  # fmt: skip

@@ -9,19 +9,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ...fitting.descent import PARAMETER_STEP
 from ...generated.condensed_joint import STATES, STOPS
 from ...numerics.arrays import FloatArray, SingleArray
 from ...numerics.fixed_step import SHARES, workspace
 from .columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
-from .kernels import CURVES, VALUES, table_span, tabulate
+from .kernels import CURVES, VALUES
 from .kernels import prepare as prepare_rates
 from .runs import Joints, Laws, Stepping, integrate_joints
 from .statics import rest_at_reading
 
-_NUDGE = 1e-4
-"""Step of the differences by which the state at rest depends on a column, in its own scale."""
 _SHIFT = 1e-8
-"""That of the differences by the place [m]."""
+"""Step of the differences by which the state at rest depends on the place [m]."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +32,7 @@ class Driven:
     squares : FloatArray, shape (H, 2)
         Squared voltages [V²] on the half steps.
     by_instruments : FloatArray, shape (4, H, 2)
-        Their derivatives by delay and charging time [1/s] and probes [1/V].
+        Their derivatives by delay, charging time and probes, in units of θ.
     observed, pole : FloatArray, shape (H,) or (0,)
         As in `pipeline.models.hybrid.runs.Joints`.
     start : FloatArray, shape (3,)
@@ -52,7 +51,7 @@ class Sensitivity:
     """Reading q [m] of a run at the samples without the laser's offset, shape (N,), and its derivatives.
 
     `columns` (N, C + 5): by the constants, of which those without a scale are left out, then by laser offset [1],
-    delay and charging time [m/s] and probes [m/V]; `by_weights` (N, 9, M): by the weights of the corrections.
+    and by delay, charging time and probes in units of θ; `by_weights` (N, 9, M): by the weights of the corrections.
     """
 
     q: FloatArray
@@ -95,9 +94,9 @@ def sensitivities(
     points = np.empty((steps + 1, len(SHARES), STATES))
     slips = np.empty((steps + 1, STOPS))
     system = Joints(
-        (0,), p, np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3), driven.squares[None], only, only,
-        table_span(basis, weights.shape[1]), tabulate(basis, weights[None]), np.array([offset]), driven.observed,
-        driven.pole, wall, lead, reading, points, slips,
+        (0,), p, np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3), driven.squares[None],
+        only, basis, weights[None], np.array([offset]), driven.observed, driven.pole, wall, lead,
+        reading, points, slips,
     )  # fmt: skip
     integrate_joints(system, x, np.empty((steps + 1, 3, 1)), workspace(x), 1, dt / substeps, -np.inf, np.inf)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
@@ -132,14 +131,14 @@ def _starts(
     x, z = rest_at_reading(q, stepping.reading, u, k, prepare_rates(k[None])[0], basis, weights, start[2])
     moves: list[tuple[int, float, _Rest]] = []
     for column, i in enumerate(active):
-        step = _NUDGE * scale[i]
+        step = PARAMETER_STEP * scale[i]
         moves.append((column, step, (q, u, k + step * _unit(len(k), i), weights)))
     moves.append((len(active), -_SHIFT, (q + _SHIFT, u, k, weights)))
     for i in range(len(by_instruments)):
         step = 1e-6 * max(float(u.max()), 1.0) / max(float(np.abs(by_instruments[i]).max()), 1e-12)
         moves.append((len(active) + 1 + i, step, (q, u + step * by_instruments[i], k, weights)))
     for i in range(weights.size):
-        step = _NUDGE * widths[i // centres]
+        step = PARAMETER_STEP * widths[i // centres]
         moved = weights + step * _unit(weights.size, i).reshape(weights.shape)
         moves.append((first + i, step, (q, u, k, moved)))
     for column, step, (place, voltages, constants, changed) in moves:

@@ -17,6 +17,7 @@ import numpy as np
 from ...device.device import JOINT
 from ...device.parameters import JointParameters
 from ...fitting.population import NormalPopulation
+from ...generated.condensed_joint import CORRECTIONS
 from ...numerics.arrays import FloatArray, IntArray
 from ...scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
 from ...signals.log import Log
@@ -35,9 +36,6 @@ only asymmetric; beyond it the laser's zero is taken to be elsewhere."""
 
 WELLS_DIFFER = 0.1
 """Share by which frequency and sensitivity of an asymmetric joint's two wells differ; errors below it weigh alike."""
-
-FEWEST = 40
-"""Samples near a well that are needed to tell its frequency."""
 
 
 @dataclass(frozen=True)
@@ -135,14 +133,19 @@ def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotio
         targets.append(record.qddot[near])
     matrix = np.concatenate(rows)
     target = np.concatenate(targets)
-    if len(target) < FEWEST:
+    if len(target) <= matrix.shape[1]:
         return None
     scale = np.maximum(np.abs(matrix).max(axis=0), 1e-300)
     scaled = matrix / scale
     solution = np.linalg.lstsq(scaled, target, rcond=1e-9)[0]
     if solution[1] >= 0.0:
         return None
-    variance = np.mean((target - scaled @ solution) ** 2) * np.diag(np.linalg.pinv(scaled.T @ scaled)) / scale**2
+    variance = (
+        np.sum((target - scaled @ solution) ** 2)
+        / (len(target) - len(solution))
+        * np.diag(np.linalg.pinv(scaled.T @ scaled))
+        / scale**2
+    )
     errors = float(np.sqrt(variance[1])), float(np.sqrt(variance[4:].sum()))
     return _SmallMotion(place, -float(solution[1] / scale[1]), solution[4:] / scale[4:], *errors)
 
@@ -177,8 +180,16 @@ in the places of the mounts."""
 ALIKE = 0.9
 """Correlation of a correction with its mirror image."""
 
-_MIRRORED = ((0, -1.0), (1, 1.0), (3, -1.0), (2, -1.0), (4, -1.0), (5, 1.0), (7, -1.0), (6, -1.0), (8, 1.0))
-"""Of each row of the corrections' weights the row at −q that is its mirror image, and the sign."""
+_EVEN = ("damping", "stiffness", "loss")
+"""Corrections that a mirrored joint has with the same sign at −q; generalised forces have the other one."""
+
+
+def _mirrored(row: int) -> tuple[int, float]:
+    """The row of the corrections' weights that is the mirror image of this one, and its sign."""
+    name = CORRECTIONS[row]
+    side, *rest = name.split("_")
+    image = "_".join([{"left": "right", "right": "left"}.get(side, side), *rest])
+    return CORRECTIONS.index(image), 1.0 if name in _EVEN else -1.0
 
 
 def prior_root(
@@ -202,7 +213,8 @@ def prior_root(
             covariance[i, j] = covariance[j, i] = 1.0 - (OWN_MATERIAL if "log" in name else OWN_MOUNT)
     if siblings is not None:
         covariance[: len(NAMES), : len(NAMES)] = siblings.covariance
-    for row, (image, sign) in enumerate(_MIRRORED):
+    for row in range(CURVES):
+        image, sign = _mirrored(row)
         for n in range(centres):
             i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))
             if i != j:

@@ -37,9 +37,7 @@ LONGEST_STEP = 5.5e-3
 """Longest step [s]: it damps a frame that turns at 28 Hz by 1 1/s, where its own loss is 10 to 20 1/s."""
 FASTER = 1.15
 """Reserve of a stable step: a joint is faster than at rest, because its stiffness grows away from rest."""
-MOST_SUBSTEPS = 6
-"""Bound on the work of a run whose constants are absurd, as a fit may try, where twice the longest steps are fewer."""
-_SHARES = np.array([-0.25, -0.12, 0.0, 0.12, 0.25])
+_SHARES = np.linspace(-0.25, 0.25, 5)
 """Tip displacements over length at which the fastest rate is looked for."""
 _OF_SLOPE = BENDS[1][1]
 _OF_INTERIOR = BENDS[2][2]
@@ -56,12 +54,23 @@ def held_shape(
 ) -> tuple[float, float, float]:
     """Stable τ and β [1] of a joint at rest whose tip is held at q [m], and the force [N] on q there.
 
-    `softened` is the share of their softening that has come over the membranes.
-
     The shape follows its own overdamped relaxation from that of slow motions, by implicit Euler steps that double:
     Newton's method in the end. A step is taken only where it goes down in energy (its matrix is positive definite) and
     is short: a buckled beam has unstable equilibria, and others far off that no joint takes. Newton's method alone ends
     in them. Cost: about 20 evaluations of the forces, 2 µs.
+
+    Parameters
+    ----------
+    q : float
+        Displacement of the tip [m].
+    softened : float
+        Share of their softening that has come over the membranes.
+    u : FloatArray, shape (2,)
+        Squared voltages [V²].
+    c : FloatArray, shape (VALUES,)
+        Corrections at q.
+    k, p : FloatArray, shapes (len(CONSTANTS),) and (PREPARED,)
+        Constants [SI], and the prepared ones.
     """
     x = np.zeros(STATES)
     forces = np.empty(3)
@@ -115,8 +124,20 @@ def rest_state(
     """State (STATES,) and stop operators (STOPS,) as after a long rest at q [m] under constant squared voltages u [V²].
 
     The shape has relaxed, Maxwell strains have decayed, creep has caught up, friction balances what is left as far as
-    its capacity goes, and the layers of the beam are free of stress. The membranes have softened for the time `age`
-    [s]. `k` and `p` are the constants and the prepared constants.
+    its capacity goes, and the layers of the beam are free of stress.
+
+    Parameters
+    ----------
+    q : float
+        Displacement of the tip [m].
+    u : FloatArray, shape (2,)
+        Squared voltages [V²].
+    k, p : FloatArray, shapes (len(CONSTANTS),) and (PREPARED,)
+        Constants [SI], and the prepared ones.
+    basis, weights : FloatArray, shapes (3,) and (9, M)
+        Of the corrections.
+    age : float
+        Time [s] for which the membranes have softened.
     """
     z = np.zeros(STOPS)
     c = np.zeros(VALUES)
@@ -197,13 +218,26 @@ def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, s
 
     Runge-Kutta 4 must not let grow what decays at rest, |q| ≤ l/4, without voltage. The longest step is meant for the
     parameter set's joint; these are `slowness` times slower. Cost: 0.6 ms a joint.
+
+    Parameters
+    ----------
+    k : FloatArray, shape (B, len(CONSTANTS)) or (len(CONSTANTS),)
+        Constants of the joints.
+    basis : FloatArray, shape (3,)
+        Of the corrections.
+    weights : FloatArray, shape (B, 9, M) or (9, M)
+        Their weights.
+    dt : float
+        Sample interval [s].
+    slowness : float
+        Time unit of the joints over that of the parameter set.
     """
     many = np.atleast_2d(k)
     loads = weights if weights.ndim == 3 else weights[None]
     pairs = zip(many, prepare(many), loads, strict=True)
     jacobians = np.concatenate([_jacobians(k_i, p_i, basis, w_i) for k_i, p_i, w_i in pairs])
     fewest = int(np.ceil(dt / (slowness * LONGEST_STEP)))
-    most = max(MOST_SUBSTEPS, 2 * fewest)
+    most = 3 * fewest  # the constants that a fit may try are absurd beyond
     if not np.all(np.isfinite(jacobians)):
         return most
     rates = np.linalg.eigvals(jacobians)
@@ -262,7 +296,17 @@ def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c:
 
 
 def curves_at(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
-    """The four curves of `static_curves`, shape (4, n)."""
+    """The four curves of `static_curves`, shape (4, n).
+
+    Parameters
+    ----------
+    q : FloatArray, shape (n,)
+        Displacements [m].
+    k, p : FloatArray, shapes (len(CONSTANTS),) and (PREPARED,)
+        Constants [SI] without dry friction, and the prepared ones.
+    basis, weights : FloatArray, shapes (3,) and (9, M)
+        Of the corrections.
+    """
     curves = np.empty((4, len(q)))
     u = np.zeros(2)
     c = np.zeros(VALUES)
@@ -288,6 +332,15 @@ def static_curves(
     q: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Curves at q [m], shape (n,), without voltage.
+
+    Parameters
+    ----------
+    q : FloatArray, shape (n,)
+        Displacements [m].
+    k : FloatArray, shape (len(CONSTANTS),)
+        Constants [SI].
+    basis, weights : FloatArray, shapes (3,) and (9, M)
+        Of the corrections.
 
     Returns
     -------

@@ -115,7 +115,7 @@ class _NormalEquations:
         return weights.reshape(self.curves, self.m), (cost, int(significant.sum()), condition)
 
     def gradient(self, weights: FloatArray, time_constant: float) -> float:
-        """D cost / d ln T_z at fixed weights, which is the total derivative where the weights are optimal."""
+        """Derivative of the cost along ln T_z at fixed weights: the total one where the weights are optimal."""
         total = 0.0
         for x in self.stretches:
             _, sensitivity = first_order_lag(x.qdot, x.interval, time_constant)

@@ -104,15 +104,13 @@ class LaggedLaw:
         Parameters
         ----------
         v : FloatArray, shape (N, K)
-            Inputs at the samples.
+            Voltages [V].
         parts : int
             Half steps in a sample interval.
-        reach : float or None
-            |q − ξ|/σ beyond which a bell is left out; None: none is.
-        u : FloatArray, shape (K,)
-            Room for the inputs of the equations.
-        values : FloatArray, shape (2 + K,)
-            Room for the curves at a displacement.
+        reach : float, optional
+            Distance in σ from which a bell is left out; none is if left out.
+        u, values : FloatArray, shapes (K,) and (2 + K,)
+            Room for inputs and curves.
         """
         return LaggedJoint(
             v, self.squared, parts, None if reach is None else reach**2, np.ascontiguousarray(self.centres),

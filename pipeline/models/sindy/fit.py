@@ -235,12 +235,8 @@ def _refit(problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArr
     )  # fmt: skip
 
 
-MILLI = 1e-3
-KILO = 1e3
-
-
 def fit_default_sindy(
-    trajectories: Sequence[Log], *, squared: bool = True, units: tuple[float, float] = (MILLI, KILO)
+    trajectories: Sequence[Log], *, units: tuple[float, float], squared: bool = True
 ) -> PolynomialDynamics:
     """``pysindy.SINDy().fit(x, t=…, u=…)`` with x = [q, q̇] and u = v² (or v), everything else left alone.
 

@@ -331,20 +331,18 @@ def identify_default_sindy(
     units: Units = ("m", "V"),
     log_units: tuple[float, float] = (1e-3, 1e3),
 ) -> SindyModel:
-    """SINDy as pysindy ships it: `pipeline.models.sindy.fit.fit_default_sindy`; parameters as above.
-
-    `log_units`: those of the log for q and the inputs, in SI.
+    """SINDy as pysindy ships it: `pipeline.models.sindy.fit.fit_default_sindy`.
 
     Parameters
     ----------
     trajectories : sequence of Log
-        Gap-free training segments.
+        Gap-free stretches of the training logs.
     inputs : {"squared", "linear"}
-        How the inputs act.
+        Whether v² or v enters the equation.
     mass : float
         Moving mass [kg]; 1 if unknown.
     units : (str, str)
-        SI units of q and of the inputs.
+        SI units of q and of the inputs, for printing.
     log_units : (float, float)
         Units of the log for q and the inputs, in SI.
     """

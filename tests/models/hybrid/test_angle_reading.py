@@ -89,7 +89,7 @@ def test_the_equations_follow_the_angle_of_the_virtual_joint() -> None:
     for rotation in (rotation_nodes(NOMINAL), np.empty((0, 2))):
         joint = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, ratio, rotation=rotation)
         theta = np.append(nominal_deviations(), np.empty(0))
-        model = HybridModel(joint, theta, *2 * (np.zeros((len(theta), len(theta))),))
+        model = HybridModel.of(joint, theta, *2 * (np.zeros((len(theta), len(theta))),))
         run = model.simulate(t, v, float(measured[0]), 0.0)
         errors.append(float(np.sqrt(np.mean((run.q - measured) ** 2)) / np.ptp(measured)))
     assert errors[0] < 0.02

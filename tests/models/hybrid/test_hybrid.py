@@ -11,7 +11,7 @@ from pipeline.errors import CorruptArtifactError, DataRefusedError
 from pipeline.models.base import predictor
 from pipeline.models.choose import choose
 from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.identify import BASIS_FUNCTIONS, identify_hybrid
+from pipeline.models.hybrid.identify import BASIS_FUNCTIONS, HYBRID, identify_hybrid
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.start import prior_root
@@ -39,7 +39,7 @@ def joint(planted: dict[str, float], centres: int = 0) -> HybridModel:
     theta = condensed.start()
     for name, value in planted.items():
         theta[condensed_parameters.NAMES.index(name)] = value
-    return HybridModel(condensed, theta, *2 * (np.zeros((len(theta), len(theta))),))
+    return HybridModel.of(condensed, theta, *2 * (np.zeros((len(theta), len(theta))),))
 
 
 def pulses(seed: int, seconds: float) -> tuple[FloatArray, FloatArray]:
@@ -110,8 +110,8 @@ def test_bands_of_curves_leave_force_and_damping_open_where_no_correction_acts(
     assert model.joint.centres == 0 and model.of_curves.joint.centres == BASIS_FUNCTIONS
     q = np.linspace(-0.012, 0.012, 25)
     expected, found, known = model.curves(q), model.of_curves.curves(q), truth.curves(q)
-    closed = replace(model, curve_spread=None).curve_ensemble(q, 400)
-    opened = HybridModel.from_tree(model.to_tree()).curve_ensemble(q, 400)
+    closed = replace(model, curve_spread=model.band_spread).curve_ensemble(q, 400)
+    opened = HYBRID.read(model.to_tree()).curve_ensemble(q, 400)
     for name, values in expected.items():
         np.testing.assert_allclose(found[name], values, rtol=1e-9, atol=1e-9 * np.abs(values).max())
     for name in ("F", "dC1_dq", "dC2_dq"):
@@ -176,19 +176,19 @@ def test_a_log_that_begins_in_motion_is_compared_from_where_its_hidden_states_ar
 
 def test_the_tree_goes_round(identified: tuple[HybridModel, HybridModel]) -> None:
     _, model = identified
-    again = HybridModel.from_tree(model.to_tree())
+    again = HYBRID.read(model.to_tree())
     t, v = pulses(4, 4.0)
     np.testing.assert_array_equal(again.simulate(t, v, -0.01, 0.0).q, model.simulate(t, v, -0.01, 0.0).q)
     assert again.describe() == model.describe()
     tree = model.to_tree()
     del tree["theta"]
     with pytest.raises(CorruptArtifactError, match="theta"):
-        HybridModel.from_tree(tree)
+        HYBRID.read(tree)
     with pytest.raises(CorruptArtifactError, match="another version of debist"):
-        HybridModel.from_tree(model.to_tree() | {"constants": "l | bending"})
+        HYBRID.read(model.to_tree() | {"constants": "l | bending"})
     narrower = model.to_tree()["prior_std"] * np.where(np.array(condensed_parameters.NAMES) == "delay", 1.0 / 3.0, 1.0)
     with pytest.raises(CorruptArtifactError, match="another version of debist"):
-        HybridModel.from_tree(model.to_tree() | {"prior_std": narrower})  # θ would mean another delay
+        HYBRID.read(model.to_tree() | {"prior_std": narrower})  # θ would mean another delay
 
 
 @pytest.mark.parametrize("volts", [5e3, 1e6])
@@ -246,7 +246,7 @@ def test_what_predicts_the_unseen_rest_better_is_taken() -> None:
     assert choice.held_out["rbf"] < 0.001 < 0.01 < choice.held_out["hybrid"]
     assert choice.to_json()["ablation"]["rbf_alone"] == choice.held_out["rbf"]
     length = len(training.records[0].t)
-    assert seen == [round(0.75 * length), round(0.75 * length), length]
+    assert seen == [round(0.75 * length), length]
 
 
 def test_a_network_that_is_not_surely_nearer_does_not_replace_the_equations() -> None:

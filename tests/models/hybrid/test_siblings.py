@@ -38,7 +38,7 @@ def fitted(truth: FloatArray, seed: int, centres: int = 0) -> HybridModel:
         hessian / (NOISE * NOISE_INFLATION) ** 2 + prior, jacobian.T @ target / (NOISE * NOISE_INFLATION) ** 2
     )
     spread = np.linalg.cholesky(np.linalg.inv(hessian / (NOISE**2 * TAU) + prior))
-    return HybridModel(joint, theta, spread, spread, None, {"integrated_correlation_time": TAU})
+    return HybridModel.of(joint, theta, spread, spread, diagnostics={"integrated_correlation_time": TAU})
 
 
 def siblings(count: int, odd: float = 0.0) -> dict[str, HybridModel]:

@@ -23,7 +23,7 @@ def pair(centres: int = 4) -> tuple[HybridModel, HybridModel]:
     theta = 0.3 * rng.standard_normal(DEVIATION_COUNT + CURVES * centres)
     other = replace(condensed, basis=UNITS.length * basis, largest_voltage=UNITS.voltage * 3000.0, similarity=UNITS)
     spreads = 2 * (np.zeros((len(theta), 1)),)
-    return HybridModel(condensed, theta, *spreads), HybridModel(other, theta, *spreads)
+    return HybridModel.of(condensed, theta, *spreads), HybridModel.of(other, theta, *spreads)
 
 
 def test_free_runs_and_curves_scale() -> None:
