@@ -66,7 +66,7 @@ def check(place: str | Path) -> "pd.DataFrame":
     -------
     pandas.DataFrame
         A row for each check: log, what, found, limit, state (ok, note, wrong, not seen), gate, advice, more,
-        and values, a dict of numbers with the SI unit in the key.
+        values, a dict of numbers with the SI unit in the key, and the code of the finding.
 
     Raises
     ------
@@ -77,11 +77,12 @@ def check(place: str | Path) -> "pd.DataFrame":
 
     import pandas as pd
 
+    from ..diagnostics.rows import check_rows
     from ..workflow.engine import Unheard
     from ..workflow.inspection import check as check_tool
 
-    _, rows = check_tool(Path(place), Unheard())
-    return pd.DataFrame([asdict(row) for row in rows])
+    _, findings = check_tool(Path(place), Unheard())
+    return pd.DataFrame([asdict(row) for row in check_rows(findings)])
 
 
 @one_thread

@@ -195,9 +195,7 @@ MISTAKES = (
     Mistake(
         "a laser that drops out to 0.0 mm", "samples at 0 m, which no motion reaches", INGEST, _signal(bursts(0.0))
     ),
-    Mistake(
-        "a laser that drops out to −9.9 m", "samples at -9.9 m, which no motion reaches", INGEST, _signal(bursts(-9.9))
-    ),
+    Mistake("a laser that drops out to −9.9 m", "the sensor had lost its target", INGEST, _signal(bursts(-9.9))),
     Mistake("a laser that drops out to its upper end", "which no motion reaches", INGEST, _signal(bursts(0.026))),
     Mistake(
         "a sensor that holds its last value", "in which the last value was held", INGEST, _signal(bursts(None, 12))

@@ -29,13 +29,12 @@ _QUANTITIES = {
 """Quantities of `hybrid` that age, and what people call them."""
 
 READINGS = {
-    "gain_v1": "gain of v1 or of the device",
-    "gain_v2": "gain of v2 or of the device",
+    "gain_v1": "gain of v1",
+    "gain_v2": "gain of v2",
     "zero_q": "zero of q",
     "gain_q": "gain of q",
 }
-"""Names of readings for people, where they differ from those in files. Logs do not separate the gain of an input from
-that of the device: the force of a joint goes with C v², so 2 % of capacitance read as 1 % of voltage."""
+"""Names of readings for people, where they differ from those in files."""
 
 
 @dataclass(frozen=True)
@@ -143,7 +142,9 @@ def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displace
         return
     units = {"zero_q": displacement, "delay": "s"}
     for quantity, value, error in zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True):
-        title = f"instruments: {READINGS.get(quantity.name, quantity.name)}, change since the first run"
+        # The force of a joint goes with C v², so that 2 % of capacitance read as 1 % of voltage.
+        either = " or of the device" if quantity.name.startswith("gain_v") else ""
+        title = f"instruments: {READINGS.get(quantity.name, quantity.name)}{either}, change since the first run"
         yield RunFact(f"reading_{quantity.name}", title, units.get(quantity.name, "1"), float(value), float(error))
 
 
