@@ -11,7 +11,7 @@ from typing import ClassVar, Self
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
 _NO_MEMORY = re.compile(
     "annot allocate memory|[Aa]llocation (failed|error)|(can't|nable to|ailed to) alloc|malloc of size|bad_alloc|"
-    "[Oo]ut of memory|envelope routines\\] initialization error|"  # the latter OpenSSL of a digest
+    "[Oo]ut of memory|failed to map segment|envelope routines\\] initialization error|"  # the latter OpenSSL of a digest
     "without exception set|without setting an exception|with an exception set"  # CPython of C code that failed wrongly
 )
 WARNING = "debist: "
@@ -118,7 +118,9 @@ def memory_failure(error: BaseException | None) -> bool:
     while error is not None:
         if isinstance(error, MemoryError):
             return True
-        if isinstance(error, OSError | SystemError | RuntimeError | ValueError) and _NO_MEMORY.search(str(error)):
+        if isinstance(error, ImportError | OSError | SystemError | RuntimeError | ValueError) and _NO_MEMORY.search(
+            str(error)
+        ):
             return True
         error = error.__cause__ or error.__context__
     return False

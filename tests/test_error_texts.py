@@ -166,6 +166,11 @@ def test_an_interrupt_that_compiled_code_turned_into_another_error_is_no_lack_of
     assert memory_failure(_raised(MemoryError(), ValueError("x")))
 
 
+def test_a_library_that_does_not_fit_into_memory_is_a_lack_of_memory() -> None:
+    assert memory_failure(ImportError("x.so: failed to map segment from shared object"))
+    assert not memory_failure(ImportError("No module named 'x'"))
+
+
 def test_commands_in_messages_can_be_typed_whatever_the_path_is_called(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
