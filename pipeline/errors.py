@@ -11,7 +11,8 @@ from typing import ClassVar, Self
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
 _NO_MEMORY = re.compile(
     "annot allocate memory|[Aa]llocation (failed|error)|(can't|nable to|ailed to) alloc|malloc of size|bad_alloc|"
-    "[Oo]ut of memory|failed to map segment|envelope routines\\] initialization error|"  # the latter OpenSSL of a digest
+    "[Oo]ut of memory|failed to map segment|"
+    "envelope routines\\] initialization error|"  # OpenSSL of a digest
     "without exception set|without setting an exception|with an exception set"  # CPython of C code that failed wrongly
 )
 WARNING = "debist: "
