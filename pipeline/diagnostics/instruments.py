@@ -99,6 +99,8 @@ class Reading:
     Attributes
     ----------
     status : {"measured", "not measured", "another device"}
+        Not measured where no run follows the log, where no correction settles, and where no quantity is known to within
+        `SIGNIFICANCE` limits.
     exchange : {"none", "inputs", "sign", "both"}
         What had to be exchanged first.
     corrections : Corrections
@@ -182,6 +184,8 @@ class InstrumentTest:
         if alike and (np.any(np.abs(delta) >= FARTHEST) or np.any(astray)):
             return self._not_measured(exchange)
         errors = np.maximum(fit.error, np.sqrt(np.sum(fit.spread() ** 2, axis=1)))
+        if alike and np.all(errors > SIGNIFICANCE):  # no quantity is known to some limits: the model errs, as it shows
+            return self._not_measured(exchange)
         ahead, behind = (self._errors(delta + side * errors) for side in (1.0, -1.0))
         status: Status = "measured" if alike else "another device"
         corrections = _corrections(delta * self._limits)

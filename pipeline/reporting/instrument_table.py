@@ -78,7 +78,7 @@ def _log_lines(rows: Sequence[Row], title: str, line: str, displacement: str) ->
         left = f"{first['residual_ratio']:.2g} times what the training logs leave"
         return [(title, "another device", left, "", "")]
     if first["status"] == "not measured":
-        return [(title, "not measured", "no run follows the log", "", "")]
+        return [(title, "not measured", "the model does not follow the log", "", "")]
     lines = list[tuple[str, ...]]()
     if first["exchanged"] != "none":
         words = {"inputs": "v1 and v2 exchanged", "sign": "q mirrored", "both": "v1 and v2 exchanged, q mirrored"}
