@@ -91,6 +91,11 @@ class Linearised:
     by_corrections: FloatArray
     by_parameters: FloatArray
 
+    @property
+    def reach(self) -> float:
+        """The largest RMS residual that a single instrument causes at its limit: smaller ones are of no interest."""
+        return max(rms(column) for column in self.by_corrections.T)
+
 
 @dataclass(frozen=True)
 class Reading:
@@ -179,7 +184,7 @@ class InstrumentTest:
             if np.all(np.abs(fit.step) < STILL * fit.error):
                 break
             log = self._linearised(parts, delta)
-        alike = fit.unlike <= 1.0
+        alike = fit.unlike <= 1.0 or fit.size <= 1.0
         astray = np.abs(fit.step) > fit.error
         if alike and (np.any(np.abs(delta) >= FARTHEST) or np.any(astray)):
             return self._not_measured(exchange)
@@ -255,6 +260,8 @@ class _Fitted:
     ----------
     step, error : FloatArray, shape (K,)
         Change of δ [limits], and its standard error if errors were noise.
+    size : float
+        RMS of the errors of the log, over that which an instrument causes at its limit.
     residual_ratio, unlike : float
         See `Reading`.
     residual, design : FloatArray, shapes (N,) and (N, P)
@@ -266,6 +273,7 @@ class _Fitted:
 
     step: FloatArray
     error: FloatArray
+    size: float
     residual_ratio: float
     unlike: float
     residual: FloatArray
@@ -299,6 +307,7 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
     return _Fitted(
         both.solution[:count],
         np.sqrt(np.diag(both.covariance[:count, :count])),
+        rms(both.errors[-1]) / log.reach,
         *_compared(alone.errors, both.errors[-1]),
         np.concatenate([error / std for error, std in zip(both.errors, both.noise, strict=True)]),
         np.concatenate([design / std for design, std in zip(designs, both.noise, strict=True)]),
