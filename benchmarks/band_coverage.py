@@ -218,9 +218,9 @@ def well_log(well: Well, excitation: str, rng: np.random.Generator) -> tuple[Flo
     h = 1.0 / 8000.0
     count = 8000 * int(rng.integers(8, 25))
     v = _voltages(well, excitation, count, h, rng)
-    nodes = [np.interp(np.arange(2 * count - 1) / 2.0, np.arange(count), each) for each in v]
+    v1, v2 = (np.interp(np.arange(2 * count - 1) / 2.0, np.arange(count), each) for each in v)
     kept = slice(None, None, 8000 // int(rng.choice([400, 1000, 2000])))
-    q = _moved(*nodes, h, well.numbers)[kept]
+    q = _moved(v1, v2, h, well.numbers)[kept]
     noisy: FloatArray = q + 10.0 ** rng.uniform(-6.0, -4.0) * rng.standard_normal(len(q))
     return np.asarray(h * np.arange(count)[kept], dtype=np.float64), noisy, v[:, kept].T
 
