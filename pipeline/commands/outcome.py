@@ -48,7 +48,7 @@ def emit_scores(
     if details:
         _emit_details(run)
         return
-    from ..reporting.short_tables import main_table
+    from ..reporting.tables import main_table
 
     table = main_table(shown_scores(run))
     emit_table(table.where, table.heading, table.rows)

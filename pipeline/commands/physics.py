@@ -26,7 +26,7 @@ Json = Annotated[bool, typer.Option("--json", help="Print one JSON document (SI 
 def _free_place(place: Path | None) -> Path | None:
     """The file of a figure, unless one of others lies there."""
     if place is not None:
-        from ..reporting.canvas import form_of
+        from ..reporting.plotted import form_of
         from ..store.outputs import check_places
 
         form_of(place)
@@ -67,7 +67,7 @@ def _draw(place: Path | None, name: str, *shown: Any) -> None:
     """Draw a figure of `joint_figures` into a file, if one is wanted."""
     if place is not None:
         from ..reporting import joint_figures
-        from ..reporting.canvas import save
+        from ..reporting.plotted import save
         from ..store.outputs import new_outputs
 
         with new_outputs(place.parent, _FIGURE, force=None) as staged:

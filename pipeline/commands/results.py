@@ -210,7 +210,7 @@ def study(
             raise InputError(f"{option}: is for `debist study folds`; leave it out")
         _study(run, kind, jobs, as_json=as_json, quiet=quiet)
         return
-    from ..reporting.short_tables import FOLD_EXPLANATION, fold_table
+    from ..reporting.tables import FOLD_EXPLANATION, fold_table
     from ..workflow.studies.folds import run_folds
 
     with Progress(quiet=quiet or as_json) as progress:
@@ -234,7 +234,7 @@ def _study_document(result: "StudyResult") -> Any:
 
 
 def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:
-    from ..reporting.short_tables import study_conclusion
+    from ..reporting.tables import study_conclusion
     from ..workflow.studies.study import run_study
 
     with Progress(quiet=quiet or as_json) as progress:

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..codegen.graph import trace
-from ..codegen.sequence import GraphSequence, sequence_kernel
+from ..codegen.graph import GraphSequence, trace
+from ..codegen.numba_writer import sequence_kernel
 from ..generated.condensed_joint import PREPARE, STATES
 from ..generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
 from ..numerics.arrays import FloatArray

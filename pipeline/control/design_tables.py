@@ -10,8 +10,7 @@ from scipy.linalg import expm, solve_discrete_are
 from ..errors import InputError
 from ..generated.condensed_joint import STATES
 from ..numerics.arrays import FloatArray
-from ..numerics.compiled import compiled
-from ..numerics.inner_loops import copy_into
+from ..numerics.compiled import compiled, copy_into
 from .controller import move
 from .estimator import PERIOD
 from .feedback import RESERVE

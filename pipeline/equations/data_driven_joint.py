@@ -22,8 +22,7 @@ from typing import Any
 import casadi as ca
 
 from . import elements
-from .basis_functions import gaussian
-from .elements import lag_rate
+from .elements import gaussian, lag_rate
 
 Expression = Any
 

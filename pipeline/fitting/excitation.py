@@ -17,8 +17,7 @@ from ..scoring.wells import NoWells, Wells, find_wells, snaps
 from ..settings.models import CENTRES, SMOOTHING
 from ..signals.findings import Finding, Number, refusal
 from ..signals.noise import REACH, is_idle
-from .coverage import ACTING, Coverage, coverage
-from .information import Conditioning, ScaledRegressor, conditioning
+from .information import ACTING, Conditioning, Coverage, ScaledRegressor, conditioning, coverage
 
 _POWER_SHARE = 0.95
 _SHORTEST = 64

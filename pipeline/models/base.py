@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..numerics.arrays import FloatArray, IntArray
-from ..scoring.horizons import Predict
+from ..scoring.scores import Predict
 from ..signals.timebase import is_uniform
 from .tubes import TubeScale
 

@@ -15,8 +15,8 @@ import numpy as np
 from ..errors import DataRefusedError
 from ..numerics.arrays import FloatArray
 from ..scoring.cross_validation import free_run_error
-from ..scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 from ..scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
+from ..scoring.scores import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 from ..signals.log import Log
 from ..units.units import HORIZONS
 from .base import predictor

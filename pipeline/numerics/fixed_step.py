@@ -18,8 +18,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from .arrays import FloatArray
-from .compiled import Kernel, compiled, implement, inlinable, types
-from .inner_loops import FAST
+from .compiled import FAST, Kernel, compiled, implement, inlinable, types
 
 # No wrapper for calls from Python, which would be half of what a small function costs to compile.
 _OPTIONS: Any = {

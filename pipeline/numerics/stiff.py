@@ -24,8 +24,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .arrays import FloatArray, IntArray
-from .compiled import compiled, inner, part
-from .inner_loops import factorise, solve_factorised
+from .compiled import compiled, factorise, inner, part, solve_factorised
 
 STATES = 11
 """q_m (4), q̇_m (4), Maxwell strains (2), friction state (1)."""

@@ -25,9 +25,8 @@ from ..numerics.metrics import NORMAL_95
 from ..signals.log import voltages
 from ..units.quantity import power, quantity
 from .datasheet_rows import NOT_USED
-from .figure import Band, Cells, Figure, Line, Panel, Points
+from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points
 from .instrument_table import instruments_figure
-from .legend import CHOSEN
 from .log_figures import residual_figures
 from .recipe_figures import study_figure
 

@@ -19,8 +19,7 @@ from markupsafe import Markup
 from ..numerics.arrays import FloatArray
 from ..system.package import full_name
 from ..units.quantity import axis_scale
-from .figure import Figure, Line, Panel, axis_label, extreme_places
-from .legend import MARKS, dashes, slot
+from .figure import MARKS, Figure, Line, Panel, axis_label, dashes, extreme_places, slot
 
 _ASSETS = files(full_name("reporting")) / "assets"
 _DASHES = {"mark": [], "snap": [4, 3]}  # of upright lines, by their kind

@@ -10,9 +10,9 @@ from ..fitting.trends import FEWEST
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_95
 from ..units.quantity import quantity
-from .canvas import chart
 from .figure import Band, Figure, Line, Panel, Points
 from .page import render
+from .plotted import chart
 
 CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
 """Curves that are drawn, and their names."""

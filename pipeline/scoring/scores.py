@@ -1,15 +1,15 @@
 """A free run against its measured record: one score per signal."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from ..device.device import Device
-from ..numerics.arrays import FloatArray
-from ..numerics.metrics import nrmse, rmse, signal_range
-from .intervals import Interval, block_of, mean_interval, rms_interval, share_interval
+from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
+from ..numerics.metrics import nrmse, rms, rmse, signal_range
+from .intervals import BLOCK, SEED, Interval, block_of, mean_interval, rms_interval, share_interval
 from .wells import NoWells, Wells, in_same_well, switch_accuracy
 
 Status = Literal["ok", "diverged"]
@@ -119,3 +119,159 @@ def _agreement_interval(same: FloatArray, block: int, rng: np.random.Generator) 
     if band is None or least is None:
         return band
     return Interval(min(band.low, least.low), max(band.high, least.high))
+
+
+MOST_STARTS = 400
+
+SHORTEST_HORIZON = 2.0
+"""In sample intervals: a shorter one but for one step would be rounded to another time than that of its name."""
+
+Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray, IntArray, IntArray], Iterable[FloatArray]]
+"""``(t, v, seen, speed, starts, ahead) -> predictions``: see `pipeline.models.base.Predicts`."""
+
+
+@dataclass(frozen=True)
+class MeasuredPath:
+    """A log as predictions are compared with it.
+
+    Attributes
+    ----------
+    t, q, qdot : FloatArray, shape (N,)
+        Uniform time [s] and the measured state; NaN where masked.
+    v : FloatArray, shape (N, K) or (N, r, K)
+        Inputs, as the predictor takes them; NaN where they are not known, which no prediction passes.
+    """
+
+    t: FloatArray
+    v: FloatArray
+    q: FloatArray
+    qdot: FloatArray
+
+    @property
+    def recorded(self) -> BoolArray:
+        """Where all inputs are known, shape (N,)."""
+        return np.asarray(np.all(np.isfinite(self.v).reshape(self.q.size, -1), axis=1))
+
+
+@dataclass(frozen=True)
+class HorizonError:
+    """Prediction error after a fixed time.
+
+    Attributes
+    ----------
+    horizon_s : float
+        How far ahead is predicted [s].
+    nrmse : float or None
+        RMS of the error of q at the horizon over the range of q (eq. 41). A restart that diverged counts as an error
+        of the whole range. None if every start diverged or none exists.
+    interval : Interval or None
+        95 % moving-block bootstrap interval of `nrmse`, in blocks of neighbouring starts (`block_of`; of the joint
+        as many as 2 s hold); None with fewer than three blocks of them.
+    starts : int
+        Restarts made.
+    diverged : int
+        Those that diverged.
+    """
+
+    horizon_s: float
+    nrmse: float | None
+    interval: Interval | None
+    starts: int
+    diverged: int
+
+
+def horizon_errors(
+    predict: Predict,
+    path: MeasuredPath,
+    horizons: Sequence[float],
+    *,
+    plant: Device | None,
+    most_starts: int = MOST_STARTS,
+) -> list[HorizonError]:
+    """Restart at evenly spread samples and compare q at each horizon, as a predictive controller would find it.
+
+    A model takes its hidden states from the measurement before a restart; of what comes after, it sees the inputs
+    alone.
+
+    Parameters
+    ----------
+    predict : callable
+        The model's predictions of q from measured rows on.
+    path : MeasuredPath
+        The log.
+    horizons : sequence of float
+        Times ahead [s]; rounded to samples, at least one.
+    plant : Device or None
+        Whether it is the joint, see `pipeline.scoring.intervals.block_of`.
+    most_starts : int
+        Upper bound of the restarts of a horizon; they are at least one horizon apart, but for the one-step horizon.
+
+    Notes
+    -----
+    Cost: a simulation of the record, one of at most as much for each horizon, and the call overhead of the restarts.
+    """
+    q = path.q
+    interval = sample_interval(path.t)
+    aheads = [samples_of(horizon, interval) for horizon in horizons]
+    starts = [_starts(path, ahead, most_starts) for ahead in aheads]
+    farthest: dict[int, int] = {}
+    for ahead, chosen in zip(aheads, starts, strict=True):
+        farthest |= {start: max(ahead, farthest.get(start, 0)) for start in chosen.tolist()}
+    paths = dict(_predictions(predict, path, farthest))
+    span = signal_range(q)
+    return [
+        _error(
+            np.array([paths[start][ahead] - q[start + ahead] for start in chosen.tolist()]),
+            chosen, ahead, interval, span, plant=plant,
+        )
+        for ahead, chosen in zip(aheads, starts, strict=True)
+    ]  # fmt: skip
+
+
+def predicted(predict: Predict, path: MeasuredPath, ahead: int) -> FloatArray:
+    """Displacement `ahead` samples after each measured state, at the sample it is for, shape (N,); else NaN."""
+    q = np.full(path.q.size, np.nan)
+    starts = _starts(path, ahead, path.q.size, apart=1)
+    for start, ahead_of in _predictions(predict, path, dict.fromkeys(starts.tolist(), ahead)):
+        q[start + ahead] = ahead_of[ahead]
+    return q
+
+
+def _predictions(predict: Predict, path: MeasuredPath, ahead: dict[int, int]) -> Iterator[tuple[int, FloatArray]]:
+    """Rows and the predictions of q from them on, so many samples ahead, for rows whose state is measured."""
+    measured = np.isfinite(path.q) & np.isfinite(path.qdot)
+    for rows in runs_of(path.recorded):
+        starts = np.array([start for start in sorted(ahead) if rows.start <= start < rows.stop], dtype=np.int64)
+        if starts.size:
+            part = slice(rows.start + int(np.argmax(measured[rows])), rows.stop)
+            counts = np.array([ahead[start] for start in starts.tolist()], dtype=np.int64)
+            runs = predict(path.t[part], path.v[part], path.q[part], path.qdot[part], starts - part.start, counts)
+            yield from zip(starts.tolist(), runs, strict=True)
+
+
+def _error(
+    errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, plant: Device | None
+) -> HorizonError:
+    """What the errors `ahead` samples after the starts come to."""
+    diverged = int(np.count_nonzero(~np.isfinite(errors)))
+    if diverged == starts.size or not span:
+        return HorizonError(ahead * interval, None, None, starts.size, diverged)
+    errors = np.where(np.isfinite(errors), errors, span)
+    spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
+    block = block_of((errors,), spacing, plant=plant)
+    band = rms_interval(errors / span, block, np.random.default_rng(SEED))
+    return HorizonError(ahead * interval, rms(errors) / span, band, starts.size, diverged)
+
+
+def _starts(path: MeasuredPath, ahead: int, most: int, apart: int | None = None) -> IntArray:
+    """Rows whose state, target and inputs between are measured, at least `apart` (`ahead`) apart, at most `most`."""
+    q = path.q
+    qdot = path.qdot
+    last = path.q.size - ahead
+    if last < 1:
+        return np.zeros(0, dtype=np.int64)
+    rows = np.arange(0, last, max(ahead if apart is None else apart, -(-last // most)))
+    missing = np.concatenate(([0], np.cumsum(~path.recorded)))
+    usable = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
+    usable &= missing[rows + ahead + 1] == missing[rows]
+    return np.asarray(rows[usable], dtype=np.int64)

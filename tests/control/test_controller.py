@@ -21,12 +21,12 @@ from pipeline.control.estimator import ESTIMATED, MEMORY, STATUS
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import plant_of
-from pipeline.control.step_metrics import BAND, step_metrics
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
 from pipeline.models.hybrid.parameters import NAMES
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import BAND, step_metrics
 
 GCC = [
     "gcc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wdouble-promotion",

@@ -131,7 +131,7 @@ print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 @pytest.mark.long
 def test_the_integrator_is_compiled_anew_when_a_system_has_changed(package: Path) -> None:
     """Even its name, which the index of the cache holds; and only then."""
-    _copy(package, "numerics/fixed_step.py", "numerics/arrays.py", "numerics/inner_loops.py")
+    _copy(package, "numerics/fixed_step.py", "numerics/arrays.py")
     answers = []
     for factor, name in ((1.0, "Decay"), (1.0, "Decay"), (2.0, "Fading")):
         (package / "decay.py").write_text(_SYSTEM.format(factor=factor, name=name))

@@ -12,8 +12,7 @@ from ...device.parameters import JointParameters
 from ...errors import InputError
 from ...generated.analytical_joint import dissipation, motion, motion_slopes, statics
 from ...numerics.arrays import FloatArray, IntArray
-from ...numerics.compiled import compiled, inner
-from ...numerics.inner_loops import copy_into, factorise, solve_factorised
+from ...numerics.compiled import compiled, copy_into, factorise, inner, solve_factorised
 from ...numerics.stiff import R_S, RODAS4, STATES, Work, advance, factorise_stages, working
 from .statics import TYPICAL_SHAPE, StaticPath, equilibria, hold_tip, length_scales, unactuated_path
 

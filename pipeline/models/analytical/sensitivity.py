@@ -17,8 +17,7 @@ import numpy as np
 from ...codegen.numba_writer import kernel
 from ...generated.analytical_joint import MOTION, motion_slopes
 from ...numerics.arrays import FloatArray, IntArray
-from ...numerics.compiled import compiled, inner
-from ...numerics.inner_loops import copy_into
+from ...numerics.compiled import compiled, copy_into, inner
 from ...numerics.stiff import SDIRK3, SLOPES, STATES, Work, advance, factorise_stages, working
 
 BATCH = 8

@@ -16,8 +16,7 @@ from ...device.parameters import NOMINAL, VECTOR_NAMES, JointParameters
 from ...errors import InputError
 from ...generated.analytical_joint import CAPACITANCE, STATICS, TIP, capacitance, statics, tip
 from ...numerics.arrays import BoolArray, FloatArray
-from ...numerics.compiled import compiled, inner
-from ...numerics.inner_loops import factorise, solve_factorised
+from ...numerics.compiled import compiled, factorise, inner, solve_factorised
 
 STEEPEST = np.pi / 4
 """Tip rotation [rad] up to which the beam equations (moderate slopes) are believed."""

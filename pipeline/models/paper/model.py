@@ -13,7 +13,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from ...fitting.coverage import coverage
+from ...fitting.information import coverage
 from ...fitting.posterior import curves_of_draws, posterior_draws, whiteness
 from ...fitting.regression import (
     InputLaw,

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from ...errors import DataRefusedError
-from ...fitting.coverage import coverage
 from ...fitting.descent import Prior
 from ...fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
+from ...fitting.information import coverage
 from ...fitting.posterior import posterior_factor, robust_spread, whiteness
 from ...fitting.regression import InputLaw
 from ...numerics.arrays import FloatArray

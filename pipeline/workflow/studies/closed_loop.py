@@ -11,10 +11,9 @@ from pydantic import Field
 
 from ...control.controller import begin_control, control
 from ...control.law import CONTROLLER_STATE, Law
-from ...control.step_metrics import step_metrics
 from ...errors import InputError
 from ...numerics.arrays import FloatArray
-from ...numerics.metrics import rms
+from ...numerics.metrics import rms, step_metrics
 from ...rig.bench import Bench, random_bench
 from ...rig.excitation import MAX_VOLTAGE, load_sequence
 from ...rig.joint import saddle, tip_displacement, wells

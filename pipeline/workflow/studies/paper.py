@@ -19,10 +19,10 @@ from ...models.analytical.bifurcation import characteristics
 from ...models.analytical.reduced_order import beam_modes, pulse_sequence, simulate_both
 from ...models.paper.model import RbfPaperModel
 from ...numerics.arrays import FloatArray
-from ...reporting.canvas import Format, paper_figure
 from ...reporting.figure import Figure, of_models, window
 from ...reporting.log_figures import log_figures
 from ...reporting.paper_page import paper_page, table_1, table_2
+from ...reporting.plotted import Format, paper_figure
 from ...settings.logs import ROLES
 from ...settings.models import CENTRES, SMOOTHING
 from ...settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
