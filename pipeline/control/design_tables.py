@@ -153,8 +153,7 @@ def regulator(
         cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
     except np.linalg.LinAlgError:
         raise InputError(f"a largest voltage of {highest:g} V does not move the joint; allow a larger one") from None
-    gain: FloatArray = np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0]
-    return gain
+    return np.asarray(np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0])
 
 
 @compiled

@@ -164,8 +164,7 @@ def _switches(q: FloatArray, wells: Wells | NoWells) -> tuple[int, int]:
 
 def _intermediate(magnitude: FloatArray, largest: FloatArray, acting: BoolArray) -> FloatArray:
     between = (magnitude < (1.0 - ACTING) * largest) & acting
-    share: FloatArray = between.sum(axis=0) / np.maximum(acting.sum(axis=0), 1)
-    return share
+    return np.asarray(between.sum(axis=0) / np.maximum(acting.sum(axis=0), 1))
 
 
 def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:

@@ -111,8 +111,7 @@ class ScaledRegressor:
         z, _ = first_order_lag(np.ascontiguousarray(qdot), interval, LAG_START)
         signals = curve_signals(q, z, input_signal(v, self.inputs)) / self.scales
         rows = regressor(basis_values(q, self.centres, self.width), signals)
-        product: FloatArray = rows.T @ rows
-        return product
+        return np.asarray(rows.T @ rows)
 
 
 def log_information(information: FloatArray) -> float:

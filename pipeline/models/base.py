@@ -11,6 +11,7 @@ import numpy as np
 from ..errors import InputError
 from ..numerics.arrays import FloatArray, IntArray
 from ..scoring.scores import Predict
+from ..signals.log import Log
 from ..signals.timebase import is_uniform
 from .tubes import TubeScale
 
@@ -160,6 +161,12 @@ class SimulatesMany(Protocol):
 
         `starts`, shape (n, 2), has their displacements [m] and velocities [m/s].
         """
+
+
+def from_first(model: DynamicModel, record: Log) -> FreeRun:
+    """The free run of a model over a whole record from its first sample, gaps included."""
+    v = record.drive_of(fine=model.fine_voltages)
+    return model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
 
 
 def predictor(model: DynamicModel) -> Predict:

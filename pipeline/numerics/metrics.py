@@ -121,8 +121,7 @@ def settling_index(error: FloatArray, band: float) -> IntArray:
     """First row from which an error, shape (…, N), stays within ±`band`; N where it is outside at the end."""
     outside = np.abs(error) > band
     last = error.shape[-1] - np.argmax(outside[..., ::-1], axis=-1)
-    index: IntArray = np.where(outside.any(axis=-1), last, 0)
-    return index
+    return np.asarray(np.where(outside.any(axis=-1), last, 0))
 
 
 def robust_std(deviations: FloatArray) -> float:

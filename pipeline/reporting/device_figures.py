@@ -144,8 +144,7 @@ def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
 
 
 def _push(curves: Curves, k: int, factor: float) -> FloatArray:
-    push: FloatArray = factor * curves.pushes[k]
-    return push
+    return np.asarray(factor * curves.pushes[k])
 
 
 class _Curve(NamedTuple):
@@ -159,8 +158,7 @@ class _Curve(NamedTuple):
 
     def inner(self, visited: tuple[float, float]) -> BoolArray:
         """The places in the visited part."""
-        rows: BoolArray = (self.q >= visited[0]) & (self.q <= visited[1])
-        return rows
+        return np.asarray((self.q >= visited[0]) & (self.q <= visited[1]))
 
 
 def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) -> list[_Curve]:

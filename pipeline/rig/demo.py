@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ..numerics.arrays import FloatArray, IntArray
 from ..store.atomic import write_text
 from ..store.outputs import new_outputs, rebased
+from .bench import Readings
 from .fleet import prototype_toml
-from .log import LAYOUTS, RawLog
+from .log import LAYOUTS
 
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
 INTERVAL = 1e-3
@@ -23,20 +23,18 @@ STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
 """Resolution of the recorder [m, V]: a third of the instruments' noise."""
 
 
-def recorded() -> tuple[dict[str, RawLog], str]:
+def recorded() -> tuple[dict[str, Readings], str]:
     """The demo's logs, by name, and the truth behind them, as they come with the program."""
     with np.load(RECORDING) as stored:
         names = dict.fromkeys(key.partition(".")[0] for key in stored if "." in key)
         logs = {}
         for name in names:
-            q, v1, v2 = (_column(stored[f"{name}.{key}"], step) for key, step in STEPS.items())
-            logs[name] = RawLog(np.linspace(0.0, (q.size - 1) * INTERVAL, q.size), q, v1, v2)
+            q, v1, v2 = (
+                np.cumsum(stored[f"{name}.{key}"], dtype=np.int64).astype(np.float64) * step
+                for key, step in STEPS.items()
+            )
+            logs[name] = Readings(np.linspace(0.0, (q.size - 1) * INTERVAL, q.size), q, v1, v2)
         return logs, str(stored["truth"])
-
-
-def _column(counts: IntArray, step: float) -> FloatArray:
-    column: FloatArray = np.cumsum(counts, dtype=np.int64).astype(np.float64) * step
-    return column
 
 
 def write_demo(folder: Path) -> Path:

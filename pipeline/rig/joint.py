@@ -164,8 +164,7 @@ def membrane_capacitances(p: RigParameters, x: FloatArray) -> FloatArray:
     pose = np.empty(3)
     tip(x, p, pose, np.empty((3, x.size)))
     stretches = np.array([stretch(side, pose, p, np.empty(3)) for side in (0, 1)])
-    capacitances: FloatArray = np.asarray(p.capacitance) * stretches**p.capacitance_exponent
-    return capacitances
+    return np.asarray(np.asarray(p.capacitance) * stretches**p.capacitance_exponent)
 
 
 @compiled

@@ -15,7 +15,7 @@ from llvmlite import ir
 from ..errors import InputError
 from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.compiled import compiled, inner, intrinsic, types
-from .bench import Bench, Converter, Laser, Probe, bent, charge_left, charged
+from .bench import Bench, Converter, Laser, Probe, Readings, bent, charge_left, charged
 from .excitation import MAX_VOLTAGE
 from .joint import barrier, rest, tip_displacement, wells
 from .midpoint import KEEP, advance, at_rest, read_tip, workspace
@@ -319,7 +319,7 @@ class Scenario:
 
 
 @dataclass(frozen=True)
-class ClosedLoop:
+class ClosedLoop(Readings):
     """A closed-loop run, all of shape (N,) and SI: what a log holds, and what no instrument shows.
 
     `q`, `v1`, `v2` are readings, `target` what the controller got, `command1` and `command2` what it returned
@@ -327,10 +327,6 @@ class ClosedLoop:
     one as the end of the range), and with one beyond the range.
     """
 
-    t: FloatArray
-    q: FloatArray
-    v1: FloatArray
-    v2: FloatArray
     target: FloatArray
     command1: FloatArray
     command2: FloatArray

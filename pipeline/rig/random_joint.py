@@ -65,8 +65,7 @@ def _asymmetric(rng: np.random.Generator, p: RigParameters) -> RigParameters:
 
     def lengths(pair: FloatArray, tolerance: float) -> FloatArray:
         """The lengths [m] of left and right, each moved by up to the tolerance [m]."""
-        moved: FloatArray = pair + rng.uniform(-tolerance, tolerance, 2)
-        return moved
+        return np.asarray(pair + rng.uniform(-tolerance, tolerance, 2))
 
     return p._replace(
         mass=_spread(rng, 40.2e-3, 0.02),

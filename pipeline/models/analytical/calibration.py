@@ -6,6 +6,7 @@ designer put it instead of running to a bound; it has the soft-L1 loss of the da
 from there.
 """
 
+import itertools
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -105,10 +106,6 @@ class CalibrationProblem:
     def parameters(self, x: FloatArray) -> JointParameters:
         """The set at x."""
         return self.start.with_values(dict(zip(self.names, self.values(x), strict=True)))
-
-    def at(self, windows: Windows, tolerance: float) -> "SimulatedProblem":
-        """The problem on these windows, simulated with this tolerance."""
-        return SimulatedProblem(self, windows, tolerance)
 
 
 class SimulatedProblem:
@@ -307,16 +304,24 @@ def calibrate(
     taken = within(motions, MOST_SAMPLES)
     short = cut_windows(taken, WINDOW)
     wide = cut_windows(taken, 7.5 * WINDOW)
-    share = _Share(report, starts * 5 + 3 * MOST_EVALUATIONS)
+    total = starts * 5 + 3 * MOST_EVALUATIONS
+    done = itertools.count(1)
     with ThreadPoolExecutor(jobs) as pool:
         problem = CalibrationProblem(start, names, pool)
-        sample = problem.at(short.thinned(3), SEARCH)
-        every = problem.at(short, SEARCH)
-        final = problem.at(wide, REFINEMENT)
+        sample = SimulatedProblem(problem, short.thinned(3), SEARCH)
+        every = SimulatedProblem(problem, short, SEARCH)
+        final = SimulatedProblem(problem, wide, REFINEMENT)
 
         def improve(name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float) -> Ended:
-            """A search from x0 over some windows, reported under a name."""
-            return search(windows, x0, limit, tolerance, share.at(name))
+            """A search from x0 over some windows, each step of which is reported under a name."""
+
+            def tick() -> None:
+                """One iteration begins."""
+                share = next(done) / total
+                if report is not None:
+                    report(name, min(1.0, share))
+
+            return search(windows, x0, limit, tolerance, tick)
 
         candidates: list[Ended] = []
         for index in range(starts):
@@ -328,31 +333,11 @@ def calibrate(
         refined = improve("refining the best start", every, best.x, MOST_EVALUATIONS, 3e-2)
         lost_windows = _lost(wide, final.residuals(refined.x))
         if lost_windows.any():
-            followed = problem.at(wide.resolved(lost_windows, short), SEARCH)
+            followed = SimulatedProblem(problem, wide.resolved(lost_windows, short), SEARCH)
             refined = improve("refining over windows that are followed", followed, refined.x, MOST_EVALUATIONS, 5e-2)
         improved = improve("refining over long windows", final, refined.x, MOST_EVALUATIONS, 1e-4)
         reached = np.array([_rmse(sample.windows, result.residuals) for result in candidates])
         return _result(final, improved, reached)
-
-
-class _Share:
-    """Counts iterations for the progress report."""
-
-    def __init__(self, report: Report | None, total: int) -> None:
-        self.report = report
-        self.total = total
-        self.done = 0
-
-    def at(self, text: str) -> Callable[[], None]:
-        """A callable that counts one iteration of what `text` names."""
-
-        def tick() -> None:
-            """One iteration is done."""
-            self.done += 1
-            if self.report is not None:
-                self.report(text, min(1.0, self.done / self.total))
-
-        return tick
 
 
 def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -> FloatArray:
