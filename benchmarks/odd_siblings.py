@@ -23,13 +23,12 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.siblings import learn
 from pipeline.rig.fleet import Experiment, simulate_prototype
 from pipeline.rig.parameters import RigParameters
-from pipeline.rig.random_joint import Family
+from pipeline.rig.random_joint import Family, random_joint
 from pipeline.workflow.batch import Execution, run_batch
 from pipeline.workflow.members import members, prototype_files
 
 KINDS, CASES = ("same", "foreign"), {"usual": (1.0, 1.0), "left": (0.85, 1.0), "laser": (1.0, 1.03)}
 QUICK = '\n[identify]\nmodels = ["hybrid"]\n[compare]\nmodels = []\n'
-drawn = pipeline.rig.fleet.random_joint
 
 
 def simulate(folder: Path, kind: str, case: str, seed: int) -> None:
@@ -37,7 +36,7 @@ def simulate(folder: Path, kind: str, case: str, seed: int) -> None:
     capacitance, laser = CASES[case]
 
     def joint(rng: np.random.Generator, family: Family) -> RigParameters:
-        p = drawn(rng, family)
+        p = random_joint(rng, family)
         return p._replace(capacitance=p.capacitance * [capacitance, 1.0])
 
     home = folder / f"{kind}-{case}-{seed}"

@@ -16,7 +16,7 @@ from ..export.subject import Subject
 from ..models.base import DynamicModel, HasCurves, HasDraws, real_numbers
 from ..models.free_runs import free_run, wanted_tubes
 from ..numerics.arrays import FloatArray
-from ..scoring.scores import predicted
+from ..scoring.scores import fit_note, predicted
 from ..settings.prototype import Prototype
 from ..signals.log import Log
 from ..system.machine import one_thread
@@ -253,8 +253,6 @@ class Model:
             Axes to draw on; new ones if left out.
         """
         from matplotlib import pyplot
-
-        from ..reporting.log_figures import fit_note
 
         log = self._measured(t, q, v1, v2)
         run = free_run(log, self.core)

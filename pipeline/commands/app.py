@@ -28,31 +28,16 @@ app = Program(
     "5 run locked, 6 some prototypes of a batch failed. Also 130 interrupted, 128 + n ended by signal n.",
 )
 
-app.add_typer(control.app, name="control")
-app.add_typer(fleet.app, name="fleet")
-app.add_typer(physics.app, name="physics")
-app.add_typer(rig.app, name="rig")
-app.command()(inspection.check)
-app.command()(results.diff)
-app.command()(fleet.series)
-app.command()(results.export)
-app.command()(results.verify)
-app.command()(results.paper)
-app.command()(results.study)
-app.command()(inspection.init)
-app.command()(inspection.inspect)
-app.command()(whole_run.ingest)
-app.command()(whole_run.differentiate)
-app.command()(whole_run.identify)
-app.command()(whole_run.validate)
-app.command()(whole_run.compare)
-app.command()(whole_run.report)
-app.command()(whole_run.plot)
-app.command()(whole_run.show)
+for name, group in {"control": control, "fleet": fleet, "physics": physics, "rig": rig}.items():
+    app.add_typer(group.app, name=name)
+for command in (
+    inspection.check, inspection.init, inspection.inspect,
+    results.diff, results.export, results.verify, results.paper, results.study, fleet.series,
+    whole_run.ingest, whole_run.differentiate, whole_run.identify, whole_run.validate, whole_run.compare,
+    whole_run.report, whole_run.plot, whole_run.show, whole_run.demo, whole_run.status, whole_run.warmup,
+):  # fmt: skip
+    app.command()(command)
 app.command("run")(whole_run.run_command)
-app.command()(whole_run.demo)
-app.command()(whole_run.status)
-app.command()(whole_run.warmup)
 
 
 def _version(requested: bool) -> None:

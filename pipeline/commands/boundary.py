@@ -390,6 +390,7 @@ def with_options(command: Callable[..., None]) -> Callable[..., None]:
 
     @wraps(command)
     def from_options(**values: Any) -> None:
+        """Run the command with its options gathered in their dataclasses."""
         for name, group in groups.items():
             values[name] = group(**{field.name: values.pop(field.name) for field in fields(group)})
         command(**values)

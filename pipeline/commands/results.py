@@ -273,8 +273,7 @@ def verify(
         _emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
         return
     _emit(checked, as_json)
-    _fail_where(run, checked)
-    _fail_beside(run, checked)
+    _fail(run, checked)
 
 
 def _emit(checked: "Verified", as_json: bool) -> None:
@@ -293,15 +292,12 @@ def _emit(checked: "Verified", as_json: bool) -> None:
             typer.echo(f"and {len(names) - _MOST_NAMED} more", err=True)
 
 
-def _fail_where(run: Path, checked: "Verified") -> None:
+def _fail(run: Path, checked: "Verified") -> None:
     if checked.problems:
         raise CorruptArtifactError(
             "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
             + "; `debist run` sets aside what is damaged and makes it anew"
         )
-
-
-def _fail_beside(run: Path, checked: "Verified") -> None:
     if checked.unknown:
         raise CorruptArtifactError(f"{run}: {len(checked.unknown)} files do not belong to the run; move them elsewhere")
     if checked.leftover:

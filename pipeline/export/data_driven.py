@@ -74,10 +74,12 @@ class _Joint:
 
     @property
     def inputs(self) -> int:
+        """Number of inputs."""
         return len(self.offset)
 
     @property
     def slips(self) -> int:
+        """Number of slip elements of the friction."""
         return len(self.c.slip_force)
 
     @property

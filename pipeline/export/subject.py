@@ -9,13 +9,10 @@ from typing import Any, Literal
 import numpy as np
 
 from ..codegen.graph import Graph, choose, function
-from ..errors import InputError
 from ..models.base import DynamicModel, HasCurves
-from ..models.model_type import model_type
+from ..models.model_type import equations_of
 from ..numerics.arrays import FloatArray
-from ..settings.models import ENTRIES
 from ..system.names import slug
-from ..system.package import object_at
 from ..units.quantity import quantity
 
 _STRONGER = 1.05
@@ -121,8 +118,17 @@ class Subject:
         return f"{text[: MATLAB_NAME - len(digest) - 1]}_{digest}"
 
     def realisation(self) -> "Realisation":
-        """States, constants and kernels of the model, see `realise`."""
-        return realise(self.model, self.validity.sample_interval, self.validity.q_unit)
+        """States, constants and kernels of the model at the sample interval of its run.
+
+        Raises
+        ------
+        InputError
+            A model of this type has no equations to write down elsewhere.
+        """
+        made: Realisation = equations_of(self.model.name)(
+            self.model, self.validity.sample_interval, self.validity.q_unit
+        )
+        return made
 
 
 @dataclass(frozen=True)
@@ -223,31 +229,6 @@ class Realisation:
     between: Literal["linear", "cubic", "zero"]
     structure: str
     held: tuple[int, int] | None = None
-
-
-def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisation:
-    """States, constants and kernels of a model.
-
-    Parameters
-    ----------
-    model : DynamicModel
-        Identified model or baseline.
-    interval : float
-        Sample interval [s] of its run; it decides the step.
-    unit : str
-        Unit of q, m or rad.
-
-    Raises
-    ------
-    InputError
-        A model of this kind has no equations to write down elsewhere.
-    """
-    equations = model_type(model.name).equations
-    if not equations:
-        others = ", ".join(entry.name for entry in ENTRIES if model_type(entry.name).equations)
-        raise InputError(f"the model {model.name} has no export; choose one of {others} with --model")
-    realisation: Realisation = object_at(equations)(model, interval, unit)
-    return realisation
 
 
 Values = list[Any]

@@ -130,6 +130,7 @@ def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
     cached = cache(methods)
 
     def of(system) -> Methods | None:
+        """The methods, if the system is of this class."""
         return cached(system) if isinstance(system, _NAMED) and system.instance_class is kind else None
 
     @implement(begin, jit_options=_OPTIONS)

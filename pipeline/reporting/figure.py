@@ -4,7 +4,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 from markupsafe import Markup
@@ -65,6 +65,26 @@ class Band:
     x: FloatArray
     low: FloatArray
     high: FloatArray
+
+
+Drawn = TypeVar("Drawn", Line, Band)
+
+
+def error_bars(label: str, at: FloatArray, half: FloatArray, across: FloatArray, *, upright: bool = False) -> Line:
+    """Bars from `at` − `half` to `at` + `half` as one interrupted line, each at its place `across`.
+
+    Parameters
+    ----------
+    label : str
+        What they are.
+    at, half, across : FloatArray, shape (n,)
+        Middles, half lengths, and places on the other axis.
+    upright : bool
+        Whether they stand along y.
+    """
+    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
+    x, y = (np.repeat(across, 3), ends) if upright else (ends, np.repeat(across, 3))
+    return Line(label, "measured", x, y, dash="solid")
 
 
 @dataclass(frozen=True)
@@ -194,19 +214,17 @@ def shown(figure: Figure) -> Figure:
 def window(figure: Figure, start: float, stop: float) -> Figure:
     """The figure between two values of x, which are the ends of its axis."""
 
-    def cut(line: Line) -> Line:
-        """The line's samples in the window."""
-        rows = (line.x >= start) & (line.x <= stop)
-        return replace(line, x=line.x[rows], y=line.y[rows])
-
-    def cut_band(band: Band) -> Band:
-        """The band in the window."""
-        rows = (band.x >= start) & (band.x <= stop)
-        return replace(band, x=band.x[rows], low=band.low[rows], high=band.high[rows])
+    def cut(part: Drawn, *columns: str) -> Drawn:
+        """The samples of a line or a band in the window."""
+        rows = (part.x >= start) & (part.x <= stop)
+        return replace(part, **{name: getattr(part, name)[rows] for name in ("x", *columns)})
 
     panels = tuple(
         replace(
-            panel, lines=tuple(map(cut, panel.lines)), bands=tuple(map(cut_band, panel.bands)), x_limits=(start, stop)
+            panel,
+            lines=tuple(cut(line, "y") for line in panel.lines),
+            bands=tuple(cut(band, "low", "high") for band in panel.bands),
+            x_limits=(start, stop),
         )
         for panel in figure.panels
     )
@@ -341,11 +359,6 @@ def slot_dashes(name: str) -> tuple[float, ...]:
     return () if name in FIXED else MODEL_DASHES[int(name[1:])]
 
 
-def dashes(role: str, models: Sequence[str]) -> tuple[float, ...]:
-    """Dash pattern of a role."""
-    return slot_dashes(slot(role, models))
-
-
 @dataclass(frozen=True)
 class Style:
     """What is drawn, and the colour class (`pipeline.reporting.figure.slot`) of whom it shows."""
@@ -353,14 +366,6 @@ class Style:
     kind: Kind
     slot: str = ""
     dash: Dash = "role"
-
-
-@dataclass(frozen=True)
-class LegendEntry:
-    """A label and what it names."""
-
-    label: str
-    style: Style
 
 
 CHOSEN = "chosen for the logs"
@@ -373,14 +378,14 @@ MARKS = {
 }
 
 
-def entries(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[LegendEntry]:
+def entries(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Style]]:
     """Everything that is drawn, hidden lines too, each label once; with the `marks` along the axis or without."""
     styles: dict[str, Style] = {}
     for panel in figure.panels:
         for label, style in _of(panel, models):
             styles.setdefault(label, style)
-    ordered = sorted((LegendEntry(*item) for item in styles.items()), key=lambda entry: _place(entry.style))
-    return ordered + [LegendEntry(name, MARKS[name]) for name in figure.marks if marks and name in MARKS]
+    ordered = sorted(styles.items(), key=lambda entry: _place(entry[1]))
+    return ordered + [(name, MARKS[name]) for name in figure.marks if marks and name in MARKS]
 
 
 def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:
@@ -417,17 +422,16 @@ _LINE = '<path class="{}" d="M0 6H30"/>'
 
 def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Markup]]:
     """Label and sample of everything that is drawn, each label once, for the page: 30 by 12 units, with classes."""
-    return [_swatch(entry) for entry in entries(figure, models, marks=marks)]
+    return [_swatch(*entry) for entry in entries(figure, models, marks=marks)]
 
 
 def event_swatches(figure: Figure) -> list[tuple[str, Markup]]:
     """Label and sample of the upright lines of a figure."""
-    return [_swatch(LegendEntry(name, MARKS[name])) for name in figure.marks if name in MARKS]
+    return [_swatch(name, MARKS[name]) for name in figure.marks if name in MARKS]
 
 
-def _swatch(entry: LegendEntry) -> tuple[str, Markup]:
-    style = entry.style
+def _swatch(label: str, style: Style) -> tuple[str, Markup]:
     dashed = "dash" if style.dash in ("dashed", "dotted") else ""
     names = " ".join(part for part in (style.kind, style.slot, dashed) if part)
     shape = _SHAPES.get(style.kind.rstrip("0123"), _LINE)
-    return entry.label, Markup(shape).format(names)  # noqa: S704 - a literal above
+    return label, Markup(shape).format(names)  # noqa: S704 - a literal above

@@ -285,11 +285,11 @@ def _legend(canvas: Canvas | SubFigure, figure: Figure, models: Sequence[str], l
     if len(named) < 2:
         return 0
     # Letters are about half as wide as high; a sample takes four of them.
-    width = max(len(entry.label) for entry in named) * 0.48 * LETTERS / 72.0 + 0.45
+    width = max(len(label) for label, _ in named) * 0.48 * LETTERS / 72.0 + 0.45
     columns = max(1, min(len(named), int((look.width - 0.3) / width)))
     canvas.legend(
-        [_sample(entry.style) for entry in named],
-        [writable(entry.label) for entry in named],
+        [_sample(style) for _, style in named],
+        [writable(label) for label, _ in named],
         loc="outside upper center", ncols=columns, frameon=False, handlelength=2.2, columnspacing=1.2,
         borderaxespad=0.1, labelspacing=0.3,
     )  # fmt: skip

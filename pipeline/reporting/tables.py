@@ -14,7 +14,7 @@ from ..scoring.intervals import BLOCK, FEWEST_BLOCKS, MEMORIES
 from ..scoring.scores import SHORTEST_HORIZON
 from ..store.columns import SCORE_COLUMNS, TIME_COLUMNS, Column
 from ..system.names import log_title
-from ..units.quantity import moment
+from ..units.quantity import moment, prefixed
 from ..units.units import ALPHA_UNIT, HORIZONS, SIGNALS
 
 ScoreRow = Mapping[str, Any]
@@ -357,7 +357,7 @@ def main_table(scores: Sequence[ScoreRow]) -> MainTable:
 
 def _worst(errors: Sequence[float | None]) -> str:
     defined = [error for error in errors if error is not None]
-    return f"{100.0 * max(defined):.2f}" if defined and len(defined) == len(errors) else "–"
+    return prefixed(max(defined), "%", 2) if defined and len(defined) == len(errors) else "–"
 
 
 def _least(rows: Sequence[ScoreRow], column: Column) -> str:
@@ -384,9 +384,9 @@ def fold_table(summary: Sequence[Mapping[str, Any]]) -> tuple[list[str], list[li
 
 
 def _row(record: Mapping[str, Any], *, wells: bool) -> list[str]:
-    folds = " ".join("refused" if value is None else f"{100 * value:.2f}" for value in record["folds"])
+    folds = " ".join(prefixed(value, "%", 2, "refused") for value in record["folds"])
     agreement = record["well_agreement"]
-    share = ["–" if agreement is None else f"{100 * agreement:.1f}"] * wells
+    share = [prefixed(agreement, "%", 1)] * wells
     return [
         record["model"],
         *(_fold_cell(record, key) for key in NRMSE_COLUMNS),
@@ -401,8 +401,8 @@ def _fold_cell(record: Mapping[str, Any], key: str) -> str:
         return "–"
     low = record[f"{key}_low"]
     high = record[f"{key}_high"]
-    band = "" if low is None else f" [{100 * low:.2f}, {100 * high:.2f}]"
-    return f"{100 * record[key]:.2f}{band}{_MARKS[record[f'{key}_rank']]}"
+    band = "" if low is None else f" [{prefixed(low, '%', 2)}, {prefixed(high, '%', 2)}]"
+    return f"{prefixed(record[key], '%', 2)}{band}{_MARKS[record[f'{key}_rank']]}"
 
 
 def study_conclusion(

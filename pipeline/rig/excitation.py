@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, get_args
 
@@ -34,9 +34,6 @@ SHORT_PULSES = 0.45
 SHORT_PAUSES = 0.6
 
 
-_NOTHING = np.empty(0)
-
-
 @dataclass(frozen=True)
 class Burst:
     """One piece of the experiment; zero volts between bursts.
@@ -61,8 +58,8 @@ class Burst:
     duration: float
     left: float
     right: float
-    frequencies: FloatArray = _NOTHING
-    levels: FloatArray = _NOTHING
+    frequencies: FloatArray = field(default_factory=lambda: np.empty(0))
+    levels: FloatArray = field(default_factory=lambda: np.empty(0))
 
 
 def command(bursts: list[Burst], t: FloatArray) -> FloatArray:

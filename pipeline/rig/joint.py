@@ -121,6 +121,7 @@ def saddle(p: RigParameters) -> FloatArray:
     scale = abs(potential(p, np.zeros(left.size), none) - potential(p, right, none))
 
     def gradient(x: FloatArray) -> FloatArray:
+        """Slope of the potential by central differences, over the scale."""
         moves = step * np.eye(x.size)
         return np.array([potential(p, x + d, none) - potential(p, x - d, none) for d in moves]) / (2 * step * scale)
 

@@ -229,6 +229,7 @@ def python_controller(beginning: Callable[[float], Step]) -> Controller:
     steps: list[Step] = []
 
     def begin(q: float) -> None:
+        """Make the step function for the first reading."""
         steps.append(beginning(q))
 
     def step(q: float, target: float, v: Any) -> None:

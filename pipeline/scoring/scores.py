@@ -8,7 +8,7 @@ import numpy as np
 
 from ..device.device import Device
 from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
-from ..numerics.metrics import nrmse, rms, rmse, signal_range
+from ..numerics.metrics import fit_percent, nrmse, rms, rmse, signal_range
 from .intervals import BLOCK, SEED, Interval, block_of, mean_interval, rms_interval, share_interval
 from .wells import NoWells, Wells, in_same_well, switch_accuracy
 
@@ -275,3 +275,11 @@ def _starts(path: MeasuredPath, ahead: int, most: int, apart: int | None = None)
     usable = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
     usable &= missing[rows + ahead + 1] == missing[rows]
     return np.asarray(rows[usable], dtype=np.int64)
+
+
+def fit_note(measured: FloatArray, free: FloatArray) -> str:
+    """How well a free run fits, or why there is no score."""
+    fit = fit_percent(measured, free)
+    if fit is not None:
+        return f"fit {fit:.1f} %".replace("-", "−")
+    return "diverged" if rmse(measured, free) is None else "the measurement is constant"

@@ -76,11 +76,13 @@ def over_screw(parameters: JointParameters, v: FloatArray) -> Family:
     own_height = screw_height(parameters)
 
     def vector(z_b: float) -> FloatArray:
+        """Parameters of the joint whose mounts are at z_b [m]."""
         p = drawn.copy()
         p[columns] += own_height - z_b
         return p
 
     def slope(qm: FloatArray, z_b: float) -> FloatArray:
+        """Derivative of the static gradient by z_b."""
         sensitivity = np.empty((RITZ, len(VECTOR_NAMES)))
         static_sensitivity(qm, v**2, vector(z_b), sensitivity)
         return np.asarray(-sensitivity[:, columns].sum(axis=1))
@@ -94,6 +96,7 @@ def over_voltage(parameters: JointParameters, side: int) -> Family:
     on = np.eye(2)[side]
 
     def slope(qm: FloatArray, value: float) -> FloatArray:
+        """Derivative of the static gradient by the voltage."""
         farads = np.empty(2)
         jacobian = np.empty((2, RITZ))
         capacitance(qm, p, farads, jacobian)
