@@ -279,7 +279,7 @@ def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:
     models = equilibria(plant, np.zeros(2))
     stable = [model for model in models if model.stable]
     if plant.rests is not None and stable:
-        wells = [_nearest(stable, rest) for rest in plant.rests]
+        wells = [stable[int(np.argmin([abs(model.q - rest) for model in stable]))] for rest in plant.rests]
         models = [model for model in models if wells[0].q <= model.q <= wells[1].q]
         stable = wells
     middle = 0.5 * (stable[0].q + stable[-1].q) if stable else 0.0
@@ -290,10 +290,6 @@ def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:
             f"{', '.join(f'{1e3 * model.q:.2f} mm ({_STABLE[model.stable]})' for model in models) or 'no place'}"
         )
     return [models[i] for i in pair]
-
-
-def _nearest(models: list[LinearModel], q: float) -> LinearModel:
-    return min(models, key=lambda model: abs(model.q - q))
 
 
 _STABLE = {True: "stable", False: "unstable"}

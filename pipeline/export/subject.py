@@ -118,17 +118,8 @@ class Subject:
         return f"{text[: MATLAB_NAME - len(digest) - 1]}_{digest}"
 
     def realisation(self) -> "Realisation":
-        """States, constants and kernels of the model at the sample interval of its run.
-
-        Raises
-        ------
-        InputError
-            A model of this type has no equations to write down elsewhere.
-        """
-        made: Realisation = equations_of(self.model.name)(
-            self.model, self.validity.sample_interval, self.validity.q_unit
-        )
-        return made
+        """States, constants and kernels of the model, see `realise`."""
+        return realise(self.model, self.validity.sample_interval, self.validity.q_unit)
 
 
 @dataclass(frozen=True)
@@ -229,6 +220,18 @@ class Realisation:
     between: Literal["linear", "cubic", "zero"]
     structure: str
     held: tuple[int, int] | None = None
+
+
+def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisation:
+    """States, constants and kernels of a model at the sample interval [s] of its run; `unit` is that of q, m or rad.
+
+    Raises
+    ------
+    InputError
+        A model of this type has no equations to write down elsewhere.
+    """
+    realisation: Realisation = equations_of(model.name)(model, interval, unit)
+    return realisation
 
 
 Values = list[Any]

@@ -145,7 +145,7 @@ def examine_excitation(
         wells=wells,
         switches=_switches(q[valid], wells),
         largest=largest,
-        intermediate=_intermediate(np.abs(v), largest, acting),
+        intermediate=((np.abs(v) < (1.0 - ACTING) * largest) & acting).sum(axis=0) / np.maximum(acting.sum(axis=0), 1),
         together=float(np.mean(acting.all(axis=1))) if v.shape[1] > 1 else 0.0,
         conditioning=conditioning(information),
         interval=interval,
@@ -160,11 +160,6 @@ def _switches(q: FloatArray, wells: Wells | NoWells) -> tuple[int, int]:
         return 0, 0
     to_right = wells.side(q[snaps(q, wells)])
     return int(np.count_nonzero(to_right)), int(np.count_nonzero(~to_right))
-
-
-def _intermediate(magnitude: FloatArray, largest: FloatArray, acting: BoolArray) -> FloatArray:
-    between = (magnitude < (1.0 - ACTING) * largest) & acting
-    return np.asarray(between.sum(axis=0) / np.maximum(acting.sum(axis=0), 1))
 
 
 def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:

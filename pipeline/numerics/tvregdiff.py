@@ -108,35 +108,6 @@ class Minimiser:
     status: Status
 
 
-class _Iterate:
-    """Unknowns, dual variables and Newton step; starts from the feasible constant signal."""
-
-    def __init__(self, problem: VariationProblem) -> None:
-        n = problem.b.size
-        y, t, q, p, dy, dt, dp = (np.zeros(n) for _ in range(7))
-        self.problem = problem
-        self.at = Iterate(problem.b, y, t, q, p, problem.lam_of_terms())
-        self.step = NewtonStep(dy, dt, dp, np.empty((n, problem.order + 2)))
-
-    def find_step(self, delta: float) -> tuple[float, float]:
-        """Solve for the Newton step; return the longest dual step and the objective after a full one."""
-        problem = self.problem
-        return newton_step(self.at, self.step, delta, problem.order, 1.0 if problem.fitted_start else 0.0)
-
-    def objective(self, delta: float, share: float = 0.0) -> float:
-        """Objective less that of a straight line, a `share` along the Newton step."""
-        return float(objective(self.at, self.step, share, delta))
-
-    def advance(self, delta: float, primal: float, dual: float) -> float:
-        """Take the step; return the duality gap."""
-        return float(advance(self.at, self.step, primal, dual, delta))
-
-    def shrink_dual(self) -> None:
-        """Take all |p| away from 1; the pair (q, p) stays feasible, its constraints being linear and homogeneous."""
-        self.at.p[:] *= _PULL_BACK
-        self.at.q[:] *= _PULL_BACK
-
-
 def minimise_variation(problem: VariationProblem, *, tolerance: float, max_iterations: int) -> Minimiser:
     """Minimise to a duality gap of `tolerance` times the objective (less that of a straight line).
 
@@ -146,19 +117,23 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     """
     if problem.differences == 0:
         return Minimiser(problem.b, np.zeros_like(problem.b), 0.0, 0.0, 0, "converged")
-    it = _Iterate(problem)
+    n = problem.b.size
+    y, t, q, p, dy, dt, dp = np.zeros((7, n))
+    at = Iterate(problem.b, y, t, q, p, problem.lam_of_terms())  # the feasible constant signal
+    step = NewtonStep(dy, dt, dp, np.empty((n, problem.order + 2)))
+    fitted_start = 1.0 if problem.fitted_start else 0.0
     delta = max(problem.delta, _roughness(problem))
-    value = it.objective(delta)
+    value = objective(at, step, 0.0, delta)
     status: Status = "iteration limit"
     gap = 0.0
     iteration = 0
     pulled_back = 0
     while iteration < max_iterations:
         iteration += 1
-        longest, full = it.find_step(delta)
-        primal, value = _descend(it, delta, value + gap, full)
+        longest, full = newton_step(at, step, delta, problem.order, fitted_start)
+        primal, value = _descend(at, step, delta, value + gap, full)
         dual = min(1.0, _TO_THE_BOUND * longest)
-        gap = it.advance(delta, primal, dual)
+        gap = advance(at, step, primal, dual, delta)
         if delta == problem.delta:
             if gap <= tolerance * value + problem.rounding():
                 status = "converged"
@@ -168,14 +143,15 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
                     status = "limited by rounding"
                     break
                 pulled_back += 1
-                it.shrink_dual()
+                # The pair (q, p) stays feasible, its constraints being linear and homogeneous.
+                at.p[:] *= _PULL_BACK
+                at.q[:] *= _PULL_BACK
         elif gap <= _CLOSE_ENOUGH * value:
             delta = max(problem.delta, _REDUCTION * delta)
-            value = it.objective(delta)
-    constant = problem.delta * float(it.at.lam[problem.b.size - problem.differences :].sum())
-    return Minimiser(
-        it.at.y, it.at.t, it.objective(problem.delta) + constant, it.advance(problem.delta, 0.0, 0.0), iteration, status
-    )
+            value = objective(at, step, 0.0, delta)
+    constant = problem.delta * float(at.lam[n - problem.differences :].sum())
+    least = float(objective(at, step, 0.0, problem.delta)) + constant
+    return Minimiser(at.y, at.t, least, float(advance(at, step, 0.0, 0.0, problem.delta)), iteration, status)
 
 
 def _roughness(problem: VariationProblem) -> float:
@@ -184,19 +160,19 @@ def _roughness(problem: VariationProblem) -> float:
     return float(np.abs(differences, out=differences).mean()) if differences.size else 0.0
 
 
-def _descend(it: _Iterate, delta: float, highest: float, full: float) -> tuple[float, float]:
+def _descend(at: Iterate, step: NewtonStep, delta: float, highest: float, full: float) -> tuple[float, float]:
     """Longest halving of the Newton step after which the objective is at most `highest`, and the objective there.
 
     `full` is the objective after the whole step.
     """
-    step = 1.0
+    share = 1.0
     value = full
     while value > highest * (1.0 + _OBJECTIVE_ROUNDING):
-        step *= 0.5
-        if step < _LEAST_STEP:
-            return 0.0, it.objective(delta)
-        value = it.objective(delta, step)
-    return step, value
+        share *= 0.5
+        if share < _LEAST_STEP:
+            return 0.0, objective(at, step, 0.0, delta)
+        value = objective(at, step, share, delta)
+    return share, value
 
 
 Order = Literal[1, 2, 3, 4]
