@@ -151,6 +151,11 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     drag, stops, force, at_ends = (ca.SX.sym(*of) for of in (("drag",), ("stops", 4), ("force",), ("at_ends", 2)))
     slope = ca.jacobian(bell(x, centre, bend), x)
     moved = acceleration(p, curves, push, arm, arc, drag)
+    # A Maxwell branch whose strain is a function S(x), with the coupling h = S', relaxes at one rate, and its load e is
+    # its state w. A shape element is an overdamped second coordinate, the slope that the beam's tip has beside its
+    # displacement: it relaxes at a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x).
+    # All follow from the energy ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint,
+    # and the same coupling stands in both equations. So no element can create energy.
     relaxing = elements.maxwell_rate(coupling * p, rate, load)
     slid = elements.dahl_move(state, travel, length)
     return {
