@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
-    from ..control.linear import LinearModel
+    from ..control.plant import LinearModel
     from ..workflow.plot import RunFigures
 
 

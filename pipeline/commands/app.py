@@ -13,7 +13,7 @@ import typer
 
 from ..errors import BatchFailedError, InputError
 from ..system.machine import settle_machine
-from . import control, fleet, inspection, outcome, physics, results, rig, whole_run
+from . import control, inspection, outcome, physics, results, rig, whole_run
 from .boundary import ErrorBoundary, Program, with_options
 from .console import Json, NoReport, Quiet
 
@@ -28,11 +28,16 @@ app = Program(
     "5 run locked, 6 some prototypes of a batch failed. Also 130 interrupted, 128 + n ended by signal n.",
 )
 
-for name, group in {"control": control, "fleet": fleet, "physics": physics, "rig": rig}.items():
-    app.add_typer(group.app, name=name)
+for name, group in (
+    ("control", control.app),
+    ("fleet", results.fleet_group),
+    ("physics", physics.app),
+    ("rig", rig.app),
+):
+    app.add_typer(group, name=name)
 for command in (
     inspection.check, inspection.init, inspection.inspect,
-    results.diff, results.export, results.verify, results.paper, results.study, fleet.series,
+    results.diff, results.export, results.verify, results.paper, results.study, results.series,
     whole_run.ingest, whole_run.differentiate, whole_run.identify, whole_run.validate, whole_run.compare,
     whole_run.report, whole_run.plot, whole_run.show, whole_run.demo, whole_run.status, whole_run.warmup,
 ):  # fmt: skip

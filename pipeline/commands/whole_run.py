@@ -157,7 +157,7 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     Example: debist demo -o runs/demo
     """
     from ..reporting.paper_page import table_2
-    from ..rig.demo import write_demo_logs
+    from ..rig.fleet import write_demo_logs
     from ..workflow.report_data import load_scores
     from ..workflow.run import run_prototype
 

@@ -17,8 +17,7 @@ from ..numerics.metrics import BAND
 from .controller import PERIOD
 from .design_tables import braking_curves, moments_per_square, reached, target_table
 from .law import BEYOND, NUMBERS, REACHES, RESTS, SIDES, TARGETS, Law
-from .linear import wells_and_saddle
-from .plant import ASSUMED_LAG, ControlledJoint, inertia
+from .plant import ASSUMED_LAG, ControlledJoint, inertia, wells_and_saddle
 
 WEIGHT = 0.2
 """Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""

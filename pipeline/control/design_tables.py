@@ -15,8 +15,7 @@ from .controller import move
 from .estimator import PERIOD
 from .feedback import RESERVE
 from .law import CONTROLLER_STATE, CORRECTED, FEEDBACK, NUMBERS, PLACES, REACHES, Law
-from .linear import LinearModel, held, held_at, jacobian
-from .plant import ControlledJoint, inertia
+from .plant import ControlledJoint, LinearModel, held, held_at, inertia, jacobian
 
 COMMON = 0.05
 """Step of the mean share of the largest squared voltage on both sides at an unstable target."""

@@ -1,4 +1,4 @@
-"""Records the demo's logs, the asset of `pipeline.rig.demo`: ``python -m tests.rig.record_demo``."""
+"""Records the demo's logs, the asset of `pipeline.rig.fleet`: ``python -m tests.rig.record_demo``."""
 
 import json
 from dataclasses import asdict
@@ -6,8 +6,7 @@ from dataclasses import asdict
 import numpy as np
 
 from pipeline.rig.bench import Readings
-from pipeline.rig.demo import INTERVAL, RECORDING, STEPS
-from pipeline.rig.fleet import Experiment, draw, moving_mass
+from pipeline.rig.fleet import INTERVAL, RECORDING, STEPS, Experiment, draw, moving_mass
 from pipeline.rig.joint import wells
 from pipeline.rig.parameters import as_json
 

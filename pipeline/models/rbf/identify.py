@@ -283,4 +283,4 @@ def _fit(training: Training) -> RbfModel:
     )
 
 
-RBF = ModelType(_fit, RbfModel.from_tree, "export.data_driven:realise")
+RBF = ModelType(_fit, RbfModel.from_tree, "export.data_driven:realise_rbf")

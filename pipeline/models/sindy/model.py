@@ -353,12 +353,12 @@ SINDY = ModelType(
         data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
     ),
     partial(SindyModel.read, name="sindy", command="compare"),
-    "export.lagged:realise_polynomial",
+    "export.data_driven:realise_polynomial",
 )
 SINDY_DEFAULT = ModelType(
     lambda data: identify_default_sindy(
         data.segments, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
     ),
     partial(SindyModel.read, name="sindy", command="compare"),
-    "export.lagged:realise_polynomial",
+    "export.data_driven:realise_polynomial",
 )
