@@ -426,16 +426,14 @@ def _surroundings(
 
 
 def _pushes(scenario: Scenario, t: FloatArray) -> FloatArray:
-    """External force [N] on q at each row."""
+    """External force [N] on q at each row: constant, half a sine, and a sine."""
+    waves = [(start, force, length, 0.0, 0.5 * np.pi) for start, force, length in scenario.pushes]
+    waves += [(start, force, length, 0.5 / length, 0.0) for start, force, length in scenario.hands]
+    waves += [(start, force, length, frequency, 0.0) for start, force, frequency, length in scenario.shakes]
     push = np.zeros(t.size)
-    for start, force, length in scenario.pushes:
-        push[(t >= start) & (t < start + length)] += force
-    for start, force, length in scenario.hands:
+    for start, force, length, frequency, phase in waves:
         during = (t >= start) & (t < start + length)
-        push[during] += force * np.sin(np.pi * (t[during] - start) / length)
-    for start, force, frequency, length in scenario.shakes:
-        during = (t >= start) & (t < start + length)
-        push[during] += force * np.sin(2.0 * np.pi * frequency * (t[during] - start))
+        push[during] += force * np.sin(2.0 * np.pi * frequency * (t[during] - start) + phase)
     return push
 
 
