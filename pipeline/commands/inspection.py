@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..units.quantity import prefixed, quantity
+from ..units.quantity import prefixed, quantity, stamped
 from .console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text, with_units
 
 if TYPE_CHECKING:
@@ -136,8 +136,6 @@ def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
     """Print the channels, the time bases, the notes, and what the log excites."""
-    from ..signals.remarks import stamped
-
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
         ("channel", "unit", "samples", "smallest", "largest", "time base", "remarks"),

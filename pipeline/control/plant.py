@@ -16,7 +16,7 @@ from ..models.hybrid.kernels import CURVES, INDEX, VALUES, corrections_at, mass_
 from ..models.hybrid.statics import rest_state, still
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled
-from ..scoring.wells import outermost_pair
+from ..numerics.continuation import outermost_pair
 
 if TYPE_CHECKING:
     from ..models.hybrid.model import HybridModel

@@ -9,8 +9,7 @@ import numpy as np
 
 from ...device.device import Device
 from ...models.base import DynamicModel, FreeRun, HasTubes, predictor
-from ...models.free_runs import DRAWS, drawn_runs, free_run, tubes_of
-from ...models.tubes import Tubes
+from ...models.free_runs import DRAWS, Tubes, drawn_runs, free_run, tubes_of
 from ...numerics.arrays import FloatArray
 from ...scoring.scores import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
 from ...scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes
