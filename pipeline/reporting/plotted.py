@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 
 
 import_configured("matplotlib")
-from matplotlib import ticker  # noqa: E402
+from matplotlib import rc_params_from_file, ticker  # noqa: E402
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.figure import Figure as Canvas  # noqa: E402
@@ -60,13 +60,13 @@ if TYPE_CHECKING:
 
 SERIF = ("STIXGeneral", "DejaVu Serif", "DejaVu Sans")
 SANS = ("DejaVu Sans Figures", "DejaVu Sans")
+STYLE_SHEET = "figures.mplstyle"
 FONT = "dejavu-sans-figures.ttf"
 """The first is an asset that `tests/reporting/figure_font.py` cuts out of the second: it embeds three times as fast."""
 PAGE_WIDTH, COLUMN_WIDTH = 7.16, 3.5  # in, of a journal's page and column
 LETTERS = 8.0  # pt
 BUCKETS = 700  # of a long record: about a pixel's width each
 BAND_OPACITY = 0.2
-INK, RULE, GRID = "#16191d", "#6a737f", "#dfe3e8"
 WIDTHS = {"line": 0.8, "wide": 1.7, "trace": 0.4}
 CELL_COLOURS = ("#dceaf5", "#fbe3d3", "#e4e4e4", "#f0b088")
 SMOOTHING = 0.8  # cells over which the edge between two classes of cells is smoothed
@@ -83,6 +83,14 @@ def sans() -> tuple[str, ...]:
     with as_file(files(full_name("reporting")) / "assets" / FONT) as path:
         fontManager.addfont(path)
     return SANS
+
+
+@cache
+def _style() -> dict[str, Any]:
+    """The settings of the style sheet."""
+    with as_file(files(full_name("reporting")) / "assets" / STYLE_SHEET) as path:
+        settings: Any = rc_params_from_file(path, use_default_template=False)
+    return dict(settings)
 
 
 @dataclass(frozen=True)
@@ -116,15 +124,7 @@ class Look:
     @property
     def settings(self) -> Any:
         """Settings of matplotlib. Names come from logs, so nothing is ever read as mathtext."""
-        return {
-            "text.parse_math": False, "font.family": list(self.families),
-            "font.size": LETTERS, "axes.labelsize": LETTERS, "axes.titlesize": LETTERS, "legend.fontsize": LETTERS,
-            "xtick.labelsize": LETTERS, "ytick.labelsize": LETTERS, "axes.linewidth": 0.5, "axes.edgecolor": RULE,
-            "axes.labelcolor": INK, "text.color": INK, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
-            "xtick.color": RULE, "ytick.color": RULE, "xtick.major.width": 0.5, "ytick.major.width": 0.5,
-            "xtick.major.size": 2.5, "ytick.major.size": 2.5, "axes.unicode_minus": True,
-            "figure.constrained_layout.h_pad": 0.03, "figure.constrained_layout.w_pad": 0.03,
-        }  # fmt: skip
+        return {**_style(), "font.family": list(self.families)}
 
 
 def paper_look(figure: Figure, typeface: Typeface = "sans") -> Look:
@@ -165,7 +165,7 @@ def plotted(figure: Figure, models: Sequence[str], look: Look | None = None, can
             bottom = number >= len(figure.panels) - 1 or columns > 1 or own
             _panel(figure, panel, on, models, labelled=bottom, wide=look.width / columns > 5.0)
             if look.letters and len(figure.panels) > 1:
-                on.set_title(f"({chr(ord('a') + number)})", loc="left", pad=2.0)
+                on.set_title(f"({chr(ord('a') + number)})", loc="left")
         for spare in axes.flat[len(figure.panels) :]:
             spare.remove()
         lines = _legend(canvas, figure, models, look) if look.legend else 0
@@ -191,8 +191,6 @@ def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, lab
     on.set_ylabel(axis_label(panel.name, y_unit))
     if labelled:
         on.set_xlabel(axis_label(x_name, x_unit))
-    on.grid(color=GRID, linewidth=0.3, zorder=0)
-    on.set_axisbelow(True)
     for start, stop in figure.gaps:
         on.axvspan(start * fx, stop * fx, color="#e6e6e6", linewidth=0, zorder=0.1)
     if panel.cells is not None:
@@ -229,8 +227,8 @@ def _content(on: Axes, panel: Panel, models: Sequence[str], fx: float, fy: float
         fill = {"dot": colour, "ring": "#ffffff"}.get(points.marker, "none")
         edge = "#ffffff" if points.marker == "dot" else colour
         on.plot(
-            points.x * fx, points.y * fy, linestyle="none", marker=_MARKERS[points.marker], markersize=5,
-            markerfacecolor=fill, markeredgecolor=edge, markeredgewidth=0.7, zorder=3, clip_on=False,
+            points.x * fx, points.y * fy, linestyle="none", marker=_MARKERS[points.marker],
+            markerfacecolor=fill, markeredgecolor=edge, zorder=3, clip_on=False,
         )  # fmt: skip
 
 
@@ -290,9 +288,9 @@ def _legend(canvas: Canvas | SubFigure, figure: Figure, models: Sequence[str], l
     canvas.legend(
         [_sample(style) for _, style in named],
         [writable(label) for label, _ in named],
-        loc="outside upper center", ncols=columns, frameon=False, handlelength=2.2, columnspacing=1.2,
-        borderaxespad=0.1, labelspacing=0.3,
-    )  # fmt: skip
+        loc="outside upper center",
+        ncols=columns,
+    )
     return -(-len(named) // columns)
 
 
@@ -310,7 +308,7 @@ def _sample(style: Style) -> "Artist":
         return Patch(facecolor=colour, alpha=BAND_OPACITY)
     if style.kind in _MARKERS:
         fill = {"dot": colour, "ring": "#ffffff"}.get(style.kind, "none")
-        return Line2D([], [], linestyle="none", marker=_MARKERS[style.kind], markersize=5, color=colour,
+        return Line2D([], [], linestyle="none", marker=_MARKERS[style.kind], color=colour,
                       markerfacecolor=fill)  # fmt: skip
     width = WIDTHS[style.kind]
     return Line2D([], [], color=colour, linewidth=width, dashes=_dashes(style.slot, style.dash, width))
