@@ -61,7 +61,11 @@ def test_only_what_is_off_has_a_line(rows: list[dict[str, Any]], words: list[tup
 
 @pytest.mark.parametrize(
     ("other", "advised"),
-    [({}, ['{ file = "long.mat", clock = 0.99003 }']), ({"exchanged": "inputs"}, []), ({"status": "another device"}, [])],
+    [
+        ({}, ['{ file = "long.mat", clock = 0.99003 }']),
+        ({"exchanged": "inputs"}, []),
+        ({"status": "another device"}, []),
+    ],
 )
 def test_a_log_as_it_was_wired_has_its_line_of_settings(other: dict[str, str], advised: list[str]) -> None:
     table = instrument_table(_rows("clock", **other), {("validation", "long"): LogPart(file="long.mat")}, "m")
