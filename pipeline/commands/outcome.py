@@ -80,6 +80,10 @@ def emit_instruments(run: Path) -> None:
     if table.rows:
         emit_table("instruments", table.heading, table.rows, numeric_from=len(table.heading))
     emit_text(table.explanation)
+    if table.entries:
+        emit_text("To correct a log, write in place of it in [logs]:")
+    for line in table.entries:
+        typer.echo(printable(line))  # one line, however narrow the terminal: it is pasted
 
 
 def emit_assessment(run: Path) -> None:
