@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.rig.log import LAYOUTS, RawLog
+from pipeline.rig.bench import Readings
+from pipeline.rig.log import LAYOUTS
 from tests.prototypes import motion, settings, write_csv
 
 COMMAND = shlex.split(os.environ.get("DEBIST_WINDOWS_PYTHON", ""))
@@ -56,7 +57,7 @@ def test_it_is_windows(folder):
 def test_a_log_is_read(folder, layout):
     name = f"Messung ö{LAYOUTS[layout].suffix}"
     t, q, v = motion(10.0, 200.0, 1)
-    LAYOUTS[layout].save(RawLog(t, q, *v.T), folder / name)
+    LAYOUTS[layout].save(Readings(t, q, *v.T), folder / name)
     code, printed, messages = _debist(folder, "inspect", name)
     assert code == 0 and name in printed and "2000" in printed, messages
 
