@@ -5,14 +5,13 @@ from typing import Literal
 
 import numpy as np
 
+from ..units.quantity import stamped
 from .signal_quality import SignalQuality
 
 _FROZEN_SECONDS = 0.05
 _FROZEN_SAMPLES = 20
 _SHOWS = 1e-4
 """Share of the range of a signal that a hum is worth a remark from."""
-_LONG_AGO = 1e5
-"""Seconds of a clock from which on stamps are written to the millisecond: it counts from a day or an epoch long ago."""
 _MUCH = 10.0
 """Times the range of an idle channel by which another one of its unit moves, if the idle one is not driven."""
 
@@ -84,11 +83,6 @@ def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
 def counted(number: int, thing: str) -> str:
     """A number of things."""
     return f"{number} {thing}{'' if number == 1 else 's'}"
-
-
-def stamped(stamp: float) -> str:
-    """A time stamp [s] without its unit, to the nanosecond; to the millisecond where the clock has run for long."""
-    return f"{stamp:.3f}" if abs(stamp) >= _LONG_AGO else f"{round(stamp, 9) + 0.0:.6g}"
 
 
 def _first(places: tuple[float, ...], clock: Clock) -> str:

@@ -15,7 +15,6 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
@@ -31,8 +30,6 @@ except ImportError:  # Windows has no limits of this kind
     resource = None
 
 Running = TypeVar("Running", bound="Isolated")
-Item = TypeVar("Item")
-Made = TypeVar("Made")
 Send = Callable[[Any], None]
 """Hands what JSON can hold to the parent."""
 
@@ -196,22 +193,6 @@ def death(exit_code: int) -> str:
     is_signal = -exit_code in set(signal.Signals)
     name = signal.Signals(-exit_code).name if is_signal else f"signal {-exit_code}"
     return f"{name} (by another program, or by the system where memory runs out)" if name == "SIGKILL" else name
-
-
-def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int) -> Iterator[Made]:
-    """The results of `work` for the items, in order, in `jobs` processes; in this one for a single job."""
-    if jobs == 1 or not items:
-        yield from map(work, items)
-        return
-    with ProcessPoolExecutor(jobs, mp_context=process_context(), initializer=begin) as pool:
-        try:
-            with apart():
-                results = pool.map(work, items)
-            yield from results
-        except BaseException:
-            for process in multiprocessing.active_children():
-                process.terminate()
-            raise
 
 
 def process_context() -> Any:

@@ -7,8 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import DebistError
-from ..reporting.fleet_report import fleet_report
-from ..reporting.fleet_table import Summary, summary
+from ..reporting.fleet_report import Summary, fleet_report, summary
 from ..reporting.tables import disarmed
 from ..store import layout, schemas, tables
 from ..store.atomic import make_folder, write_text

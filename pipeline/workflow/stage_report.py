@@ -19,8 +19,8 @@ from .run_models import control_documents
 if TYPE_CHECKING:
     from ..diagnostics.facts.datasheet import Datasheet
     from ..diagnostics.facts.run_data import RunData
-    from ..reporting.canvas import Format
     from ..reporting.figure import Figure
+    from ..reporting.plotted import Format
 
 ALGORITHM = "35"
 
@@ -167,7 +167,7 @@ def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared]) -> Mappi
 def _drawings(
     run: RunFolder, *, prepared: Callable[[RunFolder], Prepared], typeface: Typeface
 ) -> Mapping[str, Written]:
-    from ..reporting.canvas import paper_figure
+    from ..reporting.plotted import paper_figure
 
     contents = prepared(run)
     written = {}

@@ -13,9 +13,8 @@ from ..device.parameters import JointParameters
 from ..diagnostics.facts.characteristics import believed_wells, stable_rests
 from ..models.analytical.statics import RotationMap, rotation_map
 from ..models.base import DynamicModel, FreeRun
-from ..models.free_runs import free_run, tube_columns
+from ..models.free_runs import Tubes, free_run, tube_columns
 from ..models.model_type import model_from_tree
-from ..models.tubes import Tubes
 from ..scoring.wells import wells_of
 from ..settings.prototype import Prototype
 from ..signals.log import Log

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from joints import hybrid, paper, pulses
 
 from pipeline.device.device import device
 from pipeline.device.parameter_sets import parameter_set
@@ -17,6 +16,7 @@ from pipeline.store.run_folder import RunFolder
 from pipeline.workflow import stage_scores as scores
 from pipeline.workflow import stage_validate as validate
 from pipeline.workflow.schedule import bring_up_to_date
+from tests.export.joints import hybrid, paper, pulses
 from tests.prototypes import Silent
 
 SETTINGS: dict[str, Any] = {

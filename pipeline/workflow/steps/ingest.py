@@ -13,6 +13,7 @@ from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
 from ...signals.log import LONGEST_BRIDGE, UNKNOWN
 from ...signals.raw_log import RawLog
+from ...units.quantity import stamped
 
 if TYPE_CHECKING:
     from ...signals.findings import Finding
@@ -93,7 +94,7 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
 def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
     """The log with its inputs' single-sample spikes bridged, and noted."""
     from ...signals.outliers import without_spikes
-    from ...signals.remarks import counted, stamped
+    from ...signals.remarks import counted
     from ...signals.timebase import nominal_step
 
     texts = list[str]()
@@ -184,7 +185,7 @@ def _lacking(signals: RawLog, interval: float) -> tuple[list[str], "list[Finding
     """
     from ...signals.missing import missing
     from ...signals.quality_gates import missing_findings
-    from ...signals.remarks import counted, stamped
+    from ...signals.remarks import counted
 
     beside = missing(signals.q, signals.beside)
     texts = []
@@ -202,7 +203,7 @@ def _discarded(rows: "TimeRows") -> list[str]:
     """What to say of rows that are left out where time steps back."""
     if not rows.turns.size:
         return []
-    from ...signals.remarks import counted, stamped
+    from ...signals.remarks import counted
 
     share = rows.backward / rows.time.size
     places = counted(int(rows.turns.size), "place")
@@ -215,7 +216,7 @@ def _discarded(rows: "TimeRows") -> list[str]:
 
 def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[str]:
     """What to say of gaps in time, and of spans [s] in which the inputs are not known."""
-    from ...signals.remarks import counted, stamped
+    from ...signals.remarks import counted
 
     kinds = [
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),

@@ -80,8 +80,7 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
     wells : Wells or NoWells
         The wells in the data.
     """
-    from ...scoring.scores import score_run
-    from ...scoring.step_responses import response_errors
+    from ...scoring.scores import response_errors, score_run
 
     units = signal_units(plant.displacement.symbol)
     v = measured.v

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ...control.linear import LinearModel, equilibria
+from ...control.plant import LinearModel, equilibria
 from ...device.device import JOINT
 from ...diagnostics.facts.events import rest_facts
 from ...scoring.wells import wells_of
