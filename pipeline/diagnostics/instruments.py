@@ -164,14 +164,15 @@ class InstrumentTest:
 
         The model was fitted to all of them, so unlike residuals show its own errors, which then hide the instruments.
         """
-        reading = self._reading(self._logs[number], self._training[:number] + self._training[number + 1 :])
-        return reading if abs(reading.unlike) <= 1.0 else self._not_measured(reading.exchange)
+        others = self._training[:number] + self._training[number + 1 :]
+        return self._reading(self._logs[number], others, fitted=True)
 
     def of(self, parts: Sequence[Log]) -> Reading:
         """Errors of the parts of another log, compared with the training logs."""
         return self._reading(within(parts, MOST_SAMPLES), self._training)
 
-    def _reading(self, parts: Sequence[Log], others: Sequence[Linearised | None]) -> Reading:
+    def _reading(self, parts: Sequence[Log], others: Sequence[Linearised | None], *, fitted: bool = False) -> Reading:
+        """Errors of a log; `fitted`: of one that the model was fitted to, which is of no other device."""
         exchange, parts = self._as_trained(parts)
         reference = [each for each in others if each is not None]
         delta = np.zeros(len(self._limits))
@@ -184,7 +185,10 @@ class InstrumentTest:
             if np.all(np.abs(fit.step) < STILL * fit.error):
                 break
             log = self._linearised(parts, delta)
-        alike = fit.unlike <= 1.0 or fit.size <= 1.0
+        unlike = abs(fit.unlike) if fitted else fit.unlike
+        alike = unlike <= 1.0 or fit.size <= 1.0
+        if fitted and not alike:
+            return self._not_measured(exchange)
         astray = np.abs(fit.step) > fit.error
         if alike and (np.any(np.abs(delta) >= FARTHEST) or np.any(astray)):
             return self._not_measured(exchange)

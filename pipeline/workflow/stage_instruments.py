@@ -20,7 +20,7 @@ from .engine import Task
 from .logs import load_motion, sources
 from .steps.training import fitted_parts
 
-ALGORITHM = "5"
+ALGORITHM = "6"
 
 Logs = Mapping[tuple[Role, str], Log]
 """Logs by role and name."""
