@@ -40,7 +40,7 @@ def read_log(log: str | Path, settings: str | Path) -> "pd.DataFrame":
     """
     import numpy as np
 
-    from ..device.parameter_sets import parameter_set
+    from ..device.parameters import parameter_set
     from ..workflow.place import load_settings
     from ..workflow.si_log import read_si
     from .in_memory import frame, si_symbols
@@ -77,7 +77,7 @@ def check(place: str | Path) -> "pd.DataFrame":
 
     import pandas as pd
 
-    from ..diagnostics.rows import check_rows
+    from ..diagnostics.check import check_rows
     from ..workflow.engine import Unheard
     from ..workflow.inspection import check as check_tool
 

@@ -225,7 +225,7 @@ class Model:
         A model takes its hidden states from the measurement before. Cost: `ahead` simulated samples for each sample.
         """
         from ..scoring.horizons import predicted
-        from ..workflow.steps.validate import measured_path
+        from ..workflow.steps.score import measured_path
         from .in_memory import frame
 
         log = self._measured(t, q, v1, v2)

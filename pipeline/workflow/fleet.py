@@ -16,10 +16,10 @@ from ..store.outputs import note_written
 from ..store.run_folder import RunFolder
 from ..store.schemas import FLEET
 from ..store.schemas import FLEET_FACTS as FLEET_FACT_TABLE
+from .batch import Outcome
 from .members import FLEET_CSV, FLEET_FACTS, FLEET_FILES, FLEET_REPORT, FLEET_TABLE, Member
 from .progress import failure
 from .report_data import load_datasheet, load_scores
-from .worker import Outcome
 
 
 def collect_batch(members: Sequence[Member], output: Path) -> list[Outcome]:

@@ -6,8 +6,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from ..device.parameter_sets import parameter_values
-from ..device.parameters import JointParameters
+from ..device.parameters import JointParameters, parameter_values
 from ..settings.prototype import Prototype
 from ..store import layout, schemas
 from ..store.columns import StudyName

@@ -25,7 +25,7 @@ from ...system.names import shell_word
 from ..logs import load_logs
 from ..prior_knowledge import read_siblings
 from ..run_models import load_run_model, model_artifact
-from ..steps.training import fitted_parts
+from ..steps.identify import fitted_parts
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,7 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.next_log import slopes, uncertainty
 from pipeline.models.hybrid.parameters import NAMES
 from pipeline.numerics.arrays import FloatArray
-from pipeline.workflow.studies.excitation_design import Requirements
-from pipeline.workflow.studies.next_log import design_next_log
+from pipeline.workflow.studies.excitation_design import Requirements, design_next_log
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture
