@@ -24,8 +24,8 @@ test: $(VENV)/.dev-ready
 # What may differ between versions of Python and of libraries, in a minute or two
 quick: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest tests/numerics tests/codegen tests/models/analytical tests/models/hybrid/test_condensed.py \
-	    tests/runs tests/rig_logs/test_readers.py \
-	    tests/test_compiled.py tests/faults/test_isolation.py tests/test_debist.py tests/test_cli.py
+	    tests/store tests/workflow/test_engine.py tests/rig_logs/test_readers.py \
+	    tests/faults/test_isolation.py tests/api/test_debist.py tests/commands/test_cli.py
 
 test-long: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile -m "long or not long"
@@ -37,8 +37,8 @@ fuzz: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -m long tests/fuzz/test_model_files.py
 
 faults: $(VENV)/.dev-ready
-	$(BIN)/python -m pytest -m "long or not long" tests/faults tests/runs tests/batch/test_hostile_places.py \
-	    tests/rig_logs/test_hostile.py tests/test_units.py
+	$(BIN)/python -m pytest -m "long or not long" tests/faults tests/store tests/workflow/test_hostile_places.py \
+	    tests/rig_logs/test_hostile.py tests/units
 
 # Statements and branches that the default tests reach, by room; children and copies of processes count
 coverage: $(VENV)/.dev-ready

@@ -123,3 +123,11 @@ def logs_read_once() -> Iterator[None]:
 
     with patch("pipeline.rig_logs.guarded.read_in_child", read_in_child):
         yield
+
+
+def motion_prototype(folder: Path, name: str, gain: float = 1.0) -> Path:
+    """Ten seconds of a double well under random pulses, times a factor."""
+    write_csv(folder / f"{name}.csv", *motion(10.0, 200.0, 1, gain=gain, noise=3e-6))
+    path = folder / f"{name}.toml"
+    path.write_text(settings(name=name, train=f"{name}.csv"))
+    return path

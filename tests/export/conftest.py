@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from joints import hybrid, paper, pulses
 
 from pipeline.device.device import device
 from pipeline.device.parameters import parameter_set
@@ -16,6 +15,7 @@ from pipeline.store.manifest import Recipe
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow import stage_validate as validate
 from pipeline.workflow.engine import bring_up_to_date
+from tests.export.joints import hybrid, paper, pulses
 from tests.prototypes import Silent
 
 SETTINGS: dict[str, Any] = {

@@ -5,10 +5,10 @@ import ctypes
 import numpy as np
 from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Model, FMU2Slave
-from joints import half_steps
 
 from pipeline.export.fmu import write_fmu
 from pipeline.export.subject import realise
+from tests.export.joints import half_steps
 
 POINTER = ctypes.POINTER(ctypes.c_double)
 ORDERS = [1, 2, 3]

@@ -4,7 +4,9 @@ import subprocess
 
 import numpy as np
 import pytest
-from joints import (
+from scipy.interpolate import CubicSpline
+
+from tests.export.joints import (
     COMPILER,
     STRICT,
     CompiledModel,
@@ -17,7 +19,6 @@ from joints import (
     subject,
     turning_arm,
 )
-from scipy.interpolate import CubicSpline
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="no C compiler here")
 

@@ -9,8 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
-from fmu_runs import co_simulated, exchanged
-from joints import COMPILER, OCTAVE, CompiledModel, half_steps
 from scipy.io import loadmat
 from typer.testing import CliRunner
 
@@ -20,6 +18,8 @@ from pipeline.export.subject import Subject, realise
 from pipeline.settings.prototype import parse_prototype
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.run_models import subject
+from tests.export.fmu_runs import co_simulated, exchanged
+from tests.export.joints import COMPILER, OCTAVE, CompiledModel, half_steps
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "benchmarks" / "prototypes"
 RUNS = {"P1": "", "P2": "", "P3": "", "P3 from data alone": 'parameters = "nominal"', "quarter-drone": ""}

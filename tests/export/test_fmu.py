@@ -10,12 +10,12 @@ import pytest
 from fmpy import simulate_fmu
 from fmpy.fmi2 import FMU2Slave
 from fmpy.validation import validate_fmu
-from fmu_runs import Opened, co_simulated, exchanged
-from joints import COMPILER, INTERVAL, data_driven, hybrid, paper, sindy, subject
 from scipy.interpolate import CubicSpline
 
 from pipeline.export import fmu
 from pipeline.export.fmu import write_fmu
+from tests.export.fmu_runs import Opened, co_simulated, exchanged
+from tests.export.joints import COMPILER, INTERVAL, data_driven, hybrid, paper, sindy, subject
 
 MODELS = {
     "hybrid": hybrid(),

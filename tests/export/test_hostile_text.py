@@ -7,13 +7,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from joints import COMPILER, STRICT, sindy, subject
 
 from pipeline.export import fmu
 from pipeline.export import sources as texts
 from pipeline.export.crate import environment_text
 from pipeline.export.subject import Subject, Variable, realise
 from pipeline.reporting.tables import disarmed, nrmse_table, render
+from tests.export.joints import COMPILER, STRICT, sindy, subject
 
 HOSTILE = (
     "*/ int INJECTED(void); /*",

@@ -4,10 +4,10 @@ import json
 
 import numpy as np
 import pytest
-from joints import data_driven, hybrid, paper, sindy, subject
 
 from pipeline.export.sources import write_json
 from pipeline.export.subject import realise
+from tests.export.joints import data_driven, hybrid, paper, sindy, subject
 
 
 @pytest.mark.parametrize("model", [hybrid(), data_driven(), paper(), sindy()], ids=lambda model: type(model).__name__)

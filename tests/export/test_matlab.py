@@ -4,10 +4,10 @@ import subprocess
 
 import numpy as np
 import pytest
-from joints import OCTAVE, data_driven, held_slider, hybrid, paper, sindy, subject
 from scipy.io import loadmat
 
 from pipeline.export.sources import write_matlab
+from tests.export.joints import OCTAVE, data_driven, held_slider, hybrid, paper, sindy, subject
 
 needs_octave = pytest.mark.skipif(OCTAVE is None, reason="no GNU Octave here")
 

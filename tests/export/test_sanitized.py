@@ -6,11 +6,22 @@ from typing import Any
 
 import numpy as np
 import pytest
-from joints import COMPILER, STRICT, Subject, data_driven, held_slider, hybrid, paper, sindy, subject, turning_arm
 
 from pipeline.errors import DebistError
 from pipeline.export.sources import c_sources
 from pipeline.models.model_type import model_from_tree
+from tests.export.joints import (
+    COMPILER,
+    STRICT,
+    Subject,
+    data_driven,
+    held_slider,
+    hybrid,
+    paper,
+    sindy,
+    subject,
+    turning_arm,
+)
 
 MODELS = {
     "hybrid": hybrid, "rbf": data_driven, "turning arm": turning_arm, "held": held_slider, "paper": paper,

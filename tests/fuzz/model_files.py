@@ -3,7 +3,6 @@
 import io
 import os
 import resource
-import sys
 import traceback
 from collections import Counter
 from collections.abc import Callable
@@ -24,9 +23,7 @@ from pipeline.models.model_type import model_from_tree
 from pipeline.models.narx.model import NarxModel
 from pipeline.store.hashing import flatten
 from pipeline.store.trees import parse_tree
-
-sys.path.append(str(Path(__file__).parents[1] / "export"))
-import joints
+from tests.export import joints
 
 SECONDS, MEMORY = 30, 1 << 30
 """What one changed file may take: processor time [s], and memory [bytes] beside what the process has."""

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from pipeline.store.manifest import load_manifest
-from tests.batch.test_batch import _prototype
+from tests.prototypes import motion_prototype
 
 SNAKEFILE = Path(__file__).resolve().parents[2] / "workflows/Snakefile"
 STAGES = {"check", "ingest", "differentiate", "identify", "instruments", "validate", "compare", "scores"}
@@ -48,7 +48,7 @@ def fleet(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A working directory whose one prototype has been run through."""
     folder = tmp_path_factory.mktemp("workflow")
     (folder / "prototypes").mkdir()
-    _prototype(folder / "prototypes", "a", 1)
+    motion_prototype(folder / "prototypes", "a", 1)
     (folder / "config.json").write_text(json.dumps({"report": False}))
     _snakemake(folder)
     return folder
@@ -60,7 +60,7 @@ def _hashes(folder: Path) -> dict[str, str]:
 
 def test_lint_finds_nothing(tmp_path: Path) -> None:
     (tmp_path / "prototypes").mkdir()
-    _prototype(tmp_path / "prototypes", "a", 1)
+    motion_prototype(tmp_path / "prototypes", "a", 1)
     (tmp_path / "config.json").write_text("{}")
     assert "good condition" in _snakemake(tmp_path, "--lint")
 

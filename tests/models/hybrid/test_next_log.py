@@ -1,8 +1,6 @@
 """What a further log would show of a joint: derivatives, expected errors, and a log designed by them."""
 
-import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,8 +10,6 @@ from pipeline.models.hybrid.next_log import slopes, uncertainty
 from pipeline.models.hybrid.parameters import NAMES
 from pipeline.numerics.arrays import FloatArray
 from pipeline.workflow.studies.excitation_design import Requirements, design_next_log
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture
 from tests.export.joints import hybrid, pulses
 

@@ -20,7 +20,7 @@ from pipeline.store.hashing import file_sha256
 from pipeline.store.manifest import load_manifest
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.export import export_crate
-from tests.batch.test_batch import _prototype
+from tests.prototypes import motion_prototype
 
 RUNNER = CliRunner()
 
@@ -31,7 +31,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     folder = tmp_path_factory.mktemp("made")
     (folder / "rig/logs").mkdir(parents=True)
     (folder / "rig/stand.csv").write_text("q [mm],F [mN]\n-10,5\n10,-5\n", encoding="utf-8")
-    prototype = _prototype(folder / "rig/logs", "a", 1).rename(folder / "rig/a.toml")
+    prototype = motion_prototype(folder / "rig/logs", "a", 1).rename(folder / "rig/a.toml")
     settings = prototype.read_text().replace('["a.csv"]', '["logs/a.csv"]')
     settings = settings.replace(
         "[compare]", '[plant]\nmass = { value = 40, unit = "g" }\n[compare]\ncurves = "stand.csv"'
@@ -125,7 +125,7 @@ def test_every_text_and_number_survives_as_toml(values: dict) -> None:
 
 def test_a_crate_holds_the_parameter_set_that_the_run_was_made_with_and_no_other_file(tmp_path: Path) -> None:
     """Neither one that was edited since, nor a file of this machine that a received manifest names."""
-    prototype = _prototype(tmp_path, "a")
+    prototype = motion_prototype(tmp_path, "a")
     settings = prototype.read_text().replace("[compare]", '[plant]\nparameters = "mine.toml"\n[compare]')
     prototype.write_text(settings)
     (tmp_path / "mine.toml").write_text('base = "nominal"\nE = "1.8 GPa"\n')

@@ -11,7 +11,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from tests.checks.first_hour import TOML, write_logs
+from tests.diagnostics.first_hour import TOML, write_logs
 
 _RUN = ("run", "P.toml", "-o", "run", "--no-report")
 _STUDY = ("study", "basis", "run")

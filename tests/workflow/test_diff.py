@@ -2,7 +2,6 @@
 
 import json
 import shutil
-import sys
 from pathlib import Path
 
 import pytest
@@ -14,8 +13,6 @@ from pipeline.store import layout, schemas
 from pipeline.store.manifest import Recipe, to_json
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.studies.diff import diff_runs, paired_logs
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture
 
 

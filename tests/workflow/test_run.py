@@ -16,7 +16,7 @@ from pipeline.models.paper.model import RbfPaperModel
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.run import run_status
 from tests.double_well import DoubleWell
-from tests.stages.double_well_logs import write_logs
+from tests.workflow.double_well_logs import write_logs
 
 RUNNER = CliRunner()
 pytestmark = pytest.mark.usefixtures("read_once")

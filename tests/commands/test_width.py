@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.commands.console import emit_table
-from tests.checks.first_hour import RUN, write_logs
+from tests.diagnostics.first_hour import RUN, write_logs
 
 RUNNER = CliRunner()
 pytestmark = pytest.mark.usefixtures("read_once")

@@ -7,7 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from tests.checks.first_hour import TOML, write_logs
+from tests.diagnostics.first_hour import TOML, write_logs
 
 RUNNER = CliRunner()
 pytestmark = pytest.mark.usefixtures("read_once")

@@ -2,7 +2,6 @@
 
 import json
 import shutil
-import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,8 +14,6 @@ from pipeline.models.hybrid.parameters import NAMES
 from pipeline.store import layout
 from pipeline.store.manifest import Recipe
 from pipeline.store.run_folder import RunFolder
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture
 from tests.export.joints import hybrid, paper
 

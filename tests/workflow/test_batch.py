@@ -19,24 +19,16 @@ from pipeline.workflow.batch import Execution, Outcome, Worker, run_batch
 from pipeline.workflow.fleet import write_fleet_tables
 from pipeline.workflow.members import Member, members, prototype_files
 from pipeline.workflow.progress import failure_file
-from tests.prototypes import content, motion, settings, write_csv
+from tests.prototypes import content, motion_prototype
 
 RUNNER = CliRunner()
-
-
-def _prototype(folder: Path, name: str, gain: float = 1.0) -> Path:
-    """Ten seconds of a double well under random pulses, times a factor."""
-    write_csv(folder / f"{name}.csv", *motion(10.0, 200.0, 1, gain=gain, noise=3e-6))
-    path = folder / f"{name}.toml"
-    path.write_text(settings(name=name, train=f"{name}.csv"))
-    return path
 
 
 def test_one_fails_alone(tmp_path: Path) -> None:
     fleet, output = tmp_path / "fleet", tmp_path / "runs"
     fleet.mkdir()
     for name, gain in (("a", 1.0), ("b", 0.97)):
-        _prototype(fleet, name, gain)
+        motion_prototype(fleet, name, gain)
     (fleet / "b.csv").write_text("t,q\n")
     result = RUNNER.invoke(app, ["batch", str(fleet), "-o", str(output), "--jobs", "2", "--no-report", "--json"])
     assert result.exit_code == 6
@@ -73,7 +65,7 @@ def killed_or_debist(arguments: list[str]) -> None:
 def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    named = members([_prototype(tmp_path, name, gain) for name, gain in (("b", 0.97), ("a", 1.0))])
+    named = members([motion_prototype(tmp_path, name, gain) for name, gain in (("b", 0.97), ("a", 1.0))])
     told = Told()
     one = run_batch(named, tmp_path / "one", told, debist, Execution(1, report=False))
     assert told.begun == [outcome.name for outcome in told.ended] == ["b", "a"]
@@ -178,7 +170,7 @@ def _unknown(arguments: list[str]) -> None:
 
 
 def test_an_unknown_exception_keeps_its_traceback_until_the_prototype_does_well(tmp_path: Path) -> None:
-    named = members([_prototype(tmp_path, "a")])
+    named = members([motion_prototype(tmp_path, "a")])
     (failed,) = run_batch(named, tmp_path / "runs", Told(), _unknown, Execution(report=False))
     kept = failure_file(tmp_path / "runs", "a")
     assert failed.exit_code == 1 and "ZeroDivisionError" in failed.reason and str(kept) in failed.reason
@@ -208,7 +200,7 @@ def test_what_is_not_there_is_said(tmp_path: Path) -> None:
 
 def test_two_of_one_name_would_share_a_folder(tmp_path: Path) -> None:
     (tmp_path / "sub").mkdir()
-    pair = [_prototype(tmp_path, "a"), _prototype(tmp_path / "sub", "a")]
+    pair = [motion_prototype(tmp_path, "a"), motion_prototype(tmp_path / "sub", "a")]
     with pytest.raises(InputError, match="named 'a'"):
         members(pair)
 
