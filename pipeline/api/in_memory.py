@@ -9,9 +9,9 @@ import numpy as np
 
 from ..device.device import Device, device
 from ..device.parameters import parameter_set
+from ..diagnostics.characteristics import believed_wells, stable_rests
 from ..diagnostics.check import check_logs, refusing, remarks
 from ..diagnostics.copies import shared_findings, shared_recordings
-from ..diagnostics.facts.characteristics import believed_wells, stable_rests
 from ..diagnostics.sentences import sentences
 from ..diagnostics.weak_form import LogSignals
 from ..errors import DataRefusedError, InputError, warn_user

@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from ..diagnostics.facts.run_data import LogData
+from ..diagnostics.run_data import LogData
 from ..fitting.regression import basis_values
 from ..models.base import DynamicModel
 from ..numerics.arrays import FloatArray

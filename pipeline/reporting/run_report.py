@@ -6,9 +6,9 @@ from dataclasses import replace
 from typing import Any
 
 from ..diagnostics.check import CheckRow, beside
-from ..diagnostics.facts.datasheet import Datasheet
-from ..diagnostics.facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
-from ..diagnostics.facts.run_data import WHY, RunData, judged_log
+from ..diagnostics.datasheet import Datasheet
+from ..diagnostics.grades import OF_WELLS, THRESHOLDS, Check, Threshold
+from ..diagnostics.run_data import WHY, RunData, judged_log
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
 from ..units.quantity import short

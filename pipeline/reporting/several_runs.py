@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..diagnostics.facts.series import Series, SeriesFact
+from ..diagnostics.series import Series, SeriesFact
 from ..fitting.trends import FEWEST
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_95

@@ -16,8 +16,8 @@ from .engine import Task
 from .run_models import control_documents
 
 if TYPE_CHECKING:
-    from ..diagnostics.facts.datasheet import Datasheet
-    from ..diagnostics.facts.run_data import RunData
+    from ..diagnostics.datasheet import Datasheet
+    from ..diagnostics.run_data import RunData
     from ..reporting.canvas import Format
     from ..reporting.figure import Figure
 
@@ -140,7 +140,7 @@ def prepare(
     control : sequence of str
         Titles of the control documents that are shown.
     """
-    from ..diagnostics.facts.datasheet import make_datasheet
+    from ..diagnostics.datasheet import make_datasheet
     from ..reporting.run_report import figures_of
     from .report_data import read_run
 

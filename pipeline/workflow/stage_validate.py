@@ -13,7 +13,7 @@ import numpy as np
 
 from ..device.device import Device, device
 from ..device.parameters import JointParameters, parameter_values
-from ..diagnostics.facts.characteristics import believed_wells, stable_rests
+from ..diagnostics.characteristics import believed_wells, stable_rests
 from ..models.analytical.statics import RotationMap, rotation_map
 from ..models.base import DynamicModel, FreeRun
 from ..models.free_runs import free_run, tube_columns
@@ -183,7 +183,7 @@ def _wells(
     run: RunFolder, logs: Sequence[Log], plant: Device, log: tuple[Role, str], models: Sequence[str]
 ) -> Wells | NoWells:
     """The wells in the data, unless the first of these models with curves has no two wells, as its notes state."""
-    from ..diagnostics.facts.characteristics import believed_wells
+    from ..diagnostics.characteristics import believed_wells
 
     rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
     judge = next((model for model in models if rests[model] is not None), models[0])

@@ -12,8 +12,8 @@ from ...control.ensemble import Converters
 from ...control.linear import LinearModel, equilibria
 from ...control.plant import ASSUMED_LAG, ControlledJoint, plant_of
 from ...device.device import JOINT, device
-from ...diagnostics.facts.converters import converter_lag
-from ...diagnostics.facts.events import rest_facts
+from ...diagnostics.converters import converter_lag
+from ...diagnostics.events import rest_facts
 from ...errors import DataRefusedError, InputError
 from ...models.hybrid.angle_reading import ANGLE_IS_READ
 from ...models.hybrid.model import HybridModel

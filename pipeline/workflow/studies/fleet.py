@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ...device.device import device
-from ...diagnostics.facts.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
 from ...diagnostics.instruments import InstrumentTest, ObservedModel
+from ...diagnostics.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
 from ...errors import DataRefusedError, DebistError, InputError
 from ...models.base import DynamicModel
 from ...models.hybrid.model import HybridModel

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...device.device import device
 from ...device.parameters import JointParameters, parameter_set, parameter_values
-from ...diagnostics.facts.characteristics import believed_wells, stable_rests
+from ...diagnostics.characteristics import believed_wells, stable_rests
 from ...errors import DataRefusedError, DebistError, InputError
 from ...models.model_type import model_type
 from ...numerics.arrays import BoolArray

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...device.device import device
 from ...device.parameters import JointParameters, parameter_set
-from ...diagnostics.facts.run_data import RunData, wells_of_run
+from ...diagnostics.run_data import RunData, wells_of_run
 from ...errors import InputError
 from ...models.analytical.bifurcation import characteristics
 from ...models.analytical.reduced_order import beam_modes, pulse_sequence, simulate_both

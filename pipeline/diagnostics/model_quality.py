@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from ...numerics.arrays import FloatArray
-from ...scoring.wells import NoWells, Wells, snaps
-from ...signals.findings import Finding, Number
-from ...system.names import ROLE_WORDS, log_title
-from ...units.units import HORIZONS
+from ..numerics.arrays import FloatArray
+from ..scoring.wells import NoWells, Wells, snaps
+from ..signals.findings import Finding, Number
+from ..system.names import ROLE_WORDS, log_title
+from ..units.units import HORIZONS
 from .grades import THRESHOLDS, Check, graded, of_finding
 from .run_data import LogData, RunData
 

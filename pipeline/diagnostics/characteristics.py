@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...device.device import Device
-from ...errors import InputError
-from ...models.base import DynamicModel, HasCurveDraws, HasCurves
-from ...numerics.arrays import BoolArray, FloatArray
-from ...scoring.wells import NoWells, Wells, outermost_pair
-from ...store.columns import STABLE
+from ..device.device import Device
+from ..errors import InputError
+from ..models.base import DynamicModel, HasCurveDraws, HasCurves
+from ..numerics.arrays import BoolArray, FloatArray
+from ..scoring.wells import NoWells, Wells, outermost_pair
+from ..store.columns import STABLE
 from .run_data import RunData
 
 COVERAGE = 0.9  # share of the draws inside a band or an interval
