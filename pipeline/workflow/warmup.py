@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..system.isolation import in_processes
+from ..system.worker_pool import in_processes
 
 COST = 30.0
 """Processor time [s] that a first run spends on compilation, roughly."""

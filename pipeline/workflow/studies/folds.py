@@ -33,7 +33,7 @@ from ...store.lock import run_lock
 from ...store.manifest import TIMES
 from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
-from ...system.isolation import in_processes
+from ...system.worker_pool import in_processes
 from .. import stage_identify as identify
 from ..engine import Observer, Task, bring_up_to_date
 from ..logs import load_logs, sources

@@ -25,7 +25,7 @@ from ...store.lock import run_lock
 from ...store.outputs import new_outputs
 from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
-from ...system.isolation import in_processes
+from ...system.worker_pool import in_processes
 from ...units.units import ALPHA_UNIT
 from ..engine import Observer, Task, bring_up_to_date
 from ..logs import load_logs, sources

@@ -1,0 +1,70 @@
+"""Calls in processes end as calls in this process do, and the death of a process is an error that names a way out."""
+
+import os
+import time
+import warnings
+from functools import partial
+
+import pytest
+
+from pipeline.errors import WARNING, DebistError, InputError
+from pipeline.system.worker_pool import in_processes, pool
+
+
+def _square(number):
+    time.sleep(0.02 * (3 - number % 3))  # later items end first
+    return number * number
+
+
+def _reports(on_progress):
+    on_progress("half", 0.5)
+    warnings.warn(f"{WARNING}look", stacklevel=1)
+    warnings.warn("of a library", stacklevel=1)
+    return os.getpid()
+
+
+def _raises(error, on_progress):
+    raise error
+
+
+def _dies(on_progress):
+    os._exit(3)
+
+
+def _one(call, seen):
+    with pool(2) as processes:
+        processes.begin(7, call, lambda what, share: seen.append((what, share)))
+        ((key, result),) = processes.finished()
+        assert key == 7
+        return result()
+
+
+@pytest.mark.parametrize("jobs", [1, 3])
+def test_results_are_in_the_order_of_the_items(jobs):
+    assert list(in_processes(_square, range(8), jobs)) == [number * number for number in range(8)]
+    assert list(in_processes(_square, [], jobs)) == []
+
+
+def test_progress_result_and_warnings_for_the_user_come_back():
+    seen: list = []
+    with pytest.warns(UserWarning, match="look") as given:
+        assert _one(_reports, seen) != os.getpid()
+    assert seen == [("half", 0.5)] and len(given) == 1
+
+
+def test_an_error_keeps_its_type_and_an_unknown_one_its_traceback():
+    with pytest.raises(InputError, match="file x"):
+        _one(partial(_raises, InputError("file x")), [])
+    with pytest.raises(ZeroDivisionError) as raised:
+        _one(partial(_raises, ZeroDivisionError("no")), [])
+    assert "_raises" in raised.value.__notes__[0]
+
+
+def test_a_process_that_dies_is_an_error_and_the_pool_goes_on_with_another():
+    with pytest.raises(DebistError, match="--jobs 1"):
+        _one(_dies, [])
+    with pool(2) as processes:
+        processes.begin(0, _dies, print)
+        processes.finished()
+        processes.begin(1, _reports, lambda what, share: None)
+        assert [key for key, _ in processes.finished()] == [1]
