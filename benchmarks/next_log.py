@@ -18,7 +18,7 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.rig.bench import record
 from pipeline.rig.excitation import Burst, command, random_excitation
 from pipeline.rig.fleet import Experiment, draw, moving_mass
-from pipeline.rig.log import LAYOUTS, RawLog
+from pipeline.rig.log import LAYOUTS
 from pipeline.store.run_folder import in_snapshot
 from pipeline.workflow.engine import Unheard
 from pipeline.workflow.report_data import load_scores
@@ -63,13 +63,12 @@ def measure(kind: str, seed: int, candidates: int, folder: Path) -> tuple[list[f
     rng = np.random.default_rng(seed)
     joint, bench, logs = draw(Experiment(kind=kind, format="parquet", rate=RATE, validation_logs=2), rng)
     for log in logs:
-        measured = RawLog(log.record.t, log.record.q, log.record.v1, log.record.v2)
-        FORM.save(measured, folder / f"{log.stem}.parquet")
+        FORM.save(log.record, folder / f"{log.stem}.parquet")
 
     def play(name: str, bursts: list[Burst]) -> None:
         t = bench.clock(37.5)
         log = record(joint, bench, t, command(bursts, t), rng)
-        FORM.save(RawLog(log.t, log.q, log.v1, log.v2), folder / f"{name}.parquet")
+        FORM.save(log, folder / f"{name}.parquet")
 
     mass = moving_mass(joint)
     errors = [identified(folder, "first", mass)]

@@ -3,9 +3,10 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from ..device.device import Device, device
 from ..device.parameters import parameter_set
@@ -37,10 +38,6 @@ from ..workflow.steps.differentiate import kinematics
 from ..workflow.steps.identify import identified, training
 from ..workflow.steps.ingest import examined, record_columns, resamplings
 from ..workflow.steps.score import ComparedRun, score_rows
-
-if TYPE_CHECKING:
-    import pandas as pd
-
 
 OF_RUN = "debist_log"
 """Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""
@@ -299,10 +296,8 @@ def column_name(name: str, displacement: str, inputs: str = "V") -> str:
     return name if unit == "1" else f"{name}_{unit}"
 
 
-def frame(columns: Mapping[str, Any], displacement: str, inputs: str = "V") -> "pd.DataFrame":
+def frame(columns: Mapping[str, Any], displacement: str, inputs: str = "V") -> pd.DataFrame:
     """Columns of a table, all of one length, with their SI units in the names."""
-    import pandas as pd
-
     return pd.DataFrame({column_name(name, displacement, inputs): values for name, values in columns.items()})
 
 
@@ -311,7 +306,7 @@ def as_pandas(t: Any) -> Any:
     return t.to_pandas() if hasattr(t, "columns") and hasattr(t, "to_pandas") else t
 
 
-def signals_of(table: "pd.DataFrame") -> Signals:
+def signals_of(table: pd.DataFrame) -> Signals:
     """The signals of a DataFrame with the columns t_s, q_m or q_rad, v1_V and, with two inputs, v2_V.
 
     Raises

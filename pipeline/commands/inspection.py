@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..units.quantity import quantity
+from ..units.quantity import prefixed, quantity, stamped
 from .console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text, with_units
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def _emit_first_log(design: "Design") -> None:
             f"{plain.conditioning.log_det:.2f}",
         ),
         ("condition number", f"{designed.conditioning.condition:.0f}", f"{plain.conditioning.condition:.0f}"),
-        ("cells with 20 samples [%]", f"{100 * designed.covered:.0f}", f"{100 * plain.covered:.0f}"),
+        ("cells with 20 samples [%]", prefixed(designed.covered, "%", 0), prefixed(plain.covered, "%", 0)),
         ("passages between the wells", _counts(designed.crossings), _counts(plain.crossings)),
     ]
     emit_table("The sequence beside alternating full pulses", ("", "designed", "alternating"), rows)
@@ -135,8 +135,6 @@ def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
     """Print the channels, the time bases, the notes, and what the log excites."""
-    from ..signals.findings import stamped
-
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
         ("channel", "unit", "samples", "smallest", "largest", "time base", "remarks"),

@@ -48,7 +48,7 @@ def emit_scores(
     if details:
         _emit_details(run)
         return
-    from ..reporting.short_tables import main_table
+    from ..reporting.tables import main_table
 
     table = main_table(shown_scores(run))
     emit_table(table.where, table.heading, table.rows)
@@ -80,6 +80,10 @@ def emit_instruments(run: Path) -> None:
     if table.rows:
         emit_table("instruments", table.heading, table.rows, numeric_from=len(table.heading))
     emit_text(table.explanation)
+    if table.entries:
+        emit_text("To correct a log, write in place of it in [logs]:")
+    for line in table.entries:
+        typer.echo(printable(line))  # one line, however narrow the terminal: it is pasted
 
 
 def emit_assessment(run: Path) -> None:

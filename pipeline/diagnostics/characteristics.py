@@ -13,7 +13,8 @@ from ..device.device import Device
 from ..errors import InputError
 from ..models.base import DynamicModel, HasCurveDraws, HasCurves
 from ..numerics.arrays import BoolArray, FloatArray
-from ..scoring.wells import NoWells, Wells, outermost_pair
+from ..numerics.continuation import outermost_pair
+from ..scoring.wells import NoWells, Wells
 from ..store.columns import STABLE
 from .run_data import RunData
 

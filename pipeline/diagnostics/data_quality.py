@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from ..fitting.coverage import coverage
+from ..fitting.information import coverage
 from ..numerics.arrays import FloatArray, sample_interval
 from ..scoring.wells import NoWells, Wells, snaps
 from ..signals.findings import Finding, Number

@@ -13,22 +13,35 @@ from ..diagnostics.series import READINGS
 from ..settings.logs import LogPart
 from ..system.names import log_title
 from ..units.quantity import quantity
-from .figure import Band, Figure, Line, Panel, Points
+from .figure import Band, Figure, Panel, Points, error_bars
 
 Row = Mapping[str, Any]
 Parts = Mapping[tuple[str, str], LogPart]
 
 RELATIVE = "Errors are relative to the training logs: where one of those is wrong, correct it instead."
 
+ONE_OF_TWO = "Two training logs differ: correct one of them, not both."
+
 
 @dataclass(frozen=True)
 class InstrumentTable:
-    """Lines of what is beyond its limit, none where all is quiet, and the sentence below them."""
+    """What is beyond its limit.
+
+    Attributes
+    ----------
+    rows : tuple of tuple of str
+        Lines of the table; none where all is quiet.
+    explanation : str
+        The sentence below them.
+    entries : tuple of str
+        What to write in [logs], a line of settings for each log that is off.
+    """
 
     rows: tuple[tuple[str, ...], ...]
     explanation: str
+    entries: tuple[str, ...] = ()
 
-    heading = ("log", "instrument", "reads too much by", "limit", "in [logs]")
+    heading = ("log", "instrument", "reads too much by", "limit")
 
 
 def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> InstrumentTable:
@@ -46,15 +59,21 @@ def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> In
     rows = main_rows(rows)
     logs = list(dict.fromkeys((row["role"], row["log"]) for row in rows))
     lines = list[tuple[str, ...]]()
+    entries = list[str]()
     for log in logs:
         own = [row for row in rows if (row["role"], row["log"]) == log]
-        lines += _log_lines(own, log_title(*log), entry(parts[log], own, displacement), displacement)
+        lines += _log_lines(own, log_title(*log), displacement)
+        as_wired = (own[0]["status"], own[0]["exchanged"]) == ("measured", "none")
+        if as_wired and any(row["beyond"] for row in own):
+            entries.append(entry(parts[log], own, displacement))
     if not logs:
         return InstrumentTable((), "Instruments: there is no second log to compare with a training log.")
     if not lines:
         limits = ", ".join(f"{_name(r)} {_shown(r, 'limit', displacement)}" for r in rows[: _count(rows)])
         return InstrumentTable((), f"Instruments: no reading is off by more than its limit ({limits}).")
-    return InstrumentTable(tuple(lines), RELATIVE)
+    pair = [row["log"] for row in rows if row["role"] == "train" and row["beyond"]]
+    explanation = f"{RELATIVE} {ONE_OF_TWO}" if len(set(pair)) == 2 else RELATIVE
+    return InstrumentTable(tuple(lines), explanation, tuple(entries))
 
 
 def _name(row: Row) -> str:
@@ -71,25 +90,24 @@ def main_rows(rows: Sequence[Row]) -> list[Row]:
     return [row for row in rows if row["model"] == rows[0]["model"]]
 
 
-def _log_lines(rows: Sequence[Row], title: str, line: str, displacement: str) -> list[tuple[str, ...]]:
-    """Lines of one log; the first one holds what to write."""
+def _log_lines(rows: Sequence[Row], title: str, displacement: str) -> list[tuple[str, ...]]:
+    """Lines of one log; the first one names it."""
     first = rows[0]
     if first["status"] == "another device":
         left = f"{first['residual_ratio']:.2g} times what the training logs leave"
-        return [(title, "another device", left, "", "")]
+        return [(title, "another device", left, "")]
     if first["status"] == "not measured":
-        return [(title, "not measured", "the model does not follow the log", "", "")]
+        return [(title, "not measured", "the model does not follow the log", "")]
     lines = list[tuple[str, ...]]()
     if first["exchanged"] != "none":
         words = {"inputs": "v1 and v2 exchanged", "sign": "q mirrored", "both": "v1 and v2 exchanged, q mirrored"}
-        lines.append((title, words[first["exchanged"]], "", "", ""))
+        lines.append((title, words[first["exchanged"]], "", ""))
     for row in rows:
         if row["beyond"]:
             name = _name(row)
             reads = _shown(row, "estimate", displacement, row["standard_error"])
-            lines.append((title, name, reads, _shown(row, "limit", displacement), line))
+            lines.append((title, name, reads, _shown(row, "limit", displacement)))
             title = ""
-            line = ""
     return lines
 
 
@@ -137,8 +155,7 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     beyond = np.array([row["beyond"] for row in measured])
     at = np.array([row["estimate"] for row in measured]) / limits
     half = SIGNIFICANCE * np.array([row["standard_error"] for row in measured]) / limits
-    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
-    bars = Line(f"± {SIGNIFICANCE:g} standard errors", "measured", ends, np.repeat(y, 3), dash="solid")
+    bars = error_bars(f"± {SIGNIFICANCE:g} standard errors", at, half, y)
     band = Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5))
     points = [Points("a log", "measured", at[~beyond], y[~beyond])]
     points += [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []

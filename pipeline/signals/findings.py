@@ -13,6 +13,7 @@ import numpy as np
 
 from ..numerics.arrays import FloatArray
 from ..settings.prototype import Gate
+from ..units.quantity import stamped
 from .missing import Missing
 from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
 from .spectrum import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
@@ -267,8 +268,6 @@ _FROZEN_SECONDS = 0.05
 _FROZEN_SAMPLES = 20
 _SHOWS = 1e-4
 """Share of the range of a signal that a hum is worth a remark from."""
-_LONG_AGO = 1e5
-"""Seconds of a clock from which on stamps are written to the millisecond: it counts from a day or an epoch long ago."""
 _MUCH = 10.0
 """Times the range of an idle channel by which another one of its unit moves, if the idle one is not driven."""
 
@@ -340,11 +339,6 @@ def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
 def counted(number: int, thing: str) -> str:
     """A number of things."""
     return f"{number} {thing}{'' if number == 1 else 's'}"
-
-
-def stamped(stamp: float) -> str:
-    """A time stamp [s] without its unit, to the nanosecond; to the millisecond where the clock has run for long."""
-    return f"{stamp:.3f}" if abs(stamp) >= _LONG_AGO else f"{round(stamp, 9) + 0.0:.6g}"
 
 
 def _first(places: tuple[float, ...], clock: Clock) -> str:

@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from ..errors import DebistError, RunLockedError
-from ..reporting.fleet_report import fleet_report
-from ..reporting.fleet_table import Summary, summary
+from ..reporting.fleet_report import Summary, fleet_report, summary
 from ..reporting.tables import disarmed
 from ..store import layout, schemas, tables
 from ..store.atomic import make_folder, write_text

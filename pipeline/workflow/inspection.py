@@ -12,8 +12,8 @@ from pydantic import ValidationError
 from ..device.device import Device, device
 from ..device.parameters import JointParameters, parameter_set
 from ..errors import DebistError, InputError
-from ..fitting.coverage import FEW
 from ..fitting.excitation import Excitation, examine_excitation
+from ..fitting.information import FEW
 from ..numerics.arrays import runs_of
 from ..rig_logs.channel_roles import suggested_unit
 from ..rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log

@@ -18,8 +18,8 @@ from .run_models import control_documents
 if TYPE_CHECKING:
     from ..diagnostics.datasheet import Datasheet
     from ..diagnostics.run_data import RunData
-    from ..reporting.canvas import Format
     from ..reporting.figure import Figure
+    from ..reporting.plotted import Format
 
 ALGORITHM = "35"
 
@@ -166,7 +166,7 @@ def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared]) -> Mappi
 def _drawings(
     run: RunFolder, *, prepared: Callable[[RunFolder], Prepared], typeface: Typeface
 ) -> Mapping[str, Written]:
-    from ..reporting.canvas import paper_figure
+    from ..reporting.plotted import paper_figure
 
     contents = prepared(run)
     written = {}

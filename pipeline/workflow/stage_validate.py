@@ -16,9 +16,8 @@ from ..device.parameters import JointParameters, parameter_values
 from ..diagnostics.characteristics import believed_wells, stable_rests
 from ..models.analytical.statics import RotationMap, rotation_map
 from ..models.base import DynamicModel, FreeRun
-from ..models.free_runs import free_run, tube_columns
+from ..models.free_runs import Tubes, free_run, tube_columns
 from ..models.model_type import model_from_tree
-from ..models.tubes import Tubes
 from ..numerics.arrays import FloatArray
 from ..scoring.wells import NoWells, Wells, wells_of
 from ..settings.logs import Role

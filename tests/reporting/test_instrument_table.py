@@ -57,3 +57,23 @@ def test_only_what_is_off_has_a_line(rows: list[dict[str, Any]], words: list[tup
     table = instrument_table(rows, {("validation", "long"): LogPart(file="long.mat")}, "m")
     assert [line[1:2] for line in table.rows] == words
     assert table.explanation.startswith("Errors are relative" if words else "Instruments: no reading is off")
+
+
+@pytest.mark.parametrize(
+    ("other", "advised"),
+    [
+        ({}, ['{ file = "long.mat", clock = 0.99003 }']),
+        ({"exchanged": "inputs"}, []),
+        ({"status": "another device"}, []),
+    ],
+)
+def test_a_log_as_it_was_wired_has_its_line_of_settings(other: dict[str, str], advised: list[str]) -> None:
+    table = instrument_table(_rows("clock", **other), {("validation", "long"): LogPart(file="long.mat")}, "m")
+    assert list(table.entries) == advised
+
+
+def test_of_two_training_logs_that_differ_one_is_to_be_corrected() -> None:
+    logs = [_rows("clock", role="train", log=log) for log in ("first", "second")]
+    parts = {("train", log): LogPart(file=f"{log}.mat") for log in ("first", "second")}
+    table = instrument_table([*logs[0], *logs[1]], parts, "m")
+    assert "one of them, not both" in table.explanation

@@ -18,9 +18,8 @@ from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...signals.log import Log
 from ...signals.resampling import filtered_samples
-from ..base import FreeRun, checked
+from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, Unit, tree_of
-from ..tubes import NO_TUBES, TubeScale
 from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES

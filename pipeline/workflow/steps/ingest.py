@@ -12,6 +12,7 @@ from ...errors import DataRefusedError
 from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
 from ...signals.log import LONGEST_BRIDGE, UNKNOWN, RawLog
+from ...units.quantity import stamped
 
 if TYPE_CHECKING:
     from ...signals.findings import Finding
@@ -91,7 +92,7 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
 
 def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
     """The log with its inputs' single-sample spikes bridged, and noted."""
-    from ...signals.findings import counted, stamped
+    from ...signals.findings import counted
     from ...signals.outliers import without_spikes
     from ...signals.timebase import nominal_step
 
@@ -180,7 +181,7 @@ def _lacking(signals: RawLog, interval: float) -> tuple[list[str], "list[Finding
     """What to say of samples that signals beside q lack, and of more than an interval [s] at which only q is known; and
     what of it speaks against the log.
     """
-    from ...signals.findings import counted, missing_findings, stamped
+    from ...signals.findings import counted, missing_findings
     from ...signals.missing import missing
 
     beside = missing(signals.q, signals.beside)
@@ -199,7 +200,7 @@ def _discarded(rows: "TimeRows") -> list[str]:
     """What to say of rows that are left out where time steps back."""
     if not rows.turns.size:
         return []
-    from ...signals.findings import counted, stamped
+    from ...signals.findings import counted
 
     share = rows.backward / rows.time.size
     places = counted(int(rows.turns.size), "place")
@@ -212,7 +213,7 @@ def _discarded(rows: "TimeRows") -> list[str]:
 
 def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[str]:
     """What to say of gaps in time, and of spans [s] in which the inputs are not known."""
-    from ...signals.findings import counted, stamped
+    from ...signals.findings import counted
 
     kinds = [
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),

@@ -9,12 +9,11 @@ import numpy as np
 
 from ...device.device import Device
 from ...models.base import DynamicModel, FreeRun, HasTubes, predictor
-from ...models.free_runs import DRAWS, drawn_runs, free_run, tubes_of
-from ...models.tubes import Tubes
+from ...models.free_runs import DRAWS, Tubes, drawn_runs, free_run, tubes_of
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import signal_range
-from ...scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
 from ...scoring.intervals import SEED, Interval, excess_over_lowest
+from ...scoring.scores import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
 from ...scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes
 from ...signals.log import Log
 from ...store.columns import NOTED_COLUMNS
@@ -102,7 +101,7 @@ def trust_notes(
         ``outcomes``: for each rest after a pulse its end ``at_s``, the probability ``right`` of the well at larger q,
         and whether it is ``ambiguous``; None for a model without an ensemble or a device without two wells.
     """
-    from ...fitting.coverage import share_outside
+    from ...fitting.information import share_outside
 
     return {
         "outside_training": share_outside(*_valid([log]), *_valid(trained)),
@@ -191,8 +190,7 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
     wells : Wells or NoWells
         The wells in the data.
     """
-    from ...scoring.scores import score_run
-    from ...scoring.step_responses import response_errors
+    from ...scoring.scores import response_errors, score_run
 
     units = signal_units(plant.displacement.symbol)
     v = measured.v

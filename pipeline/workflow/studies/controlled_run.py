@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...control.ensemble import Converters
-from ...control.linear import LinearModel, equilibria
-from ...control.plant import ASSUMED_LAG, ControlledJoint, plant_of
+from ...control.plant import ASSUMED_LAG, ControlledJoint, LinearModel, equilibria, plant_of
 from ...device.device import JOINT, device
 from ...diagnostics.converters import converter_lag
 from ...diagnostics.events import rest_facts

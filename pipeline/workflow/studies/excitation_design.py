@@ -20,8 +20,7 @@ import numpy as np
 
 from ...device.device import JOINT
 from ...errors import InputError
-from ...fitting.coverage import FEW, Coverage, coverage
-from ...fitting.information import Conditioning, ScaledRegressor, conditioning, log_information
+from ...fitting.information import FEW, Conditioning, Coverage, ScaledRegressor, conditioning, coverage, log_information
 from ...models.hybrid.model import HybridModel
 from ...models.hybrid.next_log import Uncertainty, slopes, uncertainty
 from ...numerics.arrays import FloatArray
