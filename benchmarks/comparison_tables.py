@@ -27,7 +27,7 @@ import matplotlib.pyplot as plt  # noqa: E402 - after the choice of the backend
 import numpy as np  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 
-from pipeline.reporting.legend import MODEL_COLOURS  # noqa: E402
+from pipeline.reporting.figure import MODEL_COLOURS  # noqa: E402
 from pipeline.store import layout  # noqa: E402
 from pipeline.store.run_folder import RunFolder  # noqa: E402
 from pipeline.workflow.report_data import load_scores  # noqa: E402

@@ -20,12 +20,11 @@ from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.ensemble import Converters
 from pipeline.control.law import Law
-from pipeline.control.linear import wells_and_saddle
-from pipeline.control.plant import ControlledJoint
-from pipeline.control.step_metrics import one_step
+from pipeline.control.plant import ControlledJoint, wells_and_saddle
 from pipeline.errors import DebistError
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.metrics import one_step
 from pipeline.rig.joint import rest
 from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
 from pipeline.rig.random_joint import Drift, aged

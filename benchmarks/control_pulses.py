@@ -13,10 +13,10 @@ from control_disturbances import Row, Tested, main
 from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.pulses import design_pulse
-from pipeline.control.step_metrics import Step, one_step
 from pipeline.control.switching_map import lowest_voltage, pulses, switching_map
 from pipeline.errors import DebistError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import Step, one_step
 from pipeline.rig.joint import rest
 from pipeline.rig.loop import ClosedLoop, Scenario, played, run_loop
 from pipeline.system.names import Goal, Well

@@ -8,8 +8,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from pipeline.device.parameters import NOMINAL
-from pipeline.fitting.coverage import Coverage
-from pipeline.reporting.legend import FIXED
+from pipeline.fitting.information import Coverage
+from pipeline.reporting.figure import FIXED
 from pipeline.rig.excitation import Burst, alternating_pulses, command
 from pipeline.workflow.studies.excitation import drawn_simulators
 from pipeline.workflow.studies.excitation_design import Design, Requirements, Simulator, design_excitation

@@ -17,7 +17,7 @@ from pipeline.device.parameters import NOMINAL
 from pipeline.errors import DataRefusedError
 from pipeline.rig.bench import random_bench, record
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation
-from pipeline.rig.log import LAYOUTS, RawLog
+from pipeline.rig.log import LAYOUTS
 from pipeline.rig.random_joint import random_joint
 from pipeline.workflow.engine import Unheard
 from pipeline.workflow.report_data import load_scores
@@ -78,7 +78,7 @@ def measure(number: int, folder: Path) -> dict[str, dict[str, float]]:
     }
     for name, bursts in experiments.items():
         log = record(joint, bench, t, command(bursts, t), rng)
-        FORM.save(RawLog(log.t, log.q, log.v1, log.v2), folder / f"{name}.parquet")
+        FORM.save(log, folder / f"{name}.parquet")
     return {name: errors(folder, name) for name in ("alternating", "random", "designed")}
 
 

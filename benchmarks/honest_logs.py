@@ -16,12 +16,12 @@ from pipeline.device.device import device
 from pipeline.diagnostics.check import check_logs, refusing
 from pipeline.diagnostics.sentences import sentences
 from pipeline.diagnostics.weak_form import LogSignals
-from pipeline.rig.fleet import Experiment, write_prototype
+from pipeline.rig.fleet import Experiment, simulate_prototype
 from pipeline.settings.prototype import Prototype, load_prototype
 from pipeline.signals.findings import Finding
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow import stage_ingest as ingest
-from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.engine import bring_up_to_date
 from pipeline.workflow.stage_check import signals
 
 PAIRS = 40
@@ -35,7 +35,7 @@ def pairs(folder: Path) -> Iterator[tuple[str, list[LogSignals], Prototype]]:
         excitation = EXCITATIONS[number // 2 % len(EXCITATIONS)]
         name = f"{kind}-{excitation}-{number}"
         experiment = Experiment(kind=kind, format="parquet", rate=2000.0, duration=20.0, excitation=excitation)
-        path = write_prototype(folder / name, name, experiment, seed=500 + number)
+        path = simulate_prototype(folder / name, name, experiment, seed=500 + number)
         prototype = load_prototype(path)
         run = RunFolder.create(folder / "runs" / name, prototype.model_dump(mode="json"), path)
         bring_up_to_date(run, ingest.tasks(prototype, path), Progress(quiet=True))

@@ -18,14 +18,13 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.rig.bench import record
 from pipeline.rig.excitation import Burst, command, random_excitation
 from pipeline.rig.fleet import Experiment, draw, moving_mass
-from pipeline.rig.log import LAYOUTS, RawLog
+from pipeline.rig.log import LAYOUTS
 from pipeline.store.run_folder import in_snapshot
 from pipeline.workflow.engine import Unheard
 from pipeline.workflow.report_data import load_scores
 from pipeline.workflow.run import run_prototype, run_stage
 from pipeline.workflow.run_models import subject
-from pipeline.workflow.studies.excitation_design import Requirements
-from pipeline.workflow.studies.next_log import NextLog, design_next_log
+from pipeline.workflow.studies.excitation_design import NextLog, Requirements, design_next_log
 
 FORM, RATE, ARMS = LAYOUTS["parquet"], 2000.0, ("first", "usual", "designed")
 SETTINGS = """
@@ -64,13 +63,12 @@ def measure(kind: str, seed: int, candidates: int, folder: Path) -> tuple[list[f
     rng = np.random.default_rng(seed)
     joint, bench, logs = draw(Experiment(kind=kind, format="parquet", rate=RATE, validation_logs=2), rng)
     for log in logs:
-        measured = RawLog(log.record.t, log.record.q, log.record.v1, log.record.v2)
-        FORM.save(measured, folder / f"{log.stem}.parquet")
+        FORM.save(log.record, folder / f"{log.stem}.parquet")
 
     def play(name: str, bursts: list[Burst]) -> None:
         t = bench.clock(37.5)
         log = record(joint, bench, t, command(bursts, t), rng)
-        FORM.save(RawLog(log.t, log.q, log.v1, log.v2), folder / f"{name}.parquet")
+        FORM.save(log, folder / f"{name}.parquet")
 
     mass = moving_mass(joint)
     errors = [identified(folder, "first", mass)]

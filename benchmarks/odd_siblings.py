@@ -23,26 +23,26 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.siblings import learn
 from pipeline.rig.fleet import Experiment, simulate_prototype
 from pipeline.rig.parameters import RigParameters
+from pipeline.rig.random_joint import Family, random_joint
 from pipeline.workflow.batch import Execution, run_batch
 from pipeline.workflow.members import members, prototype_files
 
 KINDS, CASES = ("same", "foreign"), {"usual": (1.0, 1.0), "left": (0.85, 1.0), "laser": (1.0, 1.03)}
 QUICK = '\n[identify]\nmodels = ["hybrid"]\n[compare]\nmodels = []\n'
-drawn = pipeline.rig.fleet._joint
 
 
 def simulate(folder: Path, kind: str, case: str, seed: int) -> None:
     """Logs and settings of one joint."""
     capacitance, laser = CASES[case]
 
-    def joint(kind: str, rng: np.random.Generator) -> RigParameters:
-        p = drawn(kind, rng)
+    def joint(rng: np.random.Generator, family: Family) -> RigParameters:
+        p = random_joint(rng, family)
         return p._replace(capacitance=p.capacitance * [capacitance, 1.0])
 
     home = folder / f"{kind}-{case}-{seed}"
     if (home / f"{home.name}.toml").exists():
         return
-    with mock.patch.object(pipeline.rig.fleet, "_joint", joint):
+    with mock.patch.object(pipeline.rig.fleet, "random_joint", joint):
         experiment = Experiment(kind=kind, format="parquet", rate=2000.0, validation_logs=0)
         settings = simulate_prototype(home, home.name, experiment, seed=seed)
     log = pq.read_table(home / "train.parquet")

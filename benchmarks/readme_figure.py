@@ -17,7 +17,7 @@ import debist
 from pipeline.device.parameters import NOMINAL
 from pipeline.models.analytical.reduced_order import beam_shapes
 from pipeline.models.analytical.statics import JointEquilibrium, equilibria
-from pipeline.reporting.legend import FIXED
+from pipeline.reporting.figure import FIXED
 
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "figures" / "joint-and-free-run.svg"
 STYLE: Any = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.rig.log import LAYOUTS, RawLog
+from pipeline.rig.bench import Readings
+from pipeline.rig.log import LAYOUTS
 from tests.prototypes import motion, settings, write_csv
 
 COMMAND = shlex.split(os.environ.get("DEBIST_WINDOWS_PYTHON", ""))
@@ -56,7 +57,7 @@ def test_it_is_windows(folder):
 def test_a_log_is_read(folder, layout):
     name = f"Messung ö{LAYOUTS[layout].suffix}"
     t, q, v = motion(10.0, 200.0, 1)
-    LAYOUTS[layout].save(RawLog(t, q, *v.T), folder / name)
+    LAYOUTS[layout].save(Readings(t, q, *v.T), folder / name)
     code, printed, messages = _debist(folder, "inspect", name)
     assert code == 0 and name in printed and "2000" in printed, messages
 
@@ -83,3 +84,11 @@ def test_processes_of_a_run_give_its_error(folder):
     (folder / "short.toml").write_text(settings(name="short", train="short.csv"), encoding="utf-8")
     code, _, messages = _debist(folder, "run", "short.toml", "--jobs", "2", "-q")
     assert code == 2 and "short.csv" in messages and "Traceback" not in messages, messages
+
+
+def test_the_demo_runs_to_its_end_with_stages_side_by_side(folder):
+    code, printed, messages = _debist(folder, "demo", "-o", "Vorführung 1")
+    assert code == 0 and "assessment: data good, model good" in printed, printed + messages
+    assert (folder / "Vorführung 1/report.html").is_file()
+    code, printed, messages = _debist(folder, "verify", "Vorführung 1")
+    assert code == 0 and "all intact" in printed, messages

@@ -7,20 +7,43 @@ from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+import numpy as np
+import pandas as pd
+
+from ..device.device import device
 from ..errors import InputError, warn_user
+from ..export.subject import Subject
+from ..models.base import DynamicModel, HasCurves, HasDraws, real_numbers
+from ..models.free_runs import free_run, wanted_tubes
+from ..numerics.arrays import FloatArray
+from ..scoring.scores import fit_note, predicted
+from ..settings.prototype import Prototype
+from ..signals.log import Log
 from ..system.machine import one_thread
+from ..units.quantity import axis_scale, moment
+from ..units.units import column_suffix
+from ..workflow.steps.score import measured_path
+from .in_memory import (
+    Signals,
+    arrays_of,
+    as_pandas,
+    cleaned,
+    frame,
+    identify_signals,
+    log_in,
+    refuse_other_units,
+    score_table,
+    si_symbols,
+    signals_of,
+    voltages_of,
+)
+from .in_memory import settings as settings_of
+from .saved_model import export_model, load_saved, save_model, subject_of
 
 if TYPE_CHECKING:
-    import pandas as pd
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
-    from ..export.subject import Subject
-    from ..models.base import DynamicModel
-    from ..numerics.arrays import FloatArray
-    from ..settings.prototype import Prototype
-    from ..signals.log import Log
-    from .in_memory import Signals
 
 _COARSEST = 30.0  # times the sample interval that a step of times may be: 1 kHz in ms has 100
 
@@ -39,8 +62,8 @@ class Model:
     """
 
     def __init__(
-        self, core: "DynamicModel", prototype: "Prototype", notes: Mapping[str, Any] | None = None, *,
-        subject: "Callable[[], Subject]",
+        self, core: DynamicModel, prototype: Prototype, notes: Mapping[str, Any] | None = None, *,
+        subject: Callable[[], Subject],
     ) -> None:  # fmt: skip
         self.core = core
         self.name = core.name
@@ -58,7 +81,7 @@ class Model:
         return self.core.input_count
 
     @cached_property
-    def _subject(self) -> "Subject":
+    def _subject(self) -> Subject:
         return self._made_subject()
 
     def save(self, path: str | Path) -> Path:
@@ -69,8 +92,6 @@ class Model:
         InputError
             The model cannot be filed, or the file cannot be written.
         """
-        from .saved_model import save_model
-
         save_model(Path(path), self._subject, self._prototype)
         return Path(path)
 
@@ -83,8 +104,6 @@ class Model:
         CorruptArtifactError
             The file is damaged, or no saved model.
         """
-        from .saved_model import load_saved
-
         subject, prototype = load_saved(Path(path))
         return cls(subject.model, prototype, subject=partial(replace, subject))
 
@@ -96,15 +115,13 @@ class Model:
         InputError
             A form that cannot carry the model, or a file of others in the folder.
         """
-        from .saved_model import export_model
-
         return export_model(self._subject, target, Path(output)).written
 
     @one_thread
     def simulate(
         self, t: "ArrayLike | pd.DataFrame", v: "ArrayLike | None" = None, q0: float | None = None,
         qdot0: float = 0.0, *, tube: bool = False,
-    ) -> "pd.DataFrame":  # fmt: skip
+    ) -> pd.DataFrame:  # fmt: skip
         """Free run from an initial state.
 
         Parameters
@@ -130,10 +147,6 @@ class Model:
         InputError
             Signals that do not fit the model or each other, or a model without tubes.
         """
-        from ..models.base import HasDraws
-        from ..models.free_runs import wanted_tubes
-        from .in_memory import frame, refuse_other_units, voltages_of
-
         times, volts = voltages_of(t, v)
         self._check_columns(volts.shape[1], None)
         if q0 is None:
@@ -163,7 +176,7 @@ class Model:
     def score(
         self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
         v2: "ArrayLike | None" = None,
-    ) -> "pd.DataFrame":  # fmt: skip
+    ) -> pd.DataFrame:  # fmt: skip
         """Errors of the free run over a measured log, from its first sample.
 
         Parameters
@@ -188,18 +201,13 @@ class Model:
         UserWarning
             What was noticed and masked in the log.
         """
-        import pandas as pd
-
-        from ..device.device import device
-        from .in_memory import score_table
-
         return pd.DataFrame(score_table(self.core, self._measured(t, q, v1, v2), device(self._prototype)))
 
     @one_thread
     def predict(
         self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
         v2: "ArrayLike | None" = None, *, ahead: int = 1,
-    ) -> "pd.DataFrame":  # fmt: skip
+    ) -> pd.DataFrame:  # fmt: skip
         """Displacement `ahead` samples after each measured one, as a predictive controller needs it.
 
         Parameters
@@ -224,10 +232,6 @@ class Model:
         -----
         A model takes its hidden states from the measurement before. Cost: `ahead` simulated samples for each sample.
         """
-        from ..scoring.horizons import predicted
-        from ..workflow.steps.validate import measured_path
-        from .in_memory import frame
-
         log = self._measured(t, q, v1, v2)
         if ahead not in range(1, len(log.t)):
             raise InputError(f"ahead is {ahead}; give 1 to {len(log.t) - 1} samples")
@@ -250,10 +254,6 @@ class Model:
         """
         from matplotlib import pyplot
 
-        from ..models.free_runs import free_run
-        from ..reporting.log_figures import fit_note
-        from ..units.quantity import axis_scale, moment
-
         log = self._measured(t, q, v1, v2)
         run = free_run(log, self.core)
         if ax is None:
@@ -269,7 +269,7 @@ class Model:
         return ax
 
     @one_thread
-    def curves(self, q: "ArrayLike") -> "pd.DataFrame":
+    def curves(self, q: "ArrayLike") -> pd.DataFrame:
         """Characteristic curves at q [m], shape (n,): force, damping, slopes of the capacitances (fig. 14).
 
         Raises
@@ -277,14 +277,6 @@ class Model:
         InputError
             The model has none.
         """
-        import numpy as np
-        import pandas as pd
-
-        from ..device.device import device
-        from ..models.base import HasCurves, real_numbers
-        from ..units.units import column_suffix
-        from .in_memory import refuse_other_units
-
         if not isinstance(self.core, HasCurves):
             raise InputError(f"the model {self.name} has no characteristic curves")
         places = np.atleast_1d(real_numbers(q, "q"))
@@ -305,13 +297,9 @@ class Model:
     @property
     def _units(self) -> tuple[str, str]:
         """SI symbols of the displacement and of the inputs."""
-        from .in_memory import si_symbols
-
         return si_symbols(self._prototype)
 
-    def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> "Log":
-        from .in_memory import as_pandas, cleaned, log_in
-
+    def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> Log:
         t = as_pandas(t)
         log = log_in(t) if q is None else None
         if log is not None:
@@ -328,14 +316,13 @@ class Model:
         self._warn_beyond(list(log.v.T))
         return log
 
-    def _warn_beyond(self, inputs: "list[FloatArray]", q0: float | None = None) -> None:
+    def _warn_beyond(self, inputs: list[FloatArray], q0: float | None = None) -> None:
         for text in self._subject.validity.beyond(inputs, q0):
             warn_user(text)
 
     def _check_columns(self, count: int, unit: str | None) -> None:
         if count != self.inputs:
             raise InputError(f"the log has {count} voltage(s), the model {self.name} {self.inputs}")
-        from ..device.device import device
 
         if unit not in (None, self._units[0], device(self._prototype).logged.symbol):
             raise InputError(f"q of the log is in {unit}, that of the model {self.name} in {self._units[0]}")
@@ -407,10 +394,6 @@ def identify(
     >>> model = debist.identify(t, q, v1, v2, mass=0.0405, parameters="nominal")  # doctest: +SKIP
     >>> model.simulate(t, np.column_stack([v1, v2]), q0=0.01).plot("t_s", "q_m")  # doctest: +SKIP
     """
-    from .in_memory import identify_signals
-    from .in_memory import settings as settings_of
-    from .saved_model import subject_of
-
     logs = _logs(t, q, v1, v2)
     count = logs[0].v.shape[1]
     unit = logs[0].unit
@@ -428,9 +411,7 @@ def identify(
     return Model(core, prototype, notes, subject=partial(subject_of, core, prototype, cleaned_logs))
 
 
-def _logs(t: Any, q: Any, v1: Any, v2: Any) -> "list[Signals]":
-    from .in_memory import arrays_of, as_pandas, signals_of
-
+def _logs(t: Any, q: Any, v1: Any, v2: Any) -> list[Signals]:
     t = [as_pandas(table) for table in t] if isinstance(t, list | tuple) else as_pandas(t)
     if q is not None:
         if v1 is None:

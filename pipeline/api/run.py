@@ -1,6 +1,6 @@
 """A run for notebooks and scripts: scores, signals, models, free runs, figures.
 
-Everything is in SI units. Libraries are loaded when they are first needed.
+Everything is in SI units; matplotlib is loaded with the first figure.
 
 Examples
 --------
@@ -11,22 +11,153 @@ Examples
 """
 
 from collections.abc import Sequence
+from dataclasses import asdict
 from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+import numpy as np
+import pandas as pd
+
+from ..device.parameters import parameter_set
+from ..diagnostics.check import check_rows
+from ..errors import InputError
+from ..models.base import real_numbers
+from ..models.free_runs import drawn_runs, free_run, wanted_tubes
+from ..settings.prototype import Prototype
+from ..signals.differentiate import differentiate as differentiated
+from ..store import layout
+from ..store.run_folder import RunFolder
 from ..system.machine import one_thread
-from .logs import check, compare, differentiate, read_log
+from ..workflow.engine import Unheard
+from ..workflow.inspection import check as check_tool
+from ..workflow.logs import load_motion
+from ..workflow.place import load_settings
+from ..workflow.report_data import load_datasheet, load_instruments, load_scores
+from ..workflow.run_models import compared_models, identified_models, load_run_model, subject
+from ..workflow.si_log import read_si
+from .in_memory import OF_RUN, frame, seconds, si_symbols
 from .model import Model, identify
 
 if TYPE_CHECKING:
-    import pandas as pd
     from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
 
-    from ..control.linear import LinearModel
-    from ..settings.prototype import Prototype
-    from ..store.run_folder import RunFolder
+    from ..control.plant import LinearModel
     from ..workflow.plot import RunFigures
+
+
+_EVEN = 1e-3
+"""Share of the interval by which a step of uniform times may differ from it."""
+
+
+def read_log(log: str | Path, settings: str | Path) -> pd.DataFrame:
+    """A raw log of any format that debist reads, by the channels and units of a settings file.
+
+    Parameters
+    ----------
+    log : str or Path
+        The log; it need not be one of the settings.
+    settings : str or Path
+        Settings file of a prototype, as `debist init` drafts it.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Columns t_s, q_m (q_rad), v1_V and v2_V at the stamps of q, as `identify` and `Model.score` take them; q_m of
+        a joint whose angle is logged. Inputs
+        with stamps of their own are interpolated; rows in which a value is missing are left out, and nothing is masked.
+
+    Raises
+    ------
+    InputError
+        The settings have mistakes, or the log cannot be read or lacks a channel.
+    """
+    prototype = load_settings(Path(settings))
+    signals = read_si(Path(log), prototype, parameter_set(prototype, Path(settings)))
+    t, q = signals.q
+    columns = {"t": t, "q": q}
+    for name, (own, samples) in signals.beside.items():
+        finite = np.isfinite(own) & np.isfinite(samples)
+        columns[name] = samples if own is t else np.interp(t, own[finite], samples[finite], left=np.nan, right=np.nan)
+    columns.pop("velocity", None)
+    return frame({name: np.asarray(column) for name, column in columns.items()}, *si_symbols(prototype)).dropna(
+        ignore_index=True
+    )
+
+
+@one_thread
+def check(place: str | Path) -> pd.DataFrame:
+    """What `debist check` finds in the logs of a settings file, or of a run folder.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row for each check: log, what, found, limit, state (ok, note, wrong, not seen), gate, advice, more,
+        values, a dict of numbers with the SI unit in the key, and the code of the finding.
+
+    Raises
+    ------
+    DebistError
+        Bad settings, or a log that cannot be read or that ingest refuses.
+    """
+    _, findings = check_tool(Path(place), Unheard())
+    return pd.DataFrame([asdict(row) for row in check_rows(findings)])
+
+
+@one_thread
+def differentiate(
+    t: "ArrayLike", q: "ArrayLike", *, method: Literal["tvregdiff", "savitzky-golay"] = "tvregdiff",
+    order: Literal[1, 2, 3, 4] = 3, alpha: float | None = None, epsilon: float | None = None,
+) -> pd.DataFrame:  # fmt: skip
+    """Velocity and acceleration of a displacement at uniform times, as a run differentiates it.
+
+    Parameters
+    ----------
+    t, q : array_like, shape (N,)
+        Uniform times [s] and displacement [m, or any unit], without gaps.
+    method, order, alpha, epsilon
+        As of `pipeline.signals.differentiate.differentiate`; α and ε are chosen by the noise if both are left out.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Columns t_s, q (smoothed), qdot and qddot, in the unit of q, per s and per s²; ``attrs`` hold alpha, epsilon
+        and the noise.
+
+    Raises
+    ------
+    InputError
+        Columns that differ in length, times that are not uniform, or samples that are not finite.
+    """
+    times = seconds(t)
+    samples = real_numbers(q, "q")
+    if times.ndim != 1 or times.shape != samples.shape or times.size < 2:
+        raise InputError(f"t has the shape {times.shape}, q {samples.shape}; give columns of one length, shape (N,)")
+    interval = float(times[-1] - times[0]) / (times.size - 1)
+    if not np.all(np.abs(np.diff(times) - interval) <= _EVEN * interval):
+        raise InputError("t is not uniform; interpolate q, or split it at its gaps")
+    rates = differentiated(samples, interval, method=method, order=order, alpha=alpha, epsilon=epsilon)
+    table = pd.DataFrame({"t_s": times, "q": rates.q_smooth, "qdot": rates.qdot, "qddot": rates.qddot})
+    table.attrs = {"alpha": rates.alpha, "epsilon": rates.epsilon, "noise_std": rates.noise_std}
+    return table
+
+
+def compare(models: Sequence[Model], log: Any) -> pd.DataFrame:
+    """Scores of several models on one log, a DataFrame as `Model.score` takes it; the column model comes first.
+
+    Raises
+    ------
+    InputError
+        No model, or a log that does not fit one of them.
+    """
+    if not isinstance(models, Sequence) or not models or not all(isinstance(model, Model) for model in models):
+        raise InputError(f"models is {models!r}; give a list of the models that are compared, as [first, second]")
+    tables = [model.score(log) for model in models]
+    for model, table in zip(models, tables, strict=True):
+        table.insert(0, "model", model.name)
+    return pd.concat(tables, ignore_index=True)
+
 
 __all__ = ["Model", "Run", "check", "compare", "differentiate", "identify", "open_run", "read_log"]
 
@@ -67,15 +198,11 @@ class Run:
     @property
     def logs(self) -> list[str]:
         """Names of the logs, training logs first."""
-        from ..store import layout
-
         return [log for _, log, _ in layout.logs(self._prototype)]
 
     @property
     def models(self) -> list[str]:
         """Names of the identified models, the main model first, and of the baselines that the run holds."""
-        from ..workflow.run_models import compared_models, identified_models
-
         source = (self._folder, self._prototype)
         return [*identified_models(*source), *compared_models(*source)]
 
@@ -84,24 +211,16 @@ class Run:
         """Title of each figure by its name."""
         return self._figures.titles
 
-    def scores(self) -> "pd.DataFrame":
+    def scores(self) -> pd.DataFrame:
         """One row per log, model and signal; `nrmse` is a fraction."""
-        import pandas as pd
-
-        from ..workflow.report_data import load_scores
-
         return pd.DataFrame(load_scores(self.root))
 
     @property
-    def instruments(self) -> "pd.DataFrame":
+    def instruments(self) -> pd.DataFrame:
         """Errors of the instruments of each log, one row per log, model and quantity."""
-        import pandas as pd
-
-        from ..workflow.report_data import load_instruments
-
         return pd.DataFrame(load_instruments(self.root))
 
-    def log(self, name: str) -> "pd.DataFrame":
+    def log(self, name: str) -> pd.DataFrame:
         """Signals of a log: t_s, q_m (q_rad), v1_V, v2_V, segment, qdot_m_per_s, qddot_m_per_s2; NaN where masked.
 
         `Model.score` scores it as the report does, gaps included.
@@ -113,9 +232,6 @@ class Run:
         InputError
             The run has no such log.
         """
-        from ..store import layout
-        from .in_memory import OF_RUN, frame
-
         role = self._role(name)
         table = frame(self._folder.read_table(layout.kinematics(role, name)), *self._units)
         table.attrs[OF_RUN] = (str(self.root.absolute()), role, name)
@@ -129,15 +245,13 @@ class Run:
         InputError
             The run holds no such model.
         """
-        from ..workflow.run_models import load_run_model, subject
-
         source = self._folder, self._prototype, name
         return Model(load_run_model(*source), self._prototype, subject=partial(subject, *source))
 
     @one_thread
     def simulate(
         self, model: str | None = None, log: str | None = None, *, tube: bool = False
-    ) -> "pd.DataFrame":  # fmt: skip
+    ) -> pd.DataFrame:  # fmt: skip
         """Free run of a model, by default the main one, under the measured voltages of a log, by default the last one.
 
         Parameters
@@ -159,10 +273,6 @@ class Run:
         InputError
             No such model or log, or a model without tubes.
         """
-        from ..models.free_runs import drawn_runs, free_run, wanted_tubes
-        from ..workflow.logs import load_motion
-        from .in_memory import frame
-
         name = log or self.logs[-1]
         measured = load_motion(self._folder, self._prototype, self._role(name), name)
         core = self.model(model).core
@@ -177,8 +287,6 @@ class Run:
 
     def datasheet(self) -> dict[str, Any]:
         """The document ``datasheet.json``."""
-        from ..workflow.report_data import load_datasheet
-
         return load_datasheet(self.root)
 
     def plot(
@@ -223,7 +331,7 @@ class Run:
 
         `LinearModel.state_space` gives one to python-control. Needs the model 'hybrid'. Cost: 20 ms.
         """
-        from ..workflow.studies.linear_models import linear_models
+        from ..workflow.studies.controlled_run import linear_models
 
         return linear_models(self.root, (v1, v2))
 
@@ -240,9 +348,7 @@ class Run:
         return export_run(self.root, target, model=model, output=None if output is None else Path(output)).written
 
     @cached_property
-    def _folder(self) -> "RunFolder":
-        from ..store.run_folder import RunFolder
-
+    def _folder(self) -> RunFolder:
         return RunFolder.open(self.root)
 
     @cached_property
@@ -252,20 +358,15 @@ class Run:
         return run_figures(self.root)
 
     @cached_property
-    def _prototype(self) -> "Prototype":
+    def _prototype(self) -> Prototype:
         return self._folder.prototype
 
     @property
     def _units(self) -> tuple[str, str]:
         """SI symbols of the displacement and of the inputs."""
-        from .in_memory import si_symbols
-
         return si_symbols(self._prototype)
 
     def _role(self, log: str) -> Literal["train", "validation"]:
-        from ..errors import InputError
-        from ..store import layout
-
         for role, name, _ in reversed(layout.logs(self._prototype)):
             if name == log:
                 return role

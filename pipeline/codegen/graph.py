@@ -39,6 +39,11 @@ class Graph:
     outputs: dict[str, int]
     text: str
 
+    @property
+    def arguments(self) -> list[str]:
+        """Names of the inputs, then of the outputs that are not inputs."""
+        return list(dict.fromkeys([*self.inputs, *self.outputs]))
+
     @cached_property
     def operations(self) -> list[Operation]:
         """The parsed text."""
@@ -280,3 +285,50 @@ def apply(graph: Graph, *numbers: Any) -> list[Any]:
     else:
         outputs = graph.inline(lambda name, operands: NUMPY[name](*operands), float, **arrays)
     return [value for values in outputs.values() for value in values]
+
+
+Call = tuple[str, dict[str, str]]
+"""Name of a graph, and the arrays used for some of its inputs and outputs; the others have their own names."""
+
+
+@dataclass(frozen=True)
+class GraphSequence:
+    """Graphs that are called one after another on named arrays, as a law with stages is made of them.
+
+    A Runge-Kutta step calls the same rates four times: each graph is written once, and the calls say in which arrays it
+    finds its inputs and leaves its outputs.
+
+    Attributes
+    ----------
+    graphs : dict of Graph
+        By name.
+    calls : tuple of Call
+        In order.
+    given : tuple of str
+        Arrays that come from outside; all others live during a run only.
+    """
+
+    graphs: dict[str, Graph]
+    calls: tuple[Call, ...]
+    given: tuple[str, ...]
+
+    def places(self, call: Call) -> list[str]:
+        """The arrays of a call, in the order of the graph's inputs and outputs."""
+        name, other = call
+        return [other.get(array, array) for array in self.graphs[name].arguments]
+
+    @cached_property
+    def local(self) -> dict[str, int]:
+        """Length of every array that is not given."""
+        sizes: dict[str, int] = {}
+        for name, other in self.calls:
+            for array, size in self.graphs[name].outputs.items():
+                place = other.get(array, array)
+                if place not in self.given:
+                    sizes[place] = size
+        return sizes
+
+    def changed(self) -> list[str]:
+        """Given arrays that are written."""
+        outputs = {other.get(array, array) for name, other in self.calls for array in self.graphs[name].outputs}
+        return [array for array in self.given if array in outputs]

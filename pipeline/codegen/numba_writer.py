@@ -9,13 +9,13 @@ vector instructions are written out, and do not depend on an optimiser.
 # mypy: disable-error-code="no-untyped-def,no-untyped-call,call-overload"
 
 import hashlib
+from collections.abc import Sequence
 from typing import Any
 
 from llvmlite import ir
 
-from ..numerics.compiled import TypingError, intrinsic, lower_builtin, type_callable, types
-from ..numerics.inner_loops import FAST
-from .graph import Graph, Operation, apply
+from ..numerics.compiled import FAST, TypingError, intrinsic, lower_builtin, type_callable, types
+from .graph import Graph, GraphSequence, Operation, apply
 
 _FLAGS = tuple(sorted(FAST))
 _REAL = ir.DoubleType()
@@ -51,16 +51,35 @@ def kernel(
 
     def generate(context, builder, signature, arguments):
         """LLVM code: a call of the graph's function with the arrays' addresses."""
-        (kinds,) = signature.args
-        arrays = [builder.extract_value(arguments[0], i) for i in range(len(names))]
-        pointers = {
-            name: context.make_array(kind)(context, builder, array).data
-            for name, kind, array in zip(names, kinds, arrays, strict=True)
-        }
+        pointers = _addresses(context, builder, names, signature.args[0], arguments[0])
         result = builder.call(
             _function(builder.module, graph, names, width, value, common, real), list(pointers.values())
         )
         return context.get_dummy_value() if value is None else result
+
+    return _of_arrays(names, number, types.none if value is None else number, generate)
+
+
+def sequence_kernel(sequence: GraphSequence) -> Any:
+    """A function for compiled code of one tuple: the given arrays, float64 and contiguous."""
+
+    def generate(context, builder, signature, arrays):
+        """LLVM code: the graphs one after another, on the given arrays and on local ones."""
+        pointers = _addresses(context, builder, sequence.given, signature.args[0], arrays[0])
+        for name, size in sequence.local.items():
+            with builder.goto_entry_block():
+                space = builder.alloca(ir.ArrayType(_REAL, size))
+            pointers[name] = builder.bitcast(space, _REAL.as_pointer())
+        for call in sequence.calls:
+            function = _exact_function(builder.module, call[0], sequence.graphs[call[0]])
+            builder.call(function, [pointers[array] for array in sequence.places(call)])
+        return context.get_dummy_value()
+
+    return _of_arrays(sequence.given, types.float64, types.none, generate)
+
+
+def _of_arrays(names: Sequence[str], number: Any, returned: Any, generate: Any) -> Any:
+    """The function of a tuple of contiguous arrays of one kind of `number`, whose code `generate` writes."""
 
     @intrinsic
     def run(typing_context, arrays):
@@ -70,9 +89,18 @@ def kernel(
             isinstance(a, types.Array) and a.layout == "C" and a.dtype == number for a in given
         ):
             raise TypingError(f"a kernel takes contiguous arrays of {number} {', '.join(names)}, not {arrays}")
-        return (types.none if value is None else number)(arrays), generate
+        return returned(arrays), generate
 
     return run
+
+
+def _addresses(context: Any, builder: Any, names: Sequence[str], kinds: Any, arrays: Any) -> dict[str, Any]:
+    """Address of the numbers of each array of a tuple."""
+    values = [builder.extract_value(arrays, i) for i in range(len(names))]
+    return {
+        name: context.make_array(kind)(context, builder, value).data
+        for name, kind, value in zip(names, kinds, values, strict=True)
+    }
 
 
 def _function(
@@ -137,9 +165,18 @@ def formula(graph: Graph) -> Any:
     return run
 
 
-def write_graph(graph: Graph, builder: Any, pointers: dict[str, Any]) -> None:
-    """Emit the operations of a graph of one joint, with its arrays at `pointers`; the digits are those of C."""
-    _Writer(builder, pointers, 1, ()).write(graph)
+def _exact_function(module: Any, name: str, graph: Graph) -> Any:
+    """The function of one graph of one joint in a module that is being made; its digits are those of C."""
+    symbol = f"graph_{name}"
+    if symbol not in module.globals:
+        names = graph.arguments
+        kind = ir.FunctionType(ir.VoidType(), [_REAL.as_pointer()] * len(names))
+        function = ir.Function(module, kind, symbol)
+        function.linkage = "internal"
+        builder = ir.IRBuilder(function.append_basic_block("entry"))
+        _Writer(builder, dict(zip(names, function.args, strict=True)), 1, ()).write(graph)
+        builder.ret_void()
+    return module.globals[symbol]
 
 
 class _Writer:
@@ -160,6 +197,7 @@ class _Writer:
         self.type = real if width == 1 else ir.VectorType(real, width)
 
     def write(self, graph: Graph) -> None:
+        """Emit the operations of a graph in order."""
         values: list[Any] = []
         for operation in graph.operations:
             values.append(self._value(operation, [values[i] for i in operation.operands]))

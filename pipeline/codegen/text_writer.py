@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from ..errors import CorruptArtifactError
-from .graph import Graph, Operation
+from .graph import Graph, GraphSequence, Operation
 
 _OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<="}
 _LONGEST = 90
@@ -87,13 +87,13 @@ def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
     """A static C function of the inputs, then of the outputs that are not inputs."""
     typed = [
         f"real {array}" if array in scalars else f"{'' if array in graph.outputs else 'const '}real *{array}"
-        for array in arguments(graph)
+        for array in graph.arguments
     ]
     used = {i for operation in graph.operations if not _kept(graph, operation) for i in operation.operands}
     stores = [operation for operation in graph.operations if operation.name == "store"]
     stored = {operation.place[0] for operation in stores if not _kept(graph, operation)}
     read = stored | {operation.place[0] for i, operation in enumerate(graph.operations) if i in used}
-    unused = [f"(void){array};" for array in arguments(graph) if array not in read]
+    unused = [f"(void){array};" for array in graph.arguments if array not in read]
     body = "\n".join(f"    {line}" for line in [*unused, *_lines(graph, C99, scalars)])
     head = textwrap.fill(f"static void {name}({', '.join(typed)})", 116, subsequent_indent="    ")
     return Code(f"{head}\n{{\n{body}\n}}\n")
@@ -103,12 +103,30 @@ def matlab_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
     """A MATLAB function that takes the same arguments and returns the outputs."""
     body = "\n".join(f"    {line}" for line in _lines(graph, MATLAB, scalars))
     results = ", ".join(graph.outputs)
-    return Code(f"function [{results}] = {name}({', '.join(arguments(graph))})\n{body}\nend\n")
+    return Code(f"function [{results}] = {name}({', '.join(graph.arguments)})\n{body}\nend\n")
 
 
-def arguments(graph: Graph) -> list[str]:
-    """Inputs, then outputs that are not inputs, by name."""
-    return list(dict.fromkeys([*graph.inputs, *graph.outputs]))
+def c_sequence(name: str, sequence: GraphSequence) -> Code:
+    """A static C function of the given arrays; those of its graphs are made by `c_function`."""
+    changed = sequence.changed()
+    given = ", ".join(f"{'' if array in changed else 'const '}real *{array}" for array in sequence.given)
+    local = ", ".join(f"{array}[{size}]" for array, size in sequence.local.items())
+    body = [f"real {local};"] if local else []
+    body += [f"{call[0]}({', '.join(sequence.places(call))});" for call in sequence.calls]
+    return Code(f"static void {name}({given})\n{{\n" + "".join(f"    {line}\n" for line in body) + "}\n")
+
+
+def matlab_sequence(name: str, sequence: GraphSequence) -> Code:
+    """A MATLAB function that takes the given arrays and returns those that it changes.
+
+    A graph leaves some entries of an output as they are, so arrays exist before they are filled.
+    """
+    lines = [f"{array} = zeros({size}, 1);" for array, size in sequence.local.items()]
+    for call in sequence.calls:
+        outputs = [call[1].get(array, array) for array in sequence.graphs[call[0]].outputs]
+        lines.append(f"[{', '.join(outputs)}] = {call[0]}({', '.join(sequence.places(call))});")
+    head = f"function [{', '.join(sequence.changed())}] = {name}({', '.join(sequence.given)})"
+    return Code(head + "\n" + "".join(f"    {line}\n" for line in lines) + "end\n")
 
 
 def _lines(graph: Graph, language: Language, scalars: frozenset[str]) -> Iterator[str]:

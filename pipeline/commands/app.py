@@ -13,7 +13,7 @@ import typer
 
 from ..errors import BatchFailedError, InputError
 from ..system.machine import settle_machine
-from . import control, fleet, inspection, outcome, physics, results, rig, whole_run
+from . import control, inspection, outcome, physics, results, rig, whole_run
 from .boundary import ErrorBoundary, Program, with_options
 from .console import Json, NoReport, Quiet
 
@@ -28,31 +28,21 @@ app = Program(
     "5 run locked, 6 some prototypes of a batch failed. Also 130 interrupted, 128 + n ended by signal n.",
 )
 
-app.add_typer(control.app, name="control")
-app.add_typer(fleet.app, name="fleet")
-app.add_typer(physics.app, name="physics")
-app.add_typer(rig.app, name="rig")
-app.command()(inspection.check)
-app.command()(results.diff)
-app.command()(fleet.series)
-app.command()(results.export)
-app.command()(results.verify)
-app.command()(results.paper)
-app.command()(results.study)
-app.command()(inspection.init)
-app.command()(inspection.inspect)
-app.command()(whole_run.ingest)
-app.command()(whole_run.differentiate)
-app.command()(whole_run.identify)
-app.command()(whole_run.validate)
-app.command()(whole_run.compare)
-app.command()(whole_run.report)
-app.command()(whole_run.plot)
-app.command()(whole_run.show)
+for name, group in (
+    ("control", control.app),
+    ("fleet", results.fleet_group),
+    ("physics", physics.app),
+    ("rig", rig.app),
+):
+    app.add_typer(group, name=name)
+for command in (
+    inspection.check, inspection.init, inspection.inspect,
+    results.diff, results.export, results.verify, results.paper, results.study, results.series,
+    whole_run.ingest, whole_run.differentiate, whole_run.identify, whole_run.validate, whole_run.compare,
+    whole_run.report, whole_run.plot, whole_run.show, whole_run.demo, whole_run.status, whole_run.warmup,
+):  # fmt: skip
+    app.command()(command)
 app.command("run")(whole_run.run_command)
-app.command()(whole_run.demo)
-app.command()(whole_run.status)
-app.command()(whole_run.warmup)
 
 
 def _version(requested: bool) -> None:
@@ -129,10 +119,8 @@ def batch(
     Example: debist batch prototypes/ -o runs --jobs 2
     """
     from ..units.units import parse_quantity
-    from ..workflow.batch import Execution, run_batch
-    from ..workflow.fleet import collect_batch
-    from ..workflow.members import SETTINGS, Shard, members, prototype_files
-    from ..workflow.table import with_siblings
+    from ..workflow.batch import Execution, collect_batch, run_batch
+    from ..workflow.members import SETTINGS, Shard, members, prototype_files, with_siblings
 
     limit = parse_quantity(options.time_limit, ("s",), "--time-limit")
     if not 1.0 <= limit <= 1e7:

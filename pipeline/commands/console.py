@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
+from ..units.quantity import prefixed
+
 if TYPE_CHECKING:
     from ..workflow.engine import Task
 
@@ -103,6 +105,7 @@ def _print_table(title: str, columns: Sequence[tuple[str, bool, bool]], rows: It
 
     class Printer(Console):
         def on_broken_pipe(self) -> None:
+            """Raise, where rich would end the process."""
             raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))  # for `pipeline.commands.boundary`
 
     table = Table(title=Text(title) if title else None, title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
@@ -161,7 +164,7 @@ class Progress:
         if self._status is None:
             quarter = int(4.0 * share)
             if not self._quiet and task.stage == "control" and quarter > self._quarter:
-                typer.echo(printable(f"{task.stage} {task.title}: {what}, {100.0 * share:.0f} %"), err=True)
+                typer.echo(printable(f"{task.stage} {task.title}: {what}, {prefixed(share, '%', 0)} %"), err=True)
             self._quarter = quarter
             return
         if self._bar is None:

@@ -8,6 +8,7 @@ import typer
 
 from ..errors import InputError
 from ..system.names import Goal, Well, shell_word
+from ..units.quantity import prefixed
 from ..units.units import parse_quantity
 from .boundary import group, with_options
 from .console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
@@ -69,12 +70,12 @@ def linearise(
     States in SI; writes linear.json, linear.mat and a CSV for each equilibrium. Measured ring-downs stand beside the
     poles. Example: debist control linearise runs/P1 --v1 1kV
     """
-    from ..workflow.studies import linear_models
+    from ..workflow.studies import controlled_run
 
     voltages = (parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2"))
     with Progress(quiet=quiet) as progress:
-        linear = linear_models.linearise(run, voltages, progress)
-    files = linear_models.write_linear(run, linear, output, force=force)
+        linear = controlled_run.linearise(run, voltages, progress)
+    files = controlled_run.write_linear(run, linear, output, force=force)
     if as_json:
         emit_json({"files": files, **linear})
         return
@@ -85,10 +86,10 @@ def linearise(
             linear["measured"][side] if point["stable"] and still else {"frequency_Hz": None, "damping_ratio": None}
         )
         slowest = ", ".join(_pole(pole) for pole in _telling(point["poles_1_s"]))
-        ringing = (_number(point["frequency_Hz"], 2), _number(measured["frequency_Hz"], 2))
-        damping = (_number(point["damping_ratio"], 3), _number(measured["damping_ratio"], 3))
+        ringing = (prefixed(point["frequency_Hz"], "", 2), prefixed(measured["frequency_Hz"], "", 2))
+        damping = (prefixed(point["damping_ratio"], "", 3), prefixed(measured["damping_ratio"], "", 3))
         rows.append(
-            (f"{1e3 * point['q_m']:.3f}", "stable" if point["stable"] else "unstable", *ringing, *damping, slowest)
+            (prefixed(point["q_m"], "m", 3), "stable" if point["stable"] else "unstable", *ringing, *damping, slowest)
         )
     header = ("q [mm]", "", "f [Hz]", "measured", "damping", "measured", "poles [1/s]")
     emit_table(f"{run}: equilibria at {v1}, {v2}", header, rows, numeric_from=2)
@@ -111,18 +112,18 @@ def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json
         return
     for drawn in document["maps"]:
         durations = drawn["durations"]
-        shown = range(0, len(durations), 8)
+        columns = range(0, len(durations), 8)
         rows = [
-            (f"{1e-3 * drawn['voltages'][i]:.2f}", *(f"{drawn['probability'][i][j]:.2f}" for j in shown))
+            (prefixed(drawn["voltages"][i], "k", 2), *(f"{drawn['probability'][i][j]:.2f}" for j in columns))
             for i in range(0, len(drawn["voltages"]), 4)
         ]
-        header = ("kV", *(f"{durations[j]:.3f} s" for j in shown))
+        header = ("kV", *(f"{durations[j]:.3f} s" for j in columns))
         emit_table(f"{run}: probability of switching to the {drawn['to']}", header, rows)
         for pulse in drawn["lowest"]:
             volts, low, high = (1e-3 * pulse[name] for name in ("voltage", "low", "high"))
             band = f"{low:.3f} to {high:.3f} kV with 90 %"
             top = pulse["until"]
-            reach = "on" if top is None else f"to below {1e-3 * top:.2f} kV, where the joint swings back"
+            reach = "on" if top is None else f"to below {prefixed(top, 'k', 2)} kV, where the joint swings back"
             typer.echo(f"pulses of {pulse['duration']:g} s switch from {volts:.3f} kV ({band}) {reach}")
 
 
@@ -161,8 +162,8 @@ def pulse(
     low, high = design["settling_90_s"]
     emit_text(
         f"to the {snap.to}: {_settles(design['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
-        f"{1e3 * design['overshoot_m']:.2f} mm, switches with probability {design['switching_probability']:.2f}, peak "
-        f"{1e-3 * design['largest_voltage_V']:.2f} kV"
+        f"{prefixed(design['overshoot_m'], 'm', 2)} mm, switches with probability "
+        f"{design['switching_probability']:.2f}, peak {prefixed(design['largest_voltage_V'], 'k', 2)} kV"
     )
     typer.echo("\n".join(map(str, files)))
 
@@ -184,16 +185,17 @@ def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = Fals
         return
     places = document["places_m"]
     predicted = document["predicted"]["steps"]
+    left, saddle, right = (prefixed(places[name], "m", 2) for name in ("left", "saddle", "right"))
     emit_text(
-        f"model {document['model']}: wells at {1e3 * places['left']:.2f} and {1e3 * places['right']:.2f} mm, unstable "
-        f"equilibrium at {1e3 * places['saddle']:.2f} mm; at most {1e-3 * document['largest_voltage_V']:.2f} kV"
+        f"model {document['model']}: wells at {left} and {right} mm, unstable equilibrium at {saddle} mm; at most "
+        f"{prefixed(document['largest_voltage_V'], 'k', 2)} kV"
     )
-    left, right = (f"{1e3 * lag:.1f}" for lag in document["lags_s"])
+    left, right = (prefixed(lag, "m", 1) for lag in document["lags_s"])
     emit_text(f"the converters' lags: {left} and {right} ms, {document['lags_known']}")
     for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
         emit_text(
-            f"on the model, {name}: {_settles(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm, "
-            f"RMS {1e3 * step['rms_m']:.3f} mm then"
+            f"on the model, {name}: {_settles(step['settling_s'])}, overshoot "
+            f"{prefixed(step['overshoot_m'], 'm', 2)} mm, RMS {prefixed(step['rms_m'], 'm', 3)} mm then"
         )
     emit_text(_margins(document["margins"]))
     for warning in document["warnings"]:
@@ -207,7 +209,7 @@ def _margins(margins: Any) -> str:
         return "margins: none, the unstable equilibrium is not held on the linear model"
     return (
         f"margins at the unstable equilibrium: {margins['gain_low']:.2f} to {margins['gain_high']:.1f} times the gain, "
-        f"{1e3 * margins['delay_s']:.1f} ms more delay, 0 to {margins['friction_high']:.0f} times the friction"
+        f"{prefixed(margins['delay_s'], 'm', 1)} ms more delay, 0 to {margins['friction_high']:.0f} times the friction"
     )
 
 
@@ -236,16 +238,12 @@ def _settings(max_voltage: str | None, lag: str | None) -> Any:
     return ControlSettings(most, seconds)
 
 
-def _number(value: float | None, digits: int) -> str:
-    return "–" if value is None else f"{value:.{digits}f}"
-
-
 def _settles(seconds: float | None) -> str:
     return "does not settle" if seconds is None else f"settles in {_ms(seconds)}"
 
 
 def _ms(seconds: float | None) -> str:
-    return "not at all" if seconds is None else f"{1e3 * seconds:.0f} ms"
+    return "not at all" if seconds is None else f"{prefixed(seconds, 'm', 0)} ms"
 
 
 def _telling(poles: list[list[float]]) -> list[list[float]]:

@@ -8,21 +8,20 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..units.quantity import quantity
+from ..units.quantity import prefixed, quantity, stamped
 from .console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text, with_units
 
 if TYPE_CHECKING:
-    from ..diagnostics.rows import CheckRow
+    from ..diagnostics.check import CheckRow
     from ..numerics.arrays import FloatArray, IntArray
     from ..rig_logs.inspection import InspectedChannel, Inspection
     from ..workflow.inspection import LogExcitation
-    from ..workflow.studies.excitation_design import Design
-    from ..workflow.studies.next_log import NextLog
+    from ..workflow.studies.excitation_design import Design, NextLog
 
 
 def emit_design(design: "Design | NextLog", files: Iterable[Path]) -> None:
     """Print what the design is expected to bring, and the files."""
-    from ..workflow.studies.next_log import NextLog
+    from ..workflow.studies.excitation_design import NextLog
 
     if isinstance(design, NextLog):
         _emit_next_log(design)
@@ -64,7 +63,7 @@ def _emit_first_log(design: "Design") -> None:
             f"{plain.conditioning.log_det:.2f}",
         ),
         ("condition number", f"{designed.conditioning.condition:.0f}", f"{plain.conditioning.condition:.0f}"),
-        ("cells with 20 samples [%]", f"{100 * designed.covered:.0f}", f"{100 * plain.covered:.0f}"),
+        ("cells with 20 samples [%]", prefixed(designed.covered, "%", 0), prefixed(plain.covered, "%", 0)),
         ("passages between the wells", _counts(designed.crossings), _counts(plain.crossings)),
     ]
     emit_table("The sequence beside alternating full pulses", ("", "designed", "alternating"), rows)
@@ -136,8 +135,6 @@ def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
     """Print the channels, the time bases, the notes, and what the log excites."""
-    from ..signals.remarks import stamped
-
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
         ("channel", "unit", "samples", "smallest", "largest", "time base", "remarks"),
@@ -206,7 +203,7 @@ def check(
     Rates in Hz, fields in V/µm. Exit code 3 if the model would be wrong. `debist run` does it first.
     Example: debist check P1.toml
     """
-    from ..diagnostics.rows import check_rows
+    from ..diagnostics.check import check_rows
     from ..workflow.inspection import check as check_tool
     from ..workflow.stage_check import assess
 
@@ -222,7 +219,7 @@ def check(
 
 def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
     """Print the numbers side by side, the logs as columns, and below them in words what is remarkable."""
-    from ..diagnostics.rows import beside
+    from ..diagnostics.check import beside
 
     header, table = beside(rows)
     emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=len(header))

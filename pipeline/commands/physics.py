@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..errors import InputError
+from ..units.quantity import prefixed
 from ..units.units import parse_quantity
 from .boundary import group, with_options
 from .console import Parameters, Quiet, emit_json, emit_table, progress_report, with_units
@@ -26,7 +27,7 @@ Json = Annotated[bool, typer.Option("--json", help="Print one JSON document (SI 
 def _free_place(place: Path | None) -> Path | None:
     """The file of a figure, unless one of others lies there."""
     if place is not None:
-        from ..reporting.canvas import form_of
+        from ..reporting.plotted import form_of
         from ..store.outputs import check_places
 
         form_of(place)
@@ -58,24 +59,20 @@ class JointSet:
 
     def joint(self) -> "JointParameters":
         """The parameters in SI units."""
-        from ..device.parameter_sets import joint_parameters
+        from ..device.parameters import joint_parameters
 
         return joint_parameters(self.parameters, overrides=self.overrides or ())
 
 
-def _draw(place: Path | None, name: str, *shown: Any) -> None:
+def _draw(place: Path | None, name: str, *drawn: Any) -> None:
     """Draw a figure of `joint_figures` into a file, if one is wanted."""
     if place is not None:
         from ..reporting import joint_figures
-        from ..reporting.canvas import save
+        from ..reporting.plotted import save
         from ..store.outputs import new_outputs
 
         with new_outputs(place.parent, _FIGURE, force=None) as staged:
-            save(getattr(joint_figures, name)(*shown), staged / place.name, joint_figures.COLOURED)
-
-
-def _in(value: float | None, factor: float, digits: int) -> str:
-    return "none" if value is None else f"{value * factor:.{digits}f}"
+            save(getattr(joint_figures, name)(*drawn), staged / place.name, joint_figures.COLOURED)
 
 
 @app.command()
@@ -115,7 +112,12 @@ def equilibria(
         return
     lowest = min((e.energy for e in held), default=0.0)
     rows = [
-        (f"{1e3 * e.q:z.3f}", f"{degrees(e.phi):z.2f}", f"{1e6 * (e.energy - lowest):.1f}", "yes" if e.stable else "no")
+        (
+            prefixed(e.q, "m", 3),
+            f"{degrees(e.phi):z.2f}",
+            prefixed(e.energy - lowest, "µ", 1),
+            "yes" if e.stable else "no",
+        )
         for e in held
     ]
     emit_table("Equilibria", ("q [mm]", "φ [deg]", "energy [µJ]", "stable"), rows, numeric_from=0)
@@ -140,15 +142,19 @@ def curves(parameters: JointSet, voltage: Voltage = "3 kV", figure: Figure = Non
         emit_json(document | {"q_m": path.q, "force_N": path.force} | capacitances)
         return
     numbers = [
-        ("bistable from z_b [mm]", _in(result.z_b_min, 1e3, 3)),
-        (f"switchable by {voltage} up to z_b [mm]", _in(result.z_b_max, 1e3, 3)),
-        ("switching voltage, left to right [kV]", _in(result.switching.left, 1e-3, 3)),
-        ("switching voltage, right to left [kV]", _in(result.switching.right, 1e-3, 3)),
-        ("energy barrier [µJ]", _in(result.barrier, 1e6, 1)),
+        ("bistable from z_b [mm]", prefixed(result.z_b_min, "m", 3, "none")),
+        (f"switchable by {voltage} up to z_b [mm]", prefixed(result.z_b_max, "m", 3, "none")),
+        ("switching voltage, left to right [kV]", prefixed(result.switching.left, "k", 3, "none")),
+        ("switching voltage, right to left [kV]", prefixed(result.switching.right, "k", 3, "none")),
+        ("energy barrier [µJ]", prefixed(result.barrier, "µ", 1, "none")),
     ]
     emit_table("The joint", ("quantity", "value"), numbers)
     rows = [
-        (f"{1e3 * path.q[i]:z.1f}", f"{1e3 * path.force[i]:z.2f}", *(f"{1e12 * c:.1f}" for c in path.capacitance[i]))
+        (
+            prefixed(path.q[i], "m", 1),
+            prefixed(path.force[i], "m", 2),
+            *(prefixed(c, "p", 1) for c in path.capacitance[i]),
+        )
         for i in range(0, path.q.size, 16)
     ]
     emit_table("Without voltage", ("q [mm]", "F [mN]", "C1 [pF]", "C2 [pF]"), rows, numeric_from=0)
@@ -191,11 +197,11 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
         return
     rows = [
         ("duration [s]", f"{motion.t[-1] - motion.t[0]:.2f}"),
-        ("q from, to [mm]", f"{1e3 * q[0]:.2f}, {1e3 * q[-1]:.2f}"),
-        ("smallest, largest q [mm]", f"{1e3 * q.min():.2f}, {1e3 * q.max():.2f}"),
+        ("q from, to [mm]", f"{prefixed(q[0], 'm', 2)}, {prefixed(q[-1], 'm', 2)}"),
+        ("smallest, largest q [mm]", f"{prefixed(q.min(), 'm', 2)}, {prefixed(q.max(), 'm', 2)}"),
         ("steps, rejected", f"{motion.accepted}, {motion.rejected}"),
         ("processor time [s]", f"{motions.full_seconds:.3f}"),
-        ("diverged at [s]", _in(motion.diverged_at, 1.0, 2)),
+        ("diverged at [s]", prefixed(motion.diverged_at, "", 2, "none")),
     ]
     emit_table("Full-order simulation", ("quantity", "value"), rows)
 
@@ -218,7 +224,7 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
         emit_json(shares | {"x_m": result.x, "shapes": result.shapes})
         return
     pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
-    rows = [(str(number), f"{100 * share:.5f}", f"{1e3 * peak:.4f}") for number, (share, peak) in pairs]
+    rows = [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs]
     emit_table("Modes of the beam", ("mode", "energy share [%]", "largest amplitude [mm]"), rows)
 
 
@@ -233,7 +239,7 @@ def reduce(joint: "JointParameters", motions: "Motions", figure: Path | None, as
         seconds = {"full": motions.full_seconds, "reduced": motions.reduced_seconds}
         emit_json({"nrmse": motions.nrmse, "processor_time_s": seconds})
         return
-    rows = [(f"NRMSE of {name} [%]", _in(value, 100.0, 2)) for name, value in motions.nrmse.items()]
+    rows = [(f"NRMSE of {name} [%]", prefixed(value, "%", 2, "none")) for name, value in motions.nrmse.items()]
     rows += [
         ("processor time, full [s]", f"{motions.full_seconds:.3f}"),
         ("processor time, reduced [s]", f"{motions.reduced_seconds:.4f}"),
@@ -259,8 +265,7 @@ def calibrate(
 
     Example: debist physics calibrate runs/P1/train/train/kinematics.parquet -o P1-joint.toml
     """
-    from ..device.parameter_sets import joint_parameters
-    from ..device.parameters import QUANTITIES
+    from ..device.parameters import QUANTITIES, joint_parameters
     from ..models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
     from ..settings.file import read_options
     from ..workflow.studies import physics
@@ -277,4 +282,4 @@ def calibrate(
         return
     entries = zip(fit.names, fit.values, fit.standard_errors, strict=True)
     rows = [(name, f"{value:.5g}", f"{error:.2g}", QUANTITIES[name].unit) for name, value, error in entries]
-    emit_table(f"Calibrated; error of q {1e3 * fit.rmse:.3f} mm", ("parameter", "value", "±", "unit"), rows)
+    emit_table(f"Calibrated; error of q {prefixed(fit.rmse, 'm', 3)} mm", ("parameter", "value", "±", "unit"), rows)

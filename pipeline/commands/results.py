@@ -1,4 +1,4 @@
-"""Uses of a run: `debist diff`, `export`, `paper`, `study` and `verify`."""
+"""Uses of runs: `debist diff`, `series`, `fleet learn`, `export`, `paper`, `study` and `verify`."""
 
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -10,14 +10,30 @@ import typer
 from ..errors import CorruptArtifactError, InputError
 from ..system.names import Target
 from ..units.quantity import percent
-from .console import Force, Json, Progress, Quiet, Run, emit_json, emit_table, emit_text, printable, run_of, with_units
+from .boundary import group
+from .console import (
+    Force,
+    Json,
+    Progress,
+    Quiet,
+    Run,
+    Runs,
+    emit_json,
+    emit_table,
+    emit_text,
+    printable,
+    run_of,
+    with_units,
+)
 from .outcome import emit_table_2
 
 if TYPE_CHECKING:
     from ..store.columns import Sweep
     from ..workflow.studies.diff import Comparison, RunDifferences
+    from ..workflow.studies.fleet import LearntFile
     from ..workflow.studies.study import StudyResult
     from ..workflow.verify import Verified
+
 
 _ALARMING = ("differs", "missing")
 _LONGEST = 60
@@ -210,7 +226,7 @@ def study(
             raise InputError(f"{option}: is for `debist study folds`; leave it out")
         _study(run, kind, jobs, as_json=as_json, quiet=quiet)
         return
-    from ..reporting.short_tables import FOLD_EXPLANATION, fold_table
+    from ..reporting.tables import FOLD_EXPLANATION, fold_table
     from ..workflow.studies.folds import run_folds
 
     with Progress(quiet=quiet or as_json) as progress:
@@ -234,7 +250,7 @@ def _study_document(result: "StudyResult") -> Any:
 
 
 def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:
-    from ..reporting.short_tables import study_conclusion
+    from ..reporting.tables import study_conclusion
     from ..workflow.studies.study import run_study
 
     with Progress(quiet=quiet or as_json) as progress:
@@ -273,8 +289,7 @@ def verify(
         _emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
         return
     _emit(checked, as_json)
-    _fail_where(run, checked)
-    _fail_beside(run, checked)
+    _fail(run, checked)
 
 
 def _emit(checked: "Verified", as_json: bool) -> None:
@@ -293,16 +308,112 @@ def _emit(checked: "Verified", as_json: bool) -> None:
             typer.echo(f"and {len(names) - _MOST_NAMED} more", err=True)
 
 
-def _fail_where(run: Path, checked: "Verified") -> None:
+def _fail(run: Path, checked: "Verified") -> None:
     if checked.problems:
         raise CorruptArtifactError(
             "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
             + "; `debist run` sets aside what is damaged and makes it anew"
         )
-
-
-def _fail_beside(run: Path, checked: "Verified") -> None:
     if checked.unknown:
         raise CorruptArtifactError(f"{run}: {len(checked.unknown)} files do not belong to the run; move them elsewhere")
     if checked.leftover:
         raise CorruptArtifactError(f"{run}: a run was interrupted; `debist run` completes it and removes what it left")
+
+
+fleet_group = group("A prior for the next joint, from many joints of one drawing.")
+_QUANTITIES_SHOWN = 15
+
+
+@fleet_group.callback()
+def fleet() -> None:
+    """A prior for the next joint, from many joints of one drawing."""
+
+
+@fleet_group.command()
+def learn(
+    runs: Annotated[
+        list[Path], typer.Argument(metavar="RUN...", help="Runs with the model hybrid, or folders of a batch.")
+    ],
+    output: Annotated[
+        Path,
+        typer.Option("-o", metavar="FILE", help="File of the siblings (.h5), for plant.siblings."),
+    ],
+    as_json: Json = False,
+) -> None:
+    """Mean, spread and correlations of the deviations of identified siblings, as a prior of the next joint; odd ones.
+
+    From five siblings on; all need the parameter set that the next joint has. Lengths in m, all other units SI, odd
+    quantities in percent where they are positive. Example: debist fleet learn runs -o siblings.h5
+    """
+    from ..workflow.studies.fleet import learn_siblings
+
+    siblings = learn_siblings(runs, output)
+    for name, reason in siblings.left_out.items():
+        typer.echo(printable(f"warning: {name} is left out: {reason}"), err=True)
+    if as_json:
+        emit_json(
+            {
+                "file": siblings.path,
+                "siblings": siblings.siblings,
+                "left_out": siblings.left_out,
+                "quantities": [vars(quantity) for quantity in siblings.learnt.quantities],
+                "odd": [vars(odd) for odd in siblings.learnt.odd],
+                "log_evidence_gain": siblings.learnt.gains,
+            }
+        )
+    else:
+        _emit_learnt(siblings)
+
+
+def _emit_learnt(siblings: "LearntFile") -> None:
+    quantities = siblings.learnt.quantities
+    gains = sorted(siblings.learnt.gains.values())
+    rows = [
+        (quantity.name, f"{quantity.mean:.3g}", f"{quantity.spread:.2g}", quantity.unit, f"{quantity.share:.2f}")
+        for quantity in quantities[:_QUANTITIES_SHOWN]
+    ]
+    heading = ("quantity", "mean deviation", "spread", "unit", "spread over the prior's")
+    emit_table(f"{len(siblings.siblings)} siblings, the best known quantities", heading, rows)
+    halved = sum(quantity.share < 0.5 for quantity in quantities)
+    emit_text(
+        f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other siblings as "
+        f"prior, the logs of a sibling are exp({gains[len(gains) // 2]:.0f}) times as probable (median)"
+    )
+    for odd in siblings.learnt.odd:
+        emit_text(f"odd: {odd.name}: {odd.quantity} {odd.size:+.3g} ± {odd.error:.2g} {odd.unit}")
+    if not siblings.learnt.odd:
+        emit_text("no sibling is odd")
+    emit_text(f"written: {siblings.path}; name it in [plant] siblings, or give it to debist batch --siblings")
+
+
+def series(
+    runs: Runs,
+    at: Annotated[
+        str | None,
+        typer.Option("--at", metavar="TIME,…", help="Date (2026-03-01) or day of each run [default: in this order]."),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--page", metavar="FILE", help="Write a page with a figure of each fact."),
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Drift and steps of the facts of one device over several runs, with 95 % intervals; SI units in JSON.
+
+    Rests, barriers, switching voltages, stiffness, capacitance gains, charging time, creep and the laser's zero. A
+    change is claimed where chance explains it in one of twenty series at most; four runs are the least.
+
+    Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30 --page series.html
+    """
+    from ..reporting.several_runs import COLUMNS, conclusion, series_page, series_rows
+    from ..store.atomic import write_text
+    from ..workflow.studies.fleet import series_of
+
+    facts = series_of(runs, at)
+    if output is not None:
+        write_text(output, series_page(facts))
+    if as_json:
+        emit_json(asdict(facts) | {"page": output})
+    else:
+        emit_table(f"{len(facts.names)} runs of one device, ± 95 %", COLUMNS, series_rows(facts))
+        emit_text(conclusion(facts))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..system.names import shell_word
+from ..units.quantity import prefixed
 from ..units.units import parse_quantity
 from .boundary import group, with_options
 from .console import Json, Parameters, Quiet, emit_json, emit_text, progress_report
@@ -113,8 +114,22 @@ def fleet(
         typer.echo(f"{count} simulated prototypes in {output}; next: debist batch {shell_word(output)} -o runs")
 
 
+@dataclass(frozen=True)
+class DesignLimits:
+    """Limits of a designed sequence."""
+
+    max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV"
+    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s"
+    file: Annotated[
+        Path | None,
+        typer.Option("--design", metavar="FILE", help="TOML file with kinds of bursts, rate, rest, field, joints."),
+    ] = None
+
+
 @app.command()
+@with_options
 def excite(
+    within: DesignLimits,
     parameters: Parameters = "nominal",
     run: Annotated[
         Path | None, typer.Option("--run", metavar="RUN", help="Design the log after those of this run.")
@@ -125,12 +140,6 @@ def excite(
             metavar="KIND|FILE",
             help="Free runs of --run that shall become more certain: an excitation or voltages [default: validation].",
         ),
-    ] = None,
-    max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV",
-    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s",
-    file: Annotated[
-        Path | None,
-        typer.Option("--design", metavar="FILE", help="TOML file with kinds of bursts, rate, rest, field, joints."),
     ] = None,
     output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Sequence to write: .csv or .mat.")] = Path(
         "excitation.csv"
@@ -150,12 +159,12 @@ def excite(
     from ..workflow.studies.excitation_design import Requirements
     from .inspection import emit_design
 
-    rare = read_options(file, excitation.DesignFile)
+    rare = read_options(within.file, excitation.DesignFile)
     field = None if rare.max_field_V_per_um is None else 1e6 * rare.max_field_V_per_um
-    limits = excitation.ExcitationLimits(parse_quantity(max_voltage, ("V",), "--max-voltage"), field)
+    limits = excitation.ExcitationLimits(parse_quantity(within.max_voltage, ("V",), "--max-voltage"), field)
     source = excitation.ExcitationSource(parameters, run, rare.model, rare.joints, rare.seed, programme)
     wanted = Requirements(
-        duration=parse_quantity(duration, ("s",), "--duration"),
+        duration=parse_quantity(within.duration, ("s",), "--duration"),
         rest=rare.rest_s,
         kinds=rare.kinds,
         candidates=rare.candidates,
@@ -170,7 +179,29 @@ def excite(
         emit_design(design, files)
 
 
+@dataclass(frozen=True)
+class LoopOptions:
+    """What acts in a closed loop, and what it is to do."""
+
+    target: Annotated[
+        str, typer.Option(help="Reference: VALUE or TIME:VALUE,… with units or left, right, saddle; or a file.")
+    ] = "0s:left,0.5s:right,2.5s:left"
+    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "5 s"
+    controller: Annotated[
+        Path | None,
+        typer.Option("--controller", metavar="RUN", help="Run whose controller (`debist control design`) acts."),
+    ] = None
+    play: Annotated[
+        Path | None, typer.Option("--play", metavar="FILE", help="Play voltages instead (CSV or MAT, in V).")
+    ] = None
+    scenario: Annotated[
+        Path | None,
+        typer.Option("--scenario", metavar="FILE", help="TOML file with pushes, drag, lost readings, noise, format."),
+    ] = None
+
+
 @app.command("closed-loop")
+@with_options
 def closed_loop(
     joint: Annotated[
         str,
@@ -178,21 +209,7 @@ def closed_loop(
             metavar="JOINT", help="Folder of `debist rig`, or nominal, table1, same:SEED, foreign:SEED, worn:SEED."
         ),
     ],
-    target: Annotated[
-        str, typer.Option(help="Reference: VALUE or TIME:VALUE,… with units or left, right, saddle; or a file.")
-    ] = "0s:left,0.5s:right,2.5s:left",
-    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "5 s",
-    controller: Annotated[
-        Path | None,
-        typer.Option("--controller", metavar="RUN", help="Run whose controller (`debist control design`) acts."),
-    ] = None,
-    play: Annotated[
-        Path | None, typer.Option("--play", metavar="FILE", help="Play voltages instead (CSV or MAT, in V).")
-    ] = None,
-    scenario: Annotated[
-        Path | None,
-        typer.Option("--scenario", metavar="FILE", help="TOML file with pushes, drag, lost readings, noise, format."),
-    ] = None,
+    loop: LoopOptions,
     output: Annotated[
         Path, typer.Option("-o", metavar="FILE", help="Raw log to write; its ending follows the format.")
     ] = Path("closed-loop"),
@@ -208,10 +225,12 @@ def closed_loop(
     from ..settings.file import read_options
     from ..workflow.studies.closed_loop import ScenarioFile, closed_loop_log
 
-    seconds = parse_quantity(duration, ("s",), "--duration")
-    rare = read_options(scenario, ScenarioFile)
-    with progress_report(f"simulating {duration} at 1 kHz", quiet=quiet):
-        files, summary = closed_loop_log(joint, controller, play, output, target=target, duration=seconds, options=rare)
+    seconds = parse_quantity(loop.duration, ("s",), "--duration")
+    rare = read_options(loop.scenario, ScenarioFile)
+    with progress_report(f"simulating {loop.duration} at 1 kHz", quiet=quiet):
+        files, summary = closed_loop_log(
+            joint, loop.controller, loop.play, output, target=loop.target, duration=seconds, options=rare
+        )
     if as_json:
         emit_json({"files": files, **summary})
     else:
@@ -224,10 +243,12 @@ def _emit_loop(files: list[Path], summary: dict[str, Any]) -> None:
         if summary[f"commands_{count}"]:
             typer.echo(f"warning: {summary[f'commands_{count}']} commands of the controller {what}", err=True)
     for step in summary["steps"]:
-        ended = "did not settle" if step["settling_s"] is None else f"settled in {1e3 * step['settling_s']:.0f} ms"
-        beyond = "" if step["settling_s"] is None else f", overshoot {1e3 * step['overshoot_m']:.2f} mm"
+        ended = (
+            "did not settle" if step["settling_s"] is None else f"settled in {prefixed(step['settling_s'], 'm', 0)} ms"
+        )
+        beyond = "" if step["settling_s"] is None else f", overshoot {prefixed(step['overshoot_m'], 'm', 2)} mm"
         at = f"{step['t_s']:.2f} s: target {1e3 * step['target_m']:+.2f} mm"
-        emit_text(f"{at}, {ended}{beyond}, then RMS {1e3 * step['rms_m']:.3f} mm")
+        emit_text(f"{at}, {ended}{beyond}, then RMS {prefixed(step['rms_m'], 'm', 3)} mm")
     if "rms_m" in summary:
-        emit_text(f"moving reference: RMS error {1e3 * summary['rms_m']:.3f} mm")
+        emit_text(f"moving reference: RMS error {prefixed(summary['rms_m'], 'm', 3)} mm")
     typer.echo("\n".join(map(str, files)))

@@ -104,16 +104,24 @@ def show(run: Run, as_json: Json = False) -> None:
     )
 
 
+@dataclass(frozen=True)
+class Making:
+    """How a run is made."""
+
+    only_plan: Annotated[bool, typer.Option("--dry-run", help="Only say what would be done, and why.")] = False
+    replace: Annotated[
+        bool, typer.Option("--replace", help="Take over the folder of another prototype's run, overwriting it.")
+    ] = False
+    jobs: Annotated[int | None, typer.Option("--jobs", min=1, help="Processes [default: all cores].")] = None
+
+
+@with_options
 def run_command(
     prototype: PrototypeFile,
+    making: Making,
     output: Output = None,
     no_report: NoReport = False,
     details: Details = False,
-    only_plan: Annotated[bool, typer.Option("--dry-run", help="Only say what would be done, and why.")] = False,
-    replace: Annotated[
-        bool, typer.Option("--replace", help="Take over the folder of another prototype's run, overwriting it.")
-    ] = False,
-    jobs: Annotated[int | None, typer.Option("--jobs", min=1, help="Processes [default: all cores].")] = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -125,12 +133,14 @@ def run_command(
     from ..workflow.run import dry_run, run_prototype
 
     place = place_of(prototype, output)
-    if only_plan:
-        outcome.emit_status(f"plan for {place.root}", dry_run(place, replace=replace), as_json=as_json)
+    if making.only_plan:
+        outcome.emit_status(f"plan for {place.root}", dry_run(place, replace=making.replace), as_json=as_json)
         return
     _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
-        results = run_prototype(place, None, progress, with_report=not no_report, replace=replace, jobs=jobs or cores())
+        results = run_prototype(
+            place, None, progress, with_report=not no_report, replace=making.replace, jobs=making.jobs or cores()
+        )
     outcome.emit_scores(place.root, as_json=as_json, details=details, with_report=not no_report)
     if not as_json:
         outcome.emit_instruments(place.root)
@@ -147,7 +157,7 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     Example: debist demo -o runs/demo
     """
     from ..reporting.paper_page import table_2
-    from ..rig.demo import write_demo_logs
+    from ..rig.fleet import write_demo_logs
     from ..workflow.report_data import load_scores
     from ..workflow.run import run_prototype
 

@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from ..codegen.graph import trace
-from ..codegen.sequence import GraphSequence, sequence_kernel
+from ..codegen.graph import GraphSequence, trace
+from ..codegen.numba_writer import sequence_kernel
 from ..generated.condensed_joint import PREPARE, STATES
 from ..generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled
 from ..numerics.fixed_step import AHEAD, SHARES
 from . import estimator, feedback
-from .estimator import ESTIMATED, PERIOD, SIZES
+from .estimator import ESTIMATED, PERIOD, SIZES, of_parts
 from .law import CONTROLLER_STATE, NUMBERS, Law
 
 _S, _SIGNALS, _V, _E, _U = ({name: SIZES[name]} for name in ("s", "signals", "v", "e", "u"))
@@ -19,17 +19,17 @@ _STAGES = tuple(f"k{i + 1}" for i in range(len(SHARES)))
 _NEXT = {0.5: "halfway", 1.0: "ahead"}
 """Graph that leads to the next stage, by the part of the period before it."""
 GRAPHS = {
-    "begin": trace(estimator.begin, **_SIGNALS, **_E, rests=0),
-    "listen": trace(estimator.listen, **_S, **_SIGNALS, **_E, rests=0),
-    "decide": trace(feedback.decide, **_S, **_E, targets=0, braking=0),
-    "lag": trace(estimator.lag, **_S, **_V, **_E),
-    "spread": trace(estimator.spread, **_S, um=2, slopes=PREPARE_SLOPES.outputs["p"], **_JOINT),
-    "rates": trace(estimator.rates, **_S, y=STATES, **_U, **_JOINT),
-    **{name: trace(estimator.ahead(part), **_S, dx=STATES) for part, name in _NEXT.items()},
-    "finish": trace(estimator.finish, **_S, **_V, **{name: STATES for name in _STAGES}, **_E),
-    "check": trace(estimator.check, **_S, **_V, **_E, rests=0),
-    "heed": trace(estimator.heed, **_V, **_E),
-    "known_state": trace(estimator.known_state, **_S, **_E),
+    "begin": trace(of_parts(estimator.begin), **_SIGNALS, **_E, rests=0),
+    "listen": trace(of_parts(estimator.listen), **_S, **_SIGNALS, **_E, rests=0),
+    "decide": trace(of_parts(feedback.decide), **_S, **_E, targets=0, braking=0),
+    "lag": trace(of_parts(estimator.lag), **_S, **_V, **_E),
+    "spread": trace(of_parts(estimator.spread), **_S, um=2, slopes=PREPARE_SLOPES.outputs["p"], **_JOINT),
+    "rates": trace(of_parts(estimator.rates), **_S, y=STATES, **_U, **_JOINT),
+    **{name: trace(of_parts(estimator.ahead(part)), **_S, dx=STATES) for part, name in _NEXT.items()},
+    "finish": trace(of_parts(estimator.finish), **_S, **_V, **{name: STATES for name in _STAGES}, **_E),
+    "check": trace(of_parts(estimator.check), **_S, **_V, **_E, rests=0),
+    "heed": trace(of_parts(estimator.heed), **_V, **_E),
+    "known_state": trace(of_parts(estimator.known_state), **_S, **_E),
 }
 """Graphs of the controller; tables of any length are given the length 0."""
 

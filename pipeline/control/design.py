@@ -13,12 +13,11 @@ from ..models.hybrid.kernels import INDEX, tabulate
 from ..models.hybrid.statics import rest_state
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled
+from ..numerics.metrics import BAND
 from .controller import PERIOD
 from .design_tables import braking_curves, moments_per_square, reached, target_table
 from .law import BEYOND, NUMBERS, REACHES, RESTS, SIDES, TARGETS, Law
-from .linear import wells_and_saddle
-from .plant import ASSUMED_LAG, ControlledJoint, inertia
-from .step_metrics import BAND
+from .plant import ASSUMED_LAG, ControlledJoint, inertia, wells_and_saddle
 
 WEIGHT = 0.2
 """Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""

@@ -10,14 +10,12 @@ from scipy.linalg import expm, solve_discrete_are
 from ..errors import InputError
 from ..generated.condensed_joint import STATES
 from ..numerics.arrays import FloatArray
-from ..numerics.compiled import compiled
-from ..numerics.inner_loops import copy_into
+from ..numerics.compiled import compiled, copy_into
 from .controller import move
 from .estimator import PERIOD
 from .feedback import RESERVE
 from .law import CONTROLLER_STATE, CORRECTED, FEEDBACK, NUMBERS, PLACES, REACHES, Law
-from .linear import LinearModel, held, held_at, jacobian
-from .plant import ControlledJoint, inertia
+from .plant import ControlledJoint, LinearModel, held, held_at, inertia, jacobian
 
 COMMON = 0.05
 """Step of the mean share of the largest squared voltage on both sides at an unstable target."""
@@ -154,8 +152,7 @@ def regulator(
         cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
     except np.linalg.LinAlgError:
         raise InputError(f"a largest voltage of {highest:g} V does not move the joint; allow a larger one") from None
-    gain: FloatArray = np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0]
-    return gain
+    return np.asarray(np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0])
 
 
 @compiled

@@ -1,6 +1,6 @@
 """Many runs of an identified joint, its estimate and draws from its posterior, under commanded voltages."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -109,7 +109,10 @@ class Ensemble:
         half = 2 * self.steps * round(commands.shape[1] * PERIOD / INTERVAL) + 1
         width = INTERVAL / (2 * self.steps)
         squares = [
-            gain**2 * _mean_squares(_behind(_lagged(commands, lags), [charging] * 2), half, width, delay)
+            gain**2
+            * _mean_squares(
+                _behind(_behind(np.repeat(commands, _FINE, axis=1), lags), [charging] * 2), half, width, delay
+            )
             for gain, lags, charging, delay in zip(self.gains, self.lags, self.charging, self.delays, strict=True)
         ]
         return np.stack(squares, axis=1)
@@ -191,13 +194,8 @@ def _spread(rng: np.random.Generator, draws: int, count: int) -> FloatArray:
     return np.concatenate([np.zeros((1, count)), rng.standard_normal((draws, count))])
 
 
-def _lagged(commands: FloatArray, lags: FloatArray) -> FloatArray:
-    """Voltages behind each converter's lag, `_FINE` in each interval of the commands, shape (P, _FINE M, 2) [V]."""
-    return _behind(np.repeat(commands, _FINE, axis=1), lags.tolist())
-
-
-def _behind(fine: FloatArray, lags: Sequence[float]) -> FloatArray:
-    """`fine` behind a lag [s] of each side, in place."""
+def _behind(fine: FloatArray, lags: Iterable[float]) -> FloatArray:
+    """Voltages, `_FINE` in each interval of the commands, behind a lag [s] of each side, in place."""
     from scipy.signal import lfilter
 
     for side, lag in enumerate(lags):

@@ -9,10 +9,11 @@ Corrected are displacement, slope, interior shape, their rates and d; their cova
 at the estimate, because about the saddle a beam's slope may be unstable at a given displacement, and then the sign of
 the correction changes. Maxwell strains and creep follow from the motion alone: their own dynamics forget every error.
 
-The functions are traced into graphs (`pipeline.codegen.graph`): lists of numbers in, dictionaries of lists out. `s` is
-the controller's state (`law.PLACES`), `e` its `NUMBERS`.
+The functions are traced into graphs (`pipeline.codegen.graph`): lists of numbers in, dictionaries of lists out. `now`
+is the controller's state by parts (`law.PLACES`), `n` its `NUMBERS` by name: in the graphs the arrays `s` and `e`.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 from ..codegen.graph import Value, apply, choose, clip, fetch, function, inline
@@ -35,6 +36,8 @@ from .law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, SI
 
 Values = list[Any]
 Outputs = dict[str, Values]
+State = dict[str, Values]
+Numbers = dict[str, Any]
 
 PERIOD = 1e-3
 """Period of the controller [s]."""
@@ -51,14 +54,20 @@ STATUS = ("ok", "recovering", "lost signal", "given up")
 the voltages go to zero; the target was not reached, so the voltages are zero until the next one."""
 
 
-def named(e: Values) -> dict[str, Any]:
-    """The law's numbers by name."""
-    return dict(zip(NUMBERS, e, strict=True))
+def of_parts(function: Callable[..., Outputs]) -> Callable[..., Outputs]:
+    """The function of arrays `s` and `e` for one of the state's parts `now` and of the numbers `n` by name."""
 
+    def traced(**arrays: Values) -> Outputs:
+        """The function with state and numbers taken apart."""
+        taken: dict[str, Any] = dict(arrays)
+        if "s" in taken:
+            state = taken.pop("s")
+            taken["now"] = {name: list(state[place]) for name, place in PLACES.items()}
+        if "e" in taken:
+            taken["n"] = dict(zip(NUMBERS, taken.pop("e"), strict=True))
+        return function(**taken)
 
-def parts(s: Values) -> dict[str, Values]:
-    """The state's parts by name."""
-    return {name: list(s[place]) for name, place in PLACES.items()}
+    return traced
 
 
 def joined(state: dict[str, Values]) -> Values:
@@ -73,7 +82,7 @@ def row(place: Any, count: int) -> tuple[Any, Any]:
     return lower, inside - lower
 
 
-def rest(q: Any, n: dict[str, Any]) -> Values:
+def rest(q: Any, n: dict[str, Any]) -> State:
     """The state as after a long rest at q [m] without voltage: friction holds what is left of the force."""
     lower, share = row((q + n["farthest"]) * n["rest_per_metre"], RESTS)
     tau, beta, stuck = (
@@ -85,56 +94,53 @@ def rest(q: Any, n: dict[str, Any]) -> Values:
     state["target"], state["phase"] = [q], [1.0]
     for i in range(FILTER):
         state["spread"][_packed(i, i)] = n[f"unknown_{i}"]
-    return joined(state)
+    return state
 
 
-def begin(signals: Values, e: Values, rests: Values) -> Outputs:
+def begin(signals: Values, n: Numbers, rests: Values) -> Outputs:
     """The state after the first reading at zero voltages; a reading that is not finite is a lost sensor."""
-    n = named(e)
     q, finite = _reading(signals, n)
-    state = parts(rest(clip(q, -n["farthest"], n["farthest"]), n))
+    state = rest(clip(q, -n["farthest"], n["farthest"]), n)
     return {"s": joined(state | {"lost": [choose(finite, 0.0, RAMP)]})}
 
 
-def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
+def listen(now: State, signals: Values, n: Numbers, rests: Values) -> Outputs:
     """Correct the estimate by a reading, or count what is missing; take the target over.
 
     Parameters
     ----------
-    s : list
-        The controller's state.
+    now : dict
+        The controller's state by parts.
     signals : list, length 2
         Reading and target [m].
-    e : list
-        `NUMBERS`.
+    n : dict
+        `NUMBERS` by name.
     rests : list
         Table of rests.
     """
-    n = named(e)
-    before = parts(s)
     q, finite = _reading(signals, n)
-    again = function("and", finite, function("le", RAMP, before["lost"][0]))
-    strayed = function("and", finite, function("le", PERSISTENT, before["strayed"][0]))
-    fresh = parts(rest(q, n)) | {name: before[name] for name in _OF_COMMANDS}
-    anew = fresh | {name: before[name] for name in _OF_TARGETS}
-    now = {
+    again = function("and", finite, function("le", RAMP, now["lost"][0]))
+    strayed = function("and", finite, function("le", PERSISTENT, now["strayed"][0]))
+    fresh = rest(q, n) | {name: now[name] for name in _OF_COMMANDS}
+    anew = fresh | {name: now[name] for name in _OF_TARGETS}
+    kept = {
         name: [choose(again, a, choose(strayed, b, c)) for a, b, c in zip(fresh[name], anew[name], old, strict=True)]
-        for name, old in before.items()
+        for name, old in now.items()
     }
-    corrected = _corrected(now, q, n)
+    corrected = _corrected(kept, q, n)
     updated = {
-        name: [choose(finite, a, b) for a, b in zip(corrected[name], now[name], strict=True)] for name in corrected
+        name: [choose(finite, a, b) for a, b in zip(corrected[name], kept[name], strict=True)] for name in corrected
     }
-    updated["lost"] = [choose(finite, 0.0, function("min", RAMP, now["lost"][0] + 1.0))]
+    updated["lost"] = [choose(finite, 0.0, function("min", RAMP, kept["lost"][0] + 1.0))]
     wanted = choose(function("finite", signals[1]), signals[1], n["offset"]) - n["offset"]
     last = n["first"] + (TARGETS - 1.0) / n["per_step"]
-    target = choose(function("finite", signals[1]), clip(wanted, n["first"], last), now["target"][0])
-    other = function("lt", 0.0, function("abs", target - now["target"][0]))
+    target = choose(function("finite", signals[1]), clip(wanted, n["first"], last), kept["target"][0])
+    other = function("lt", 0.0, function("abs", target - kept["target"][0]))
     updated["target"] = [target]
-    updated["stood"] = [choose(other, 0.0, function("min", now["stood"][0] + n["fade"], 1.0))]
+    updated["stood"] = [choose(other, 0.0, function("min", kept["stood"][0] + n["fade"], 1.0))]
     for name in ("tried", "refused", "near"):
-        updated[name] = [choose(other, 0.0, now[name][0])]
-    return {"s": joined(now | updated)}
+        updated[name] = [choose(other, 0.0, kept[name][0])]
+    return {"s": joined(kept | updated)}
 
 
 _OF_COMMANDS = ("volts", "commanded", "average")
@@ -194,10 +200,8 @@ def travel(stop: int, n: dict[str, Any]) -> Any:
     return n[f"travel_{STOP_ELEMENTS[stop]}"]
 
 
-def lag(s: Values, v: Values, e: Values) -> Outputs:
+def lag(now: State, v: Values, n: Numbers) -> Outputs:
     """Squared voltages [V²] that act during the period under the commands, `u`, and the means for the filter, `um`."""
-    n = named(e)
-    now = parts(s)
     u = []
     mean = []
     for side, old, command in zip(SIDES, now["volts"], v, strict=True):
@@ -243,26 +247,24 @@ def _pushed(x: Values, prepared: Values) -> tuple[dict[int, Any], dict[int, Any]
     return moment, {1: first * over, 3: second * over, 5: third * over}
 
 
-def rates(s: Values, y: Values, u: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
+def rates(now: State, y: Values, u: Values, prepared: Values, n: Numbers, curves: Values) -> Outputs:
     """Rates of the state y under squared voltages and the unknown moment; s is the state where the step began.
 
     Parameters
     ----------
-    s : list
-        The state where the step began.
+    now : dict
+        The state where the step began, by parts.
     y : list, length STATES
         State of the joint.
     u : list, length 2
         Squared voltages [V²].
     prepared : list
         Constants of the joint.
-    e : list
-        `NUMBERS`.
+    n : dict
+        `NUMBERS` by name.
     curves : list
         Table of corrections.
     """
-    n = named(e)
-    now = parts(s)
     c, _ = corrections(y[0], n)
     start = [now["x"][i] for i in SHAPE]
     derivatives = inline(RATES, x=y, u=u, c=c, z=now["z"], start=start, p=prepared)["rates"]
@@ -274,25 +276,23 @@ def rates(s: Values, y: Values, u: Values, prepared: Values, e: Values, curves: 
 
 def ahead(share: float) -> Any:
     """The state after a share of a period with the rates `dx`."""
-    return lambda s, dx: {"y": [x + share * PERIOD * rate for x, rate in zip(s[PLACES["x"]], dx, strict=True)]}
+    return lambda now, dx: {"y": [x + share * PERIOD * rate for x, rate in zip(now["x"], dx, strict=True)]}
 
 
-def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values, e: Values) -> Outputs:
+def finish(now: State, v: Values, k1: Values, k2: Values, k3: Values, k4: Values, n: Numbers) -> Outputs:
     """The state after a period, by the rates of the four stages; a wall ends every motion.
 
     Parameters
     ----------
-    s : list
-        The state where the step began.
+    now : dict
+        The state where the step began, by parts.
     v : list, length 2
         Commands [V].
     k1, k2, k3, k4 : list, length STATES
         Rates of the stages.
-    e : list
-        `NUMBERS`.
+    n : dict
+        `NUMBERS` by name.
     """
-    n = named(e)
-    now = parts(s)
     totals = [
         sum(share * rate for share, rate in zip(SHARES, k, strict=True)) for k in zip(k1, k2, k3, k4, strict=True)
     ]
@@ -307,26 +307,24 @@ def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values,
     return {"s": joined(now | commands | {"x": x, "z": _stops(now["z"], now["x"], x, n)})}
 
 
-def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
+def spread(now: State, um: Values, slopes: Values, prepared: Values, n: Numbers, curves: Values) -> Outputs:
     """Move the covariance over the period: P ← F P Fᵀ + Q, F the exponential of the Jacobian to the third order.
 
     Parameters
     ----------
-    s : list
-        The controller's state.
+    now : dict
+        The controller's state by parts.
     um : list, length 2
         Means of the squared voltages [V²].
     slopes : list
         Constants of the joint, for the Jacobian.
     prepared : list
         Constants of the joint.
-    e : list
-        `NUMBERS`.
+    n : dict
+        `NUMBERS` by name.
     curves : list
         Table of corrections.
     """
-    n = named(e)
-    now = parts(s)
     a, push = _jacobian(now, um, slopes, prepared, n)
     size = range(FILTER)
     step = [[a[i][j] / 3.0 if _there(a[i][j]) else 0.0 for j in size] for i in size]
@@ -381,41 +379,38 @@ def _jacobian(
     return a, push
 
 
-def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:
+def check(now: State, v: Values, n: Numbers, rests: Values) -> Outputs:
     """If a number is not finite: zero voltages, and a new start with the next reading.
 
     Parameters
     ----------
-    s : list
-        The controller's state.
+    now : dict
+        The controller's state by parts.
     v : list, length 2
         Commands [V].
-    e : list
-        `NUMBERS`.
+    n : dict
+        `NUMBERS` by name.
     rests : list
         Table of rests.
     """
-    n = named(e)
-    sound = function("finite", s[0])
-    for value in s[1:]:
+    whole = joined(now)
+    sound = function("finite", whole[0])
+    for value in whole[1:]:
         sound = function("and", sound, function("finite", value))
-    blank = parts(rest(0.0 * n["offset"], n)) | {"lost": [RAMP]}
+    blank = rest(0.0 * n["offset"], n) | {"lost": [RAMP]}
     return {
-        "s": [choose(sound, old, new) for old, new in zip(s, joined(blank), strict=True)],
+        "s": [choose(sound, old, new) for old, new in zip(whole, joined(blank), strict=True)],
         "v": [choose(sound, volts, 0.0) for volts in v],
     }
 
 
-def heed(v: Values, e: Values) -> Outputs:
+def heed(v: Values, n: Numbers) -> Outputs:
     """Voltages [V] that act on the joint, as measured: within 0 … the largest, 0 for what is not finite."""
-    n = named(e)
     return {"v": [clip(choose(function("finite", volts), volts, 0.0), 0.0, n["highest"]) for volts in v]}
 
 
-def known_state(s: Values, e: Values) -> Outputs:
+def known_state(now: State, n: Numbers) -> Outputs:
     """`ESTIMATED` numbers of the state: reading of the laser, rest of x, z, voltages, moment, and the status."""
-    n = named(e)
-    now = parts(s)
     q, *others = now["x"]
     status = choose(function("lt", 0.5, now["strayed"][0]), 1.0, 0.0)
     status = choose(function("lt", 0.5, now["refused"][0]), 3.0, status)

@@ -26,7 +26,7 @@ from typing import Any
 
 from ..codegen.graph import choose, clip, fetch, function
 from ..generated.condensed_joint import STATES
-from .estimator import MEMORY, PERIOD, RAMP, Outputs, Values, joined, named, parts, row
+from .estimator import MEMORY, PERIOD, RAMP, Numbers, Outputs, State, Values, joined, row
 from .law import REACHES, TARGET_COLUMNS, TARGETS, WELLS
 
 RESERVE = 0.8
@@ -198,22 +198,20 @@ def limited(volts: Values, now: dict[str, Values], n: dict[str, Any]) -> Values:
     return [clip(value, 0.0, n["highest"]) for value in within]
 
 
-def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
+def decide(now: State, n: Numbers, targets: Values, braking: Values) -> Outputs:
     """The voltages of a period, shape (2,) [V]: within the limits, ramped down without a reading.
 
     Parameters
     ----------
-    s : list
-        The controller's state.
-    e : list
-        `NUMBERS`.
+    now : dict
+        The controller's state by parts.
+    n : dict
+        `NUMBERS` by name.
     targets : list
         Table of targets.
     braking : list
         Braking curves.
     """
-    n = named(e)
-    now = parts(s)
     x = now["x"]
     place = (now["target"][0] - n["first"]) * n["per_step"]
     well = _is_well(now, place, n)

@@ -18,8 +18,7 @@ from .controller import begin_control, control, move
 from .estimator import MEMORY, PERIOD, SHAPE, direction, travel
 from .feedback import INTEGRAL
 from .law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, SIDES, Law
-from .linear import full_jacobian
-from .plant import ControlledJoint
+from .plant import ControlledJoint, full_jacobian
 
 FACTOR = 20.0
 """Largest factor that is tried on gain and friction; 1 over it is the least on the gain."""

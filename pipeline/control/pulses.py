@@ -8,12 +8,11 @@ from scipy.optimize import differential_evolution
 
 from ..errors import InputError
 from ..numerics.arrays import FloatArray
-from ..numerics.metrics import settling_index
+from ..numerics.metrics import BAND, settling_index
 from ..system.names import Goal
 from ..system.progress import OnProgress, silent
 from .ensemble import INTERVAL, SEED, Ensemble
 from .estimator import PERIOD
-from .step_metrics import BAND
 
 LENGTH = 1.2
 """Length [s] of the runs by which a pulse is judged; its goals beside time permit half of it for settling."""

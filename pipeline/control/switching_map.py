@@ -246,5 +246,4 @@ def _logarithms(
         middle = 0.5 * (low + high)
         over = _switched(joint, np.exp(2.0 * middle)[None, :, None, None] * unit, wells, to)[0]
         low, high = np.where(over, low, middle), np.where(over, middle, high)
-    middles: FloatArray = 0.5 * (low + high)
-    return middles
+    return np.asarray(0.5 * (low + high))

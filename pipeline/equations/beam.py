@@ -68,6 +68,7 @@ def products(order: int) -> tuple[tuple[float, ...], ...]:
     """∫ hᵢ⁽ⁿ⁾ hⱼ⁽ⁿ⁾ dξ over the beam, (3, 3), for derivatives of this order n; exact to the last bit."""
 
     def integral(first: list[int], second: list[int]) -> float:
+        """Integral of the product of two polynomials over [0, 1]."""
         return float(sum(Fraction(a * b, i + j + 1) for i, a in enumerate(first) for j, b in enumerate(second)))
 
     derived = _derived(order)

@@ -78,6 +78,7 @@ def _membrane(s: CondensedSymbols, side: int, phi: FrameAngle, u_y: Any, speeds:
     sign = (-1.0, 1.0)[side]
 
     def k(entry: str) -> Expression:
+        """A constant of this side."""
         return s.constant(f"{name}_{entry}")
 
     a = k("a")

@@ -22,8 +22,7 @@ from typing import Any
 import casadi as ca
 
 from . import elements
-from .basis_functions import gaussian
-from .elements import lag_rate
+from .elements import gaussian, lag_rate
 
 Expression = Any
 
@@ -122,29 +121,6 @@ def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any, drag: Any) 
     return (curves[0] - (curves[1] + drag * ca.fabs(p)) * p - arc * arm * p * p + push) / inertia
 
 
-def element_rate(coupling: Any, p: Any, rate: Any, load: Any) -> Expression:
-    """ẇ of a relaxing element under the load e that the motion drives through a coupling h(x).
-
-    A Maxwell branch whose strain is a function S(x), h = S', relaxes at one rate, and its load is w itself. A shape
-    element is an overdamped second coordinate, the slope that the beam's tip has beside its displacement: it relaxes at
-    a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x). All follow from the energy
-    ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint, and the same coupling stands
-    in both equations. So no element can create energy.
-
-    Parameters
-    ----------
-    coupling : expression
-        h at x.
-    p : expression
-        Velocity ẋ.
-    rate : expression
-        Rate r of the relaxation.
-    load : expression
-        e.
-    """
-    return elements.maxwell_rate(coupling * p, rate, load)
-
-
 def bent(drive: Any, bend: Any) -> Expression:
     """Effect of a drive (1 where it is largest) that is not proportional to it: monotonous through 0 and ±1.
 
@@ -175,7 +151,12 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     drag, stops, force, at_ends = (ca.SX.sym(*of) for of in (("drag",), ("stops", 4), ("force",), ("at_ends", 2)))
     slope = ca.jacobian(bell(x, centre, bend), x)
     moved = acceleration(p, curves, push, arm, arc, drag)
-    relaxing = element_rate(coupling, p, rate, load)
+    # A Maxwell branch whose strain is a function S(x), with the coupling h = S', relaxes at one rate, and its load e is
+    # its state w. A shape element is an overdamped second coordinate, the slope that the beam's tip has beside its
+    # displacement: it relaxes at a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x).
+    # All follow from the energy ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint,
+    # and the same coupling stands in both equations. So no element can create energy.
+    relaxing = elements.maxwell_rate(coupling * p, rate, load)
     slid = elements.dahl_move(state, travel, length)
     return {
         "POWERS": ({"x": x}, _with_slopes(powers(x), x)),

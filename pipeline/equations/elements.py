@@ -1,4 +1,4 @@
-"""Laws of the elements that joints are built of: Maxwell branch, stop operator, Dahl friction, creep, lag, membrane.
+"""Equations of the elements of joints: Maxwell branch, stop operator, Dahl friction, creep, lag, membrane, bell.
 
 A new element is one function here and one line where a joint lists its elements. The membrane's laws are those of one
 dielectric elastomer and of the frame that stretches it.
@@ -148,3 +148,45 @@ def power(slope: Any, excess: Any, reference: float) -> Expression:
     Capacitances go as λ in the paper and as λ² if the film's sides are clamped; strains as λ3 or as Hencky's ln λ.
     """
     return 1.0 + (slope + 0.5 * slope * (slope - 1.0 / reference) * excess) * excess
+
+
+def gaussian(square: Any) -> Any:
+    """φ of ((q − ξ)/σ)², a bell about the centre ξ (eq. 38); eq. 35 prints it without the minus sign that it needs.
+
+    It is the exponential of a multiple of the square, so bells of equidistant centres follow from each other. With
+    r = (q − ξ)/σ and s = Δξ/σ, the next one is φ((r − s)²) = φ(r²) φ(s² − 2 r s), and that ratio shrinks by φ(2 s²)
+    from one centre to the next.
+    """
+    return ca.exp(-0.5 * square)
+
+
+def bell_kernels() -> dict[str, tuple[dict[str, ca.SX], dict[str, ca.SX]]]:
+    """The Gaussian, and bells of a basis (first centre, distance Δξ, width σ): the first at q, and from one the next.
+
+    A bell is r, φ, the ratio of the next one to it, and by what that ratio shrinks. `slope` is φ' along q, and
+    `shape` φ, φ' and φ'' of the first bell.
+    """
+    q = ca.SX.sym("q")
+    basis = ca.SX.sym("basis", 3)
+    bell = ca.SX.sym("bell", 4)
+    square = ca.SX.sym("square")
+    r, value, ratio, shrink = ca.vertsplit(bell)
+    first = (q - basis[0]) / basis[2]
+    step = basis[1] / basis[2]
+    width = basis[2]
+    at_first = gaussian(first * first)
+    first_bell = ca.vertcat(first, at_first, gaussian(step * (step - 2.0 * first)), gaussian(2.0 * step * step))
+    exponent = ca.substitute(ca.gradient(gaussian(square), square), square, 0.0)
+    by_q = ca.gradient(at_first, q)
+    return {
+        "GAUSSIAN": ({"square": square}, {"found": gaussian(square)}),
+        "BELL_SHAPE": ({"q": q, "basis": basis}, {"shape": ca.vertcat(at_first, by_q, ca.gradient(by_q, q))}),
+        "FIRST_BELL": ({"q": q, "basis": basis}, {"bell": first_bell}),
+        "NEXT_BELL": (
+            {"bell": bell, "basis": basis},
+            {
+                "slope": 2.0 * exponent * r / width * value,
+                "next": ca.vertcat(r - step, value * ratio, ratio * shrink, shrink),
+            },
+        ),
+    }

@@ -6,11 +6,10 @@ at rest.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any
 
 import casadi as ca
-
-from ..system.package import object_at
 
 Law = Callable[[Any, Any, Any, dict[str, Any]], Any]
 """(q [m], q̇ [m/s], states of the element, its constants by name) → an expression in CasADi."""
@@ -85,7 +84,8 @@ TIP_ELEMENTS = (
 
 def tip_elements() -> list[TipElement]:
     """The elements."""
-    return [object_at(place) for place in TIP_ELEMENTS]
+    places = (place.split(":") for place in TIP_ELEMENTS)
+    return [getattr(import_module(f"..{module}", __package__), name) for module, name in places]
 
 
 DRAG = TipElement((Constant("drag", 0.02, 1.2, "N·s²/m²"),), lambda q, p, w, k: k["drag"] * ca.fabs(p) * p)

@@ -20,7 +20,6 @@ from . import (
     elements,
     full_joint,
 )
-from .basis_functions import kernels as bell_kernels
 
 _FULL = """Kernels of the full-order joint.
 
@@ -140,7 +139,7 @@ def _terms() -> str:
     kernels = (
         elements.kernels()
         | data_driven_joint.kernels()
-        | bell_kernels()
+        | elements.bell_kernels()
         | data_driven_joint.lagged_kernels()
         | full_joint.reduced_kernels()
     )

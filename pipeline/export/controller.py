@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..codegen.sequence import GraphSequence, c_sequence, matlab_sequence
-from ..codegen.text_writer import Code, c_function, matlab_function
+from ..codegen.graph import GraphSequence
+from ..codegen.text_writer import Code, c_function, c_sequence, matlab_function, matlab_sequence
 from ..control.controller import BEGIN, CONTROL, ESTIMATE, GRAPHS, OBSERVE, TABLES
 from ..control.estimator import PERIOD, RAMP, STATUS
 from ..control.law import CONTROLLER_STATE, SIDES, Law

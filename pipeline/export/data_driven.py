@@ -1,7 +1,4 @@
-"""The data-driven joint for export, in its own dimensionless numbers.
-
-The law of a run, `pipeline.models.rbf.dynamics`, traced with the numbers of one joint.
-"""
+"""Models from data alone for export: the data-driven joint, the paper's of § 4.2, and SINDy's polynomial equations."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -10,19 +7,23 @@ import numpy as np
 
 from ..codegen.graph import Graph, apply, choose, function, trace
 from ..generated.terms import BENT, DAHL_RATE, LAG, PAST_ZONE
+from ..models.paper.model import RbfPaperModel, lagged_rates
+from ..models.polynomial_dynamics import FIRST_INPUT, QDOT, polynomial_rates, steps_between_samples
 from ..models.rbf.coefficients import Coefficients, no_sensitivities
 from ..models.rbf.dynamics import free_rates, resting_elements, slide
 from ..models.rbf.model import RbfModel
 from ..models.rbf.observed_run import WALL
-from ..models.rbf.problem import steps_per_sample
+from ..models.rbf.problem import steps_per_sample as rbf_steps
+from ..models.sindy.model import SindyModel
 from ..numerics.arrays import FloatArray
+from ..numerics.fixed_step import escape_bounds, steps_per_sample
 from .subject import Realisation, Variable, lagged_nodes
 
 Values = list[Any]
 Outputs = dict[str, Values]
 
 
-def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
+def realise_rbf(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
     joint = _joint(model)
     hold = model.parameters.structure.hold
@@ -43,7 +44,7 @@ def realise(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
         states=joint.states(),
         hysteresis_states=(),
         base=1,
-        step=interval / steps_per_sample(model.parameters, interval, model.theta),
+        step=interval / rbf_steps(model.parameters, interval, model.theta),
         delay=float(np.exp(log_delay[0])) if len(log_delay) else 0.0,
         between="linear" if hold == "record" else hold,
         structure=str(model.describe()["structure"]),
@@ -74,10 +75,12 @@ class _Joint:
 
     @property
     def inputs(self) -> int:
+        """Number of inputs."""
         return len(self.offset)
 
     @property
     def slips(self) -> int:
+        """Number of slip elements of the friction."""
         return len(self.c.slip_force)
 
     @property
@@ -210,3 +213,96 @@ def _joint(model: RbfModel) -> _Joint:
         zone=float(np.exp(theta[p.slices["input_zone"]][0])) if p.structure.dead_zone else None,
         rested=not p.structure.rest_at_zero,
     )
+
+
+def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Realisation:
+    """The paper's model at the sample interval [s] of its run; `unit` is that of q."""
+    low, high = escape_bounds(float(model.centres[0]), float(model.centres[-1]))
+
+    def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
+        """The law of a run."""
+        return {"dx": lagged_rates(model.law, x, u)}
+
+    squared = model.inputs == "squared"
+    bend = 0.5 / model.width**2
+    constants = {"basis": model.basis, "centres": model.centres, "weights": model.law.weights, "bend": bend}
+    return Realisation(
+        functions=_functions(rates, lambda qdot0, u: [*qdot0], np.ones(model.input_count), squared, low, high, 3),
+        constants=constants | {"lag": model.lag_s, "low": low, "high": high, "squared": int(squared)},
+        inputs=model.input_count,
+        states=(*_states(unit), Variable("lagged_velocity", f"{unit}/s", "velocity that the friction feels", 0.1)),
+        hysteresis_states=(),
+        base=1,
+        step=interval / steps_per_sample(interval, model.lag_s),
+        delay=0.0,
+        between="linear",
+        structure=str(model.describe()["structure"]),
+    )
+
+
+def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> Realisation:
+    """A polynomial model at the sample interval [s] of its run; `unit` is that of q."""
+    d = model.dynamics
+
+    def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
+        """The law of a run."""
+        return {"dx": polynomial_rates(d, x, u)}
+
+    def start(qdot0: Values, u: Values) -> Values:
+        """Lag states begin at what they follow."""
+        return [
+            qdot0[0] / float(d.scales[QDOT]) if lag.source == QDOT else u[lag.source - FIRST_INPUT] for lag in d.lags
+        ]
+
+    table: dict[str, Any] = {"exponents": d.exponents, "coefficients": d.coefficients, "scales": d.scales}
+    table |= {"lag": np.array([lag.time for lag in d.lags]), "lag_source": np.array([lag.source for lag in d.lags])}
+    bounds = {"low": d.low, "high": d.high, "squared": int(d.squared)}
+    return Realisation(
+        functions=_functions(rates, start, d.scales[FIRST_INPUT:], d.squared, d.low, d.high, 2 + len(d.lags)),
+        constants=table | bounds,
+        inputs=d.inputs,
+        states=(
+            *_states(unit),
+            *(Variable(f"lag_{k + 1}", "1", "scaled velocity or input, lagged") for k in range(len(d.lags))),
+        ),
+        hysteresis_states=(),
+        base=1,
+        step=interval / steps_between_samples(d, interval),
+        delay=0.0,
+        between="linear",
+        structure="; ".join(model.equations()),
+    )
+
+
+def _functions(
+    rates: Any, start: Any, scales: Any, squared: bool, low: float, high: float, states: int
+) -> dict[str, Graph]:
+    """How such a model moves: inputs are the voltages, or their squares, over `scales` (K,)."""
+    over = [float(1.0 / scale) for scale in scales]
+
+    def within(x: Values) -> dict[str, Values]:
+        """Q within its bounds, and the velocity finite."""
+        inside = function("and", function("le", low, x[0]), function("le", x[0], high))
+        return {"ok": [function("and", inside, function("finite", x[1]))]}
+
+    def drive(v: Values) -> dict[str, Values]:
+        """Inputs of the equations."""
+        return {"u": [(x * x if squared else x) * y for x, y in zip(v, over, strict=True)]}
+
+    def begun(q0: Values, qdot0: Values, u: Values) -> dict[str, Values]:
+        """The states at the start."""
+        return {"x": [*q0, *qdot0, *start(qdot0, u)], "z": []}
+
+    return {
+        "drive": trace(drive, v=len(over)),
+        "start": trace(begun, q0=1, qdot0=1, u=len(over)),
+        "begin": trace(lambda x, z, h: {"base": [0.0]}, x=states, z=1, h=1),
+        "rates": trace(rates, x=states, z=1, base=1, u=len(over)),
+        "finish": trace(lambda base, x, z: {"x": x, "z": z}, base=1, x=states, z=1),
+        "read": trace(lambda x, dx: {"y": [x[0], x[1], dx[1]]}, x=states, dx=states),
+        "within": trace(within, x=states),
+    }
+
+
+def _states(unit: str) -> tuple[Variable, Variable]:
+    return Variable("displacement", unit, "displacement", 0.01), Variable("velocity", f"{unit}/s", "its velocity", 0.1)

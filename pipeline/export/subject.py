@@ -9,13 +9,10 @@ from typing import Any, Literal
 import numpy as np
 
 from ..codegen.graph import Graph, choose, function
-from ..errors import InputError
 from ..models.base import DynamicModel, HasCurves
-from ..models.model_type import model_type
+from ..models.model_type import equations_of
 from ..numerics.arrays import FloatArray
-from ..settings.models import ENTRIES
 from ..system.names import slug
-from ..system.package import object_at
 from ..units.quantity import quantity
 
 _STRONGER = 1.05
@@ -226,27 +223,14 @@ class Realisation:
 
 
 def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisation:
-    """States, constants and kernels of a model.
-
-    Parameters
-    ----------
-    model : DynamicModel
-        Identified model or baseline.
-    interval : float
-        Sample interval [s] of its run; it decides the step.
-    unit : str
-        Unit of q, m or rad.
+    """States, constants and kernels of a model at the sample interval [s] of its run; `unit` is that of q, m or rad.
 
     Raises
     ------
     InputError
-        A model of this kind has no equations to write down elsewhere.
+        A model of this type has no equations to write down elsewhere.
     """
-    equations = model_type(model.name).equations
-    if not equations:
-        others = ", ".join(entry.name for entry in ENTRIES if model_type(entry.name).equations)
-        raise InputError(f"the model {model.name} has no export; choose one of {others} with --model")
-    realisation: Realisation = object_at(equations)(model, interval, unit)
+    realisation: Realisation = equations_of(model.name)(model, interval, unit)
     return realisation
 
 

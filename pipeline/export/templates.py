@@ -8,7 +8,7 @@ import re
 import textwrap
 import unicodedata
 from collections.abc import Callable, Iterable
-from functools import cache
+from functools import cache, partial
 from importlib.resources import files
 from typing import Any
 
@@ -83,25 +83,17 @@ def _value(value: Any, text: Callable[[str], str]) -> Any:
     return str(value) if isinstance(value, int) else text(str(value))
 
 
-def _in_code(value: Any) -> Any:
-    return _value(value, words)
-
-
-def _in_document(value: Any) -> Any:
-    return _value(value, in_xml)
-
-
-_LANGUAGES = {"c": _in_code, "h": _in_code, "m": _in_code, "xml": _in_document}
+_LANGUAGES = {"c": words, "h": words, "m": words, "xml": in_xml}
 
 
 @cache
-def _environment(finalize: Callable[[Any], Any]) -> Environment:
+def _environment(text: Callable[[str], str]) -> Environment:
     environment = Environment(
         loader=PackageLoader(full_name("export"), "assets"),
         undefined=StrictUndefined,
         keep_trailing_newline=True,
-        autoescape=finalize is _in_document,  # noqa: S701 - markup is escaped so, the other languages by `finalize`
-        finalize=finalize,
+        autoescape=text is in_xml,  # noqa: S701 - markup is escaped so, the other languages by `finalize`
+        finalize=partial(_value, text=text),
     )
-    environment.filters["numbers"], environment.filters["reals"] = numbers, reals
+    environment.filters |= {"numbers": numbers, "reals": reals}
     return environment

@@ -59,8 +59,7 @@ class Prior:
 
     def residual(self, theta: FloatArray) -> FloatArray:
         """A θ − b."""
-        difference: FloatArray = self.matrix @ theta - self.right
-        return difference
+        return np.asarray(self.matrix @ theta - self.right)
 
 
 class ParallelProblem(ObservedProblem, Protocol):
@@ -204,8 +203,7 @@ class ParallelDescent(Descent):
         pull = np.where(finite, curvature, 0.0) @ self.jacobian / self.noise**2
         bends = -0.5 * damped.solutions(pull)
         trusted = damped.lengths(bends) <= LARGEST_BEND * damped.lengths(steps)
-        ends: FloatArray = self.theta + steps + np.where(trusted[:, None], bends, 0.0)
-        return ends
+        return np.asarray(self.theta + steps + np.where(trusted[:, None], bends, 0.0))
 
 
 class _Damped:
@@ -220,18 +218,15 @@ class _Damped:
     def solutions(self, right: FloatArray) -> FloatArray:
         """Solutions for one right side of each damping, shape (B, P)."""
         projected = (right * self._scale) @ self._vectors / (self._values + self.dampings[:, None])
-        solutions: FloatArray = self._scale * (projected @ self._vectors.T)
-        return solutions
+        return np.asarray(self._scale * (projected @ self._vectors.T))
 
     def lengths(self, steps: FloatArray) -> FloatArray:
         """Of steps in units in which diag H is one, shape (B,)."""
-        length: FloatArray = np.linalg.norm(steps / self._scale, axis=1)
-        return length
+        return np.asarray(np.linalg.norm(steps / self._scale, axis=1))
 
 
 def _damped_solution(matrix: FloatArray, right: FloatArray, damping: float) -> FloatArray:
     """Solution of (H + damping·diag H) x = right, shape (P,). Cost: P³/3 flops."""
     scale = 1.0 / np.sqrt(np.diag(matrix))
     damped = scale[:, None] * matrix * scale + damping * np.eye(len(matrix))
-    solution: FloatArray = scale * np.linalg.solve(damped, scale * right)
-    return solution
+    return np.asarray(scale * np.linalg.solve(damped, scale * right))

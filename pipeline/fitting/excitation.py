@@ -17,8 +17,7 @@ from ..scoring.wells import NoWells, Wells, find_wells, snaps
 from ..settings.models import CENTRES, SMOOTHING
 from ..signals.findings import Finding, Number, refusal
 from ..signals.noise import REACH, is_idle
-from .coverage import ACTING, Coverage, coverage
-from .information import Conditioning, ScaledRegressor, conditioning
+from .information import ACTING, Conditioning, Coverage, ScaledRegressor, conditioning, coverage
 
 _POWER_SHARE = 0.95
 _SHORTEST = 64
@@ -146,7 +145,7 @@ def examine_excitation(
         wells=wells,
         switches=_switches(q[valid], wells),
         largest=largest,
-        intermediate=_intermediate(np.abs(v), largest, acting),
+        intermediate=((np.abs(v) < (1.0 - ACTING) * largest) & acting).sum(axis=0) / np.maximum(acting.sum(axis=0), 1),
         together=float(np.mean(acting.all(axis=1))) if v.shape[1] > 1 else 0.0,
         conditioning=conditioning(information),
         interval=interval,
@@ -161,12 +160,6 @@ def _switches(q: FloatArray, wells: Wells | NoWells) -> tuple[int, int]:
         return 0, 0
     to_right = wells.side(q[snaps(q, wells)])
     return int(np.count_nonzero(to_right)), int(np.count_nonzero(~to_right))
-
-
-def _intermediate(magnitude: FloatArray, largest: FloatArray, acting: BoolArray) -> FloatArray:
-    between = (magnitude < (1.0 - ACTING) * largest) & acting
-    share: FloatArray = between.sum(axis=0) / np.maximum(acting.sum(axis=0), 1)
-    return share
 
 
 def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:

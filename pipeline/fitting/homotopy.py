@@ -14,7 +14,7 @@ import numpy as np
 
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import rms
-from .descent import FLOOR, Descent, ObservedProblem, Prior
+from .descent import FLOOR, START, Descent, ObservedProblem, Prior
 
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
@@ -151,28 +151,19 @@ def fit_homotopy(
     """
     count = len(theta)
     calls = callbacks or Callbacks()
-    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, (), list(schedule.gains), False, False)
+    state = _State(theta, np.zeros(0), np.zeros((count, count)), FLOOR, (), False, pending=tuple(schedule.gains))
     levels = _Levels(problem, prior, schedule, calls, descent)
     while state.pending:
         state = levels.next(state)
-    return HomotopyFit(
-        state.theta, state.residual, state.hessian, state.noise, state.levels, state.reached_last, state.chaotic
-    )
+    return state
 
 
 @dataclass(frozen=True)
-class _State:
-    """A fit between two levels: the entries of `HomotopyFit`, and the gains of the levels to come."""
+class _State(HomotopyFit):
+    """A fit between two levels, and the gains of the levels to come."""
 
-    theta: FloatArray
-    damping: float
-    residual: FloatArray
-    hessian: FloatArray
-    noise: float
-    levels: tuple[Level, ...]
-    pending: list[float]
-    reached_last: bool
-    chaotic: bool
+    damping: float = START
+    pending: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -187,7 +178,7 @@ class _Levels:
 
     def next(self, before: _State) -> _State:
         """The state after one more level; none is to come where simulation or sensitivities overflow, or runs part."""
-        pending = list(before.pending)
+        pending = before.pending
         if self.calls.enough():
             pending = pending[-1:]
         gain = pending[0]
@@ -202,7 +193,7 @@ class _Levels:
         done = self._descend(state, gain, last=not following)
         chaotic = bool(following) and gain == self.schedule.chaos_gain and self.calls.is_chaotic(state.theta)
         if chaotic:
-            following = []
+            following = ()
             done = self._descend(state, gain, last=True)
         if not following:
             state.linearise()
@@ -210,8 +201,8 @@ class _Levels:
         levels = (*before.levels, Level(float(gain), state.iterations, error, done))
         reached_last = not (following or chaotic)
         return _State(
-            state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following, reached_last,
-            chaotic,
+            state.theta, state.residual, state.hessian, state.noise, levels, reached_last, chaotic, state.damping,
+            following,
         )  # fmt: skip
 
     def _state(self, before: _State, gain: float, residual: FloatArray) -> Descent:
@@ -225,7 +216,7 @@ class _Levels:
             state = self._state(before, before.levels[-1].gain, before.residual)
             state.linearise()
             before = replace(before, hessian=state.hessian)
-        return replace(before, pending=[])
+        return replace(before, pending=())
 
     def _descend(self, state: Descent, gain: float, *, last: bool) -> bool:
         """Take the steps of a level; whether its cost had stopped falling."""

@@ -135,8 +135,7 @@ def _shrunk(seen: FloatArray, believed: FloatArray, count: int, by: Shrinkage) -
 
 
 def _symmetric(matrix: FloatArray) -> FloatArray:
-    symmetric: FloatArray = 0.5 * (matrix + matrix.T)
-    return symmetric
+    return np.asarray(0.5 * (matrix + matrix.T))
 
 
 def _variance_within(cut: float) -> float:

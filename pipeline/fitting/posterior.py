@@ -95,8 +95,7 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     scale = 1.0 / np.sqrt(np.diag(precision))
     values, vectors = scipy.linalg.eigh(scale[:, None] * precision * scale)
     values = np.maximum(values, len(values) * np.finfo(float).eps * values[-1])
-    spread: FloatArray = scale[:, None] * (vectors / np.sqrt(values)) @ vectors.T
-    return spread
+    return np.asarray(scale[:, None] * (vectors / np.sqrt(values)) @ vectors.T)
 
 
 def log_evidence(fit: HomotopyFit, prior: Prior, correlation: float) -> float:
@@ -132,8 +131,7 @@ def posterior_draws(mean: FloatArray, spread: FloatArray, count: int, seed: int)
         The same seed gives the same draws.
     """
     standard = np.random.default_rng(seed).standard_normal((count, spread.shape[1]))
-    drawn: FloatArray = mean + standard @ spread.T
-    return drawn
+    return np.asarray(mean + standard @ spread.T)
 
 
 def curves_of_draws(

@@ -4,15 +4,18 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import wraps
 from inspect import signature
-from typing import Any, Literal, Protocol, TypeVar, cast, runtime_checkable
+from typing import Annotated, Any, Literal, Protocol, TypeVar, cast, runtime_checkable
 
 import numpy as np
+from pydantic import Field
+from pydantic import dataclasses as stored
 
 from ..errors import InputError
 from ..numerics.arrays import FloatArray, IntArray
-from ..scoring.horizons import Predict
+from ..scoring.scores import Predict
+from ..signals.log import Log
 from ..signals.timebase import is_uniform
-from .tubes import TubeScale
+from .model_file import STORED, Unit
 
 
 @dataclass(frozen=True)
@@ -142,6 +145,25 @@ class DrawnModel(DynamicModel, HasDraws, Protocol):
     """A dynamic model with draws."""
 
 
+_NotNegative = Annotated[float, Field(ge=0.0, le=1e6)]
+
+
+@stored.dataclass(frozen=True, config=STORED)
+class TubeScale:
+    """Scale of a model's tubes, also in its file; with a factor of zero the model has no tubes."""
+
+    factor: _NotNegative = 0.0
+    """Half width of the tubes over the spread of the draws."""
+    floor: Annotated[_NotNegative, Unit("{q}")] = 0.0
+    """Least spread: the error on the training data."""
+    apart: Annotated[_NotNegative, Unit("{q}")] = 0.0
+    """Distance from which on a draw is in another well."""
+
+
+NO_TUBES = TubeScale()
+"""Scale of a model that has no tubes."""
+
+
 @runtime_checkable
 class HasTubes(HasDraws, Protocol):
     """A model with uncertainty bands of its free runs on other logs."""
@@ -160,6 +182,12 @@ class SimulatesMany(Protocol):
 
         `starts`, shape (n, 2), has their displacements [m] and velocities [m/s].
         """
+
+
+def from_first(model: DynamicModel, record: Log) -> FreeRun:
+    """The free run of a model over a whole record from its first sample, gaps included."""
+    v = record.drive_of(fine=model.fine_voltages)
+    return model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
 
 
 def predictor(model: DynamicModel) -> Predict:

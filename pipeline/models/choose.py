@@ -15,11 +15,11 @@ import numpy as np
 from ..errors import DataRefusedError
 from ..numerics.arrays import FloatArray
 from ..scoring.cross_validation import free_run_error
-from ..scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 from ..scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
+from ..scoring.scores import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 from ..signals.log import Log
 from ..units.units import HORIZONS
-from .base import predictor
+from .base import from_first, predictor
 from .model_type import StoredModel, Training, fitted_samples
 
 NETWORK_ERROR = 0.006
@@ -185,9 +185,7 @@ def _errors(model: StoredModel, records: Sequence[Log], *, held_out: bool = True
     span = max(float(q.max()) for q in valid) - min(float(q.min()) for q in valid)
     errors = []
     for record in records:
-        v = record.drive if model.fine_voltages else record.v
-        run = model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
-        error = np.minimum(np.nan_to_num(np.abs(run.q - record.q), nan=np.inf) / span, 1.0)
+        error = np.minimum(np.nan_to_num(np.abs(from_first(model, record).q - record.q), nan=np.inf) / span, 1.0)
         errors.append(np.where(record.valid, error, np.nan)[fitted_samples(len(record.t)) if held_out else 0 :])
     return np.concatenate(errors)
 
@@ -246,10 +244,8 @@ def _times(errors: list[HorizonError]) -> str:
 
 def _lost(model: StoredModel, record: Log) -> float:
     """Error of a free run over the range of q in its log, at most 1: that of one that diverged."""
-    v = record.drive if model.fine_voltages else record.v
-    run = model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
     measured = np.where(record.valid, record.q, np.nan)
-    return free_run_error(measured, run.q, float(np.ptp(record.known_q)))
+    return free_run_error(measured, from_first(model, record).q, float(np.ptp(record.known_q)))
 
 
 def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:
@@ -259,9 +255,8 @@ def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:
         interval = record.interval
         length = float(record.t[-1] - record.t[0])
         times = [time for time, _ in HORIZONS.values() if SHORTEST_HORIZON * interval <= time <= length / 2.0]
-        v = record.drive if model.fine_voltages else record.v
         q, speed = (np.where(record.valid, signal, np.nan) for signal in (record.q, record.qdot))
-        path = MeasuredPath(record.t, v, q, speed)
+        path = MeasuredPath(record.t, record.drive_of(fine=model.fine_voltages), q, speed)
         errors += horizon_errors(predictor(model), path, times, plant=None, most_starts=STARTS)
     return errors
 

@@ -30,7 +30,7 @@ from ..device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParamete
 from ..errors import CorruptArtifactError, InputError
 from ..numerics.arrays import FloatArray, IntArray
 from ..store.trees import Columns
-from ..units.units import MASS
+from ..units.units import DISPLACEMENT, INPUT, MASS
 
 LARGEST = 1e30
 """Largest magnitude of any number; products of a few of them are still finite."""
@@ -144,6 +144,17 @@ def _set_of(values: Any) -> Any:
 
 JointSet = Annotated[JointParameters, BeforeValidator(_set_of)]
 """Parameters of a joint, in the file their values by name."""
+
+
+def _si_units(values: Any) -> tuple[str, str]:
+    length, voltage = (str(unit) for unit in values)
+    if length not in DISPLACEMENT or voltage not in INPUT:
+        raise ValueError("are no SI units of a displacement and an input")
+    return length, voltage
+
+
+Units = Annotated[tuple[str, str], BeforeValidator(_si_units)]
+"""SI units of displacement and inputs."""
 
 
 def listed(values: Any) -> Any:

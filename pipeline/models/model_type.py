@@ -206,6 +206,22 @@ def model_type(name: str) -> ModelType:
     return loaded
 
 
+def equations_of(name: str) -> Callable[..., Any]:
+    """The function that writes the equations of a model for other tools.
+
+    Raises
+    ------
+    InputError
+        A model that has none.
+    """
+    equations = model_type(name).equations
+    if not equations:
+        others = ", ".join(entry.name for entry in ENTRIES if model_type(entry.name).equations)
+        raise InputError(f"the model {name} has no export; choose one of {others} with --model")
+    written: Callable[..., Any] = object_at(equations)
+    return written
+
+
 def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
     """The model called `name` from its tree.
 

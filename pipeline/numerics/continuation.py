@@ -5,7 +5,7 @@ K. Georg, Numerical Continuation Methods, Springer 1990, doi:10.1007/978-3-642-6
 with a symmetric ∂G/∂y (a Hessian), scaled so that a change of order 1 is large in every unknown.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -177,3 +177,17 @@ def trace_branch(residual: Residual, y: FloatArray, parameter: float, *, bounds:
     xs = np.array([point.x for point in points])
     stable = np.array([point.stable for point in points])
     return Branch(xs[:, -1], xs[:, :-1], stable, (*special_backward[::-1], *special_forward))
+
+
+def outermost_pair(stable: Sequence[bool], height: Sequence[float]) -> tuple[int, int, int] | None:
+    """Left well, saddle and right well among equilibria in the order of q: their numbers, or None.
+
+    The wells are the outermost stable ones, the saddle the highest unstable one between.
+    """
+    wells = [i for i, is_stable in enumerate(stable) if is_stable]
+    if len(wells) < 2:
+        return None
+    left = wells[0]
+    right = wells[-1]
+    between = [i for i in range(left, right) if not stable[i]]
+    return (left, max(between, key=height.__getitem__), right) if between else None

@@ -18,8 +18,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from .arrays import FloatArray
-from .compiled import Kernel, compiled, implement, inlinable, types
-from .inner_loops import FAST
+from .compiled import FAST, Kernel, compiled, implement, inlinable, types
 
 # No wrapper for calls from Python, which would be half of what a small function costs to compile.
 _OPTIONS: Any = {
@@ -131,6 +130,7 @@ def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
     cached = cache(methods)
 
     def of(system) -> Methods | None:
+        """The methods, if the system is of this class."""
         return cached(system) if isinstance(system, _NAMED) and system.instance_class is kind else None
 
     @implement(begin, jit_options=_OPTIONS)

@@ -24,19 +24,22 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .arrays import FloatArray, IntArray
-from .compiled import compiled, inner, part
-from .inner_loops import factorise, solve_factorised
+from .compiled import compiled, factorise, inner, part, solve_factorised
 
-STATES = 11
-"""q_m (4), q̇_m (4), Maxwell strains (2), friction state (1)."""
+RITZ = 4
+INTERNAL = 3
+"""Ritz coordinates q_m; internal states z: Maxwell strains of both membranes, friction."""
+FIRST_Z = 2 * RITZ
+STATES = FIRST_Z + INTERNAL
+"""q_m, q̇_m, z, and where z begins."""
 R_Q = 0
-R_V = 16
-R_Z = 32
-Z_Q = 44
-Z_V = 56
-Z_Z = 68
-R_S = 71
-SLOPES = 79
+R_V = R_Q + RITZ * RITZ
+R_Z = R_V + RITZ * RITZ
+Z_Q = R_Z + RITZ * INTERNAL
+Z_V = Z_Q + INTERNAL * RITZ
+Z_Z = Z_V + INTERNAL * RITZ
+R_S = Z_Z + INTERNAL
+SLOPES = R_S + RITZ * 2
 """Where the blocks of `motion_slopes` begin: r_q, r_v (4, 4), r_z (4, 3), z_q, z_v (3, 4), z_z (3,), r_s (4, 2)."""
 
 
@@ -133,7 +136,8 @@ def working(stages: int, columns: int) -> Work:
     """Room for the steps of a run."""
     return Work(
         np.empty((stages, STATES * columns)), np.empty(STATES * columns), np.empty(STATES * columns),
-        np.zeros(4 * columns), np.empty((4, 4)), np.empty(SLOPES), np.empty((4, 4)), np.empty(4, np.int64),
+        np.zeros(RITZ * columns), np.empty((RITZ, RITZ)), np.empty(SLOPES), np.empty((RITZ, RITZ)),
+        np.empty(RITZ, np.int64),
     )  # fmt: skip
 
 
@@ -190,14 +194,16 @@ def factorise_stages(shift: float, work: Work) -> bool:
     slopes = work.slopes
     factors = work.factors
     inverse = 1.0 / shift
-    for i in range(4):
-        for j in range(4):
-            factors[i, j] = shift * work.mass[i, j] + slopes[R_V + 4 * i + j] + inverse * slopes[R_Q + 4 * i + j]
+    for i in range(RITZ):
+        for j in range(RITZ):
+            place = RITZ * i + j
+            factors[i, j] = shift * work.mass[i, j] + slopes[R_V + place] + inverse * slopes[R_Q + place]
     for k in range(3):
         relaxed = 1.0 / (shift - slopes[Z_Z + k])
-        for j in range(4):
-            coupled = relaxed * (slopes[Z_V + 4 * k + j] + inverse * slopes[Z_Q + 4 * k + j])
-            for i in range(4):
+        for j in range(RITZ):
+            place = RITZ * k + j
+            coupled = relaxed * (slopes[Z_V + place] + inverse * slopes[Z_Q + place])
+            for i in range(RITZ):
                 factors[i, j] += slopes[R_Z + 3 * i + k] * coupled
     return bool(factorise(factors, work.pivots))
 
@@ -222,33 +228,34 @@ def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> Non
     right = work.right
     inverse = 1.0 / shift
     p = columns
-    velocity = out[4 * p : 8 * p]
-    internal = out[8 * p :]
+    velocity = out[RITZ * p : FIRST_Z * p]
+    internal = out[FIRST_Z * p :]
+    below = right[RITZ * p :]
     for k in range(3):
         relaxed = shift - slopes[Z_Z + k]
-        q0, q1, q2, q3 = _row(inverse, slopes, Z_Q + 4 * k)
+        q0, q1, q2, q3 = _row(inverse, slopes, Z_Q + RITZ * k)
         for c in range(p):
             driven = q0 * right[c] + q1 * right[p + c] + q2 * right[2 * p + c] + q3 * right[3 * p + c]
-            internal[k * p + c] = (right[(8 + k) * p + c] + driven) / relaxed
-    for i in range(4):
+            internal[k * p + c] = (right[(FIRST_Z + k) * p + c] + driven) / relaxed
+    for i in range(RITZ):
         m0, m1, m2, m3 = _row(1.0, mass[i], 0)
-        q0, q1, q2, q3 = _row(inverse, slopes, R_Q + 4 * i)
+        q0, q1, q2, q3 = _row(inverse, slopes, R_Q + RITZ * i)
         z0 = slopes[R_Z + 3 * i]
         z1 = slopes[R_Z + 3 * i + 1]
         z2 = slopes[R_Z + 3 * i + 2]
         for c in range(p):
             value = work.push[i * p + c] - z0 * internal[c] - z1 * internal[p + c] - z2 * internal[2 * p + c]
-            value += m0 * right[4 * p + c] + m1 * right[5 * p + c] + m2 * right[6 * p + c] + m3 * right[7 * p + c]
+            value += m0 * below[c] + m1 * below[p + c] + m2 * below[2 * p + c] + m3 * below[3 * p + c]
             velocity[i * p + c] = value - (
                 q0 * right[c] + q1 * right[p + c] + q2 * right[2 * p + c] + q3 * right[3 * p + c]
             )
     solve_factorised(work.factors, work.pivots, velocity, p)
-    for i in range(4 * p):
+    for i in range(RITZ * p):
         out[i] = inverse * (right[i] + velocity[i])
     for k in range(3):
         relaxed = 1.0 / (shift - slopes[Z_Z + k])
-        q0, q1, q2, q3 = _row(inverse, slopes, Z_Q + 4 * k)
-        v0, v1, v2, v3 = _row(1.0, slopes, Z_V + 4 * k)
+        q0, q1, q2, q3 = _row(inverse, slopes, Z_Q + RITZ * k)
+        v0, v1, v2, v3 = _row(1.0, slopes, Z_V + RITZ * k)
         f0 = relaxed * (q0 + v0)
         f1 = relaxed * (q1 + v1)
         f2 = relaxed * (q2 + v2)

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from ..units.quantity import prefixed
 from .figure import Band, Cells, Figure, Line, Panel
 
 _LIKELY = (0.1, 0.9)
@@ -41,7 +42,7 @@ def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
             for name, unit, key in (("gain", "dB re 1 nm/V²", "dB"), ("phase", "°", "deg"))
         )
         kind = "stable" if equilibrium["stable"] else "unstable"
-        title = f"Bode plot at q = {1e3 * equilibrium['q_m']:.2f} mm ({kind})".replace("-", "−")
+        title = f"Bode plot at q = {prefixed(equilibrium['q_m'], 'm', 2)} mm ({kind})".replace("-", "−")
         caption = "From the squared voltage of each membrane to the displacement, friction left out."
         yield Figure(f"control-bode-{number}", title, caption, "frequency", "Hz", panels, x_log=True, half=True)
 
@@ -79,7 +80,7 @@ def _pulse(document: Mapping[str, Any]) -> Figure:
     t, v = np.append(t, max(t[-1], at[-1])), np.vstack([v, np.zeros(2)])  # off for the rest of the motion
     volts = Panel("voltage", "V", (Line("left", "v1", t, v[:, 0]), Line("right", "v2", t, v[:, 1])))
     settled = document["settling_s"]
-    settling = "does not settle" if settled is None else f"settles within 5 % after {1e3 * settled:.0f} ms"
+    settling = "does not settle" if settled is None else f"settles within 5 % after {prefixed(settled, 'm', 0)} ms"
     caption = f"Feedforward; {settling}, switches with probability {document['switching_probability']:.2f}."
     return Figure(
         f"control-pulse-{document['to']}",

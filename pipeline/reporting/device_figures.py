@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..diagnostics.facts.calibrated import AmongSiblings, places_among
-from ..diagnostics.facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
-from ..diagnostics.facts.data_quality import centre_visits
-from ..diagnostics.facts.datasheet import Datasheet
-from ..diagnostics.facts.phase_plane import (
+from ..diagnostics.calibrated import AmongSiblings, places_among
+from ..diagnostics.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
+from ..diagnostics.data_quality import centre_visits
+from ..diagnostics.datasheet import Datasheet
+from ..diagnostics.phase_plane import (
     BASIN_TIME,
     OUTCOMES,
     basin_map,
@@ -19,15 +19,14 @@ from ..diagnostics.facts.phase_plane import (
     unforced,
     visited_range,
 )
-from ..diagnostics.facts.run_data import Columns, RunData, Study
+from ..diagnostics.run_data import Columns, RunData, Study
 from ..numerics.arrays import BoolArray, FloatArray
 from ..numerics.metrics import NORMAL_95
 from ..signals.log import voltages
-from ..units.quantity import power, quantity
+from ..units.quantity import power, prefixed, quantity
 from .datasheet_rows import NOT_USED
-from .figure import Band, Cells, Figure, Line, Panel, Points
+from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points, error_bars
 from .instrument_table import instruments_figure
-from .legend import CHOSEN
 from .log_figures import residual_figures
 from .recipe_figures import study_figure
 
@@ -63,8 +62,7 @@ def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
     rows = np.arange(len(places), dtype=np.float64)[::-1]
     at = np.array([p.distance for p in places])
     half = NORMAL_95 * np.array([p.error for p in places])
-    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
-    bars = Line("what its logs leave open (95 %)", "measured", ends, np.repeat(rows, 3), dash="solid")
+    bars = error_bars("what its logs leave open (95 %)", at, half, rows)
     usual = np.array([-NORMAL_95, NORMAL_95])
     band = Band("95 % of siblings", "reference", usual, np.full(2, -0.5), np.full(2, len(at) - 0.5))
     panel = Panel(
@@ -76,8 +74,7 @@ def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
         "joint towards them."
     )
     name = "standard deviations of the siblings from their mean"
-    x = "1"
-    return Figure("siblings", "The joint among its siblings", caption, name, x, (panel,), tall=1.2)
+    return Figure("siblings", "The joint among its siblings", caption, name, "1", (panel,), tall=1.2)
 
 
 def _study(data: RunData, study: Study) -> Figure:
@@ -109,7 +106,9 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
         panels.append(_curve_panel(name, unit, curves, frame, measured))
         gone = [] if data.device.joint else _outside(curves, visited, frame)
         outside += [f"{name} of {', '.join(gone)}"] if gone else []
-    band = f" Bands: central {100 * COVERAGE:.0f} % of what the training data leave open." if sheet.draws else ""
+    band = (
+        f" Bands: central {prefixed(COVERAGE, '%', 0)} % of what the training data leave open." if sheet.draws else ""
+    )
     per_mass = "" if data.device.known_mass is not None else " Per unit mass, as no mass is given."
     cut = (
         "where hardly any sample lies and a curve runs away" if data.device.joint else "where a curve leaves the frame"
@@ -145,8 +144,7 @@ def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
 
 
 def _push(curves: Curves, k: int, factor: float) -> FloatArray:
-    push: FloatArray = factor * curves.pushes[k]
-    return push
+    return np.asarray(factor * curves.pushes[k])
 
 
 class _Curve(NamedTuple):
@@ -160,8 +158,7 @@ class _Curve(NamedTuple):
 
     def inner(self, visited: tuple[float, float]) -> BoolArray:
         """The places in the visited part."""
-        rows: BoolArray = (self.q >= visited[0]) & (self.q <= visited[1])
-        return rows
+        return np.asarray((self.q >= visited[0]) & (self.q <= visited[1]))
 
 
 def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) -> list[_Curve]:
@@ -209,7 +206,7 @@ def _curve_panel(
         if low is not y:
             visible = (low[rows] < frame[1]) & (high[rows] > frame[0])
             limits = np.where(visible, np.clip([low[rows], high[rows]], *frame), np.nan)
-            bands.append(Band(f"{model}, {100 * COVERAGE:.0f} % band", model, q[rows], limits[0], limits[1]))
+            bands.append(Band(f"{model}, {prefixed(COVERAGE, '%', 0)} % band", model, q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, q[rows], inside[rows]))
     # The main model is drawn last, over its baselines.

@@ -1,12 +1,13 @@
-"""Contents of figures, apart from their drawing: the page, the viewer and the paper figures share these."""
+"""Contents of figures and their legends, apart from their drawing: the page, the viewer and the paper share these."""
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import Literal, TypeVar
 
 import numpy as np
+from markupsafe import Markup
 
 from ..numerics.arrays import FloatArray, IntArray
 from ..units.quantity import power, significant
@@ -64,6 +65,26 @@ class Band:
     x: FloatArray
     low: FloatArray
     high: FloatArray
+
+
+Drawn = TypeVar("Drawn", Line, Band)
+
+
+def error_bars(label: str, at: FloatArray, half: FloatArray, across: FloatArray, *, upright: bool = False) -> Line:
+    """Bars from `at` − `half` to `at` + `half` as one interrupted line, each at its place `across`.
+
+    Parameters
+    ----------
+    label : str
+        What they are.
+    at, half, across : FloatArray, shape (n,)
+        Middles, half lengths, and places on the other axis.
+    upright : bool
+        Whether they stand along y.
+    """
+    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
+    x, y = (np.repeat(across, 3), ends) if upright else (ends, np.repeat(across, 3))
+    return Line(label, "measured", x, y, dash="solid")
 
 
 @dataclass(frozen=True)
@@ -193,19 +214,17 @@ def shown(figure: Figure) -> Figure:
 def window(figure: Figure, start: float, stop: float) -> Figure:
     """The figure between two values of x, which are the ends of its axis."""
 
-    def cut(line: Line) -> Line:
-        """The line's samples in the window."""
-        rows = (line.x >= start) & (line.x <= stop)
-        return replace(line, x=line.x[rows], y=line.y[rows])
-
-    def cut_band(band: Band) -> Band:
-        """The band in the window."""
-        rows = (band.x >= start) & (band.x <= stop)
-        return replace(band, x=band.x[rows], low=band.low[rows], high=band.high[rows])
+    def cut(part: Drawn, *columns: str) -> Drawn:
+        """The samples of a line or a band in the window."""
+        rows = (part.x >= start) & (part.x <= stop)
+        return replace(part, **{name: getattr(part, name)[rows] for name in ("x", *columns)})
 
     panels = tuple(
         replace(
-            panel, lines=tuple(map(cut, panel.lines)), bands=tuple(map(cut_band, panel.bands)), x_limits=(start, stop)
+            panel,
+            lines=tuple(cut(line, "y") for line in panel.lines),
+            bands=tuple(cut(band, "low", "high") for band in panel.bands),
+            x_limits=(start, stop),
         )
         for panel in figure.panels
     )
@@ -302,3 +321,117 @@ def _range(arrays: list[FloatArray]) -> tuple[float, float]:
         return low, high
     pad = abs(low) * 0.05 or 1.0
     return low - pad, high + pad
+
+
+Kind = Literal[
+    "mark", "snap", "cell0", "cell1", "cell2", "cell3", "band", "line", "wide", "trace", "dot", "ring", "cross"
+]
+# Class on the page, colour on paper, dash pattern (on, off in points). Order: models as they come.
+MODEL_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#999933", "#882255", "#56B4E9", "#8C6D31")
+MODEL_DASHES: tuple[tuple[float, ...], ...] = (
+    (),
+    (6, 2),
+    (2, 2),
+    (7, 2, 2, 2),
+    (4, 1),
+    (1, 1.5),
+    (9, 2, 2, 2, 2, 2),
+    (3, 4),
+)
+# Nearly black: matplotlib writes no colour for a black inside, which the page then could not replace.
+FIXED = {"measured": "#010101", "raw": "#8C8C8C", "v1": "#E69F00", "v2": "#7A4FA3", "reference": "#8C8C8C"}
+
+
+def slot(role: str, models: Sequence[str]) -> str:
+    """Name of the colour class of a role: ``measured``, ``raw``, ``v1`` … or ``m0`` to ``m7`` for models."""
+    if role in FIXED:
+        return role
+    return f"m{models.index(role) % len(MODEL_COLOURS)}" if role in models else "reference"
+
+
+def slot_colour(name: str) -> str:
+    """Colour of a slot on paper."""
+    return FIXED[name] if name in FIXED else MODEL_COLOURS[int(name[1:])]
+
+
+def slot_dashes(name: str) -> tuple[float, ...]:
+    """Dash pattern of a slot; empty for a solid line."""
+    return () if name in FIXED else MODEL_DASHES[int(name[1:])]
+
+
+@dataclass(frozen=True)
+class Style:
+    """What is drawn, and the colour class (`pipeline.reporting.figure.slot`) of whom it shows."""
+
+    kind: Kind
+    slot: str = ""
+    dash: Dash = "role"
+
+
+CHOSEN = "chosen for the logs"
+MARKS = {
+    "voltage switched": Style("mark"),
+    "voltage steps": Style("mark"),
+    "input steps": Style("mark"),
+    "device snaps over": Style("snap"),
+    CHOSEN: Style("snap"),
+}
+
+
+def entries(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Style]]:
+    """Everything that is drawn, hidden lines too, each label once; with the `marks` along the axis or without."""
+    styles: dict[str, Style] = {}
+    for panel in figure.panels:
+        for label, style in _of(panel, models):
+            styles.setdefault(label, style)
+    ordered = sorted(styles.items(), key=lambda entry: _place(entry[1]))
+    return ordered + [(name, MARKS[name]) for name in figure.marks if marks and name in MARKS]
+
+
+def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:
+    if panel.cells is not None:
+        for number, label in enumerate(panel.cells.labels):
+            if (panel.cells.index == number).any():
+                yield label, Style(f"cell{number}")  # type: ignore[arg-type]
+    for band in panel.bands:
+        yield band.label, Style("band", slot(band.role, models))
+    for line in panel.lines:
+        yield line.label, Style(line_kind(line), slot(line.role, models), line.dash)
+    for points in panel.points:
+        yield points.label, Style(points.marker, slot(points.role, models))
+
+
+def _place(style: Style) -> tuple[int, int]:
+    """Areas, lines of the measurement, lines of the models in their order, points."""
+    model = int(style.slot[1:]) if style.slot[:1] == "m" and style.slot[1:].isdigit() else -1
+    group = 0 if style.kind.startswith("cell") else 2 if style.kind in ("dot", "ring", "cross") else 1
+    return group, model
+
+
+_SHAPES = {
+    "cell": '<rect class="{}" width="30" height="12"/>',
+    "band": '<rect class="{}" width="30" height="12"/>',
+    "dot": '<circle class="{}" cx="15" cy="6" r="4.3"/>',
+    "ring": '<circle class="{}" cx="15" cy="6" r="4.3"/>',
+    "cross": '<path class="{}" d="M11 2L19 10M11 10L19 2"/>',
+    "mark": '<path class="{}" d="M15 0V12"/>',
+    "snap": '<path class="{}" d="M15 0V12"/>',
+}
+_LINE = '<path class="{}" d="M0 6H30"/>'
+
+
+def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Markup]]:
+    """Label and sample of everything that is drawn, each label once, for the page: 30 by 12 units, with classes."""
+    return [_swatch(*entry) for entry in entries(figure, models, marks=marks)]
+
+
+def event_swatches(figure: Figure) -> list[tuple[str, Markup]]:
+    """Label and sample of the upright lines of a figure."""
+    return [_swatch(name, MARKS[name]) for name in figure.marks if name in MARKS]
+
+
+def _swatch(label: str, style: Style) -> tuple[str, Markup]:
+    dashed = "dash" if style.dash in ("dashed", "dotted") else ""
+    names = " ".join(part for part in (style.kind, style.slot, dashed) if part)
+    shape = _SHAPES.get(style.kind.rstrip("0123"), _LINE)
+    return label, Markup(shape).format(names)  # noqa: S704 - a literal above

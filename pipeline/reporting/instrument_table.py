@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics.facts.series import READINGS
 from ..diagnostics.instruments import SIGNIFICANCE
 from ..diagnostics.sentences import correction_text
+from ..diagnostics.series import READINGS
 from ..settings.logs import LogPart
 from ..system.names import log_title
 from ..units.quantity import quantity
-from .figure import Band, Figure, Line, Panel, Points
+from .figure import Band, Figure, Panel, Points, error_bars
 
 Row = Mapping[str, Any]
 Parts = Mapping[tuple[str, str], LogPart]
@@ -155,8 +155,7 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     beyond = np.array([row["beyond"] for row in measured])
     at = np.array([row["estimate"] for row in measured]) / limits
     half = SIGNIFICANCE * np.array([row["standard_error"] for row in measured]) / limits
-    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
-    bars = Line(f"± {SIGNIFICANCE:g} standard errors", "measured", ends, np.repeat(y, 3), dash="solid")
+    bars = error_bars(f"± {SIGNIFICANCE:g} standard errors", at, half, y)
     band = Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5))
     points = [Points("a log", "measured", at[~beyond], y[~beyond])]
     points += [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..numerics.arrays import BoolArray, FloatArray
+from ..units.quantity import prefixed
 from .figure import Figure, Line, Panel, Points, Role
 
 if TYPE_CHECKING:
@@ -47,7 +48,9 @@ def _equilibria(result: "Characteristics") -> Panel:
     for text, limit in (("bistable from", result.z_b_min), ("switchable to", result.z_b_max)):
         if limit is not None and limit <= 0.01:
             ends = np.array([-0.018, 0.018])
-            lines.append(Line(f"{text} z_b = {1e3 * limit:.2f} mm", "reference", ends, np.full(2, limit), "solid"))
+            lines.append(
+                Line(f"{text} z_b = {prefixed(limit, 'm', 2)} mm", "reference", ends, np.full(2, limit), "solid")
+            )
     return Panel("z_b", "m", tuple(lines), x_limits=(-0.018, 0.018), y_limits=(0.0, 0.01))
 
 
@@ -60,7 +63,7 @@ def _force(result: "Characteristics", *states: str) -> Panel:
 
 def _energy(result: "Characteristics") -> Panel:
     path = result.paths["off"]
-    barrier = "no barrier" if result.barrier is None else f"barrier {1e6 * result.barrier:.0f} µJ"
+    barrier = "no barrier" if result.barrier is None else f"barrier {prefixed(result.barrier, 'µ', 0)} µJ"
     lines = _by_stability(f"no voltage: {barrier}", "measured", path.q, path.energy - path.energy.min(), path.stable)
     return Panel("U", "J", tuple(lines))
 
@@ -78,24 +81,14 @@ def _over_q(name: str, title: str, *panels: Panel) -> Figure:
     return Figure(name, title, "", "q", "m", panels, columns=2)
 
 
-def double_well_figure(result: "Characteristics") -> Figure:
-    """Figure 1b: potential energy U(q) and force F(q) = ∂U/∂q without voltage."""
-    return _over_q("double-well", "Potential energy and force", _energy(result), _force(result, "off"))
-
-
-def equilibrium_figure(result: "Characteristics") -> Figure:
-    """Figure 3: equilibria over z_b."""
-    return _over_q("equilibria", "Equilibria over z_b", _equilibria(result))
-
-
-def force_figure(result: "Characteristics") -> Figure:
-    """Figure 4: F(q)."""
-    return _over_q("force", "Force over displacement", _force(result))
-
-
-def capacitance_figure(result: "Characteristics") -> Figure:
-    """Figure 5: C_i(q) and dC_i/dq."""
-    return _over_q("capacitance", "Capacitance and its derivative", *_capacitances(result))
+def paper_joint_figures(result: "Characteristics") -> dict[str, Figure]:
+    """Figures 1b and 3 to 5: energy and force without voltage, equilibria over z_b, F(q), C_i(q) and dC_i/dq."""
+    return {
+        "fig-01b": _over_q("double-well", "Potential energy and force", _energy(result), _force(result, "off")),
+        "fig-03": _over_q("equilibria", "Equilibria over z_b", _equilibria(result)),
+        "fig-04": _over_q("force", "Force over displacement", _force(result)),
+        "fig-05": _over_q("capacitance", "Capacitance and its derivative", *_capacitances(result)),
+    }
 
 
 def characteristics_figure(result: "Characteristics") -> Figure:

@@ -5,14 +5,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..diagnostics.facts.events import input_steps, voltage_switches
-from ..diagnostics.facts.residual_analysis import Residual, main_residual
-from ..diagnostics.facts.run_data import LogData, RunData, judged_log
+from ..diagnostics.events import input_steps, voltage_switches
+from ..diagnostics.residual_analysis import Residual, main_residual
+from ..diagnostics.run_data import LogData, RunData, judged_log
 from ..numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
-from ..numerics.metrics import fit_percent, rmse
+from ..scoring.scores import fit_note
 from ..scoring.wells import NoWells, Wells, snaps
 from ..signals.log import UNKNOWN, unknown_rows, voltages
-from ..units.quantity import grouped, moment, power, quantity, significant
+from ..units.quantity import grouped, moment, power, prefixed, quantity, significant
 from ..units.units import ALPHA_UNIT, signal_units
 from .figure import MARGIN, Band, Figure, Line, Panel
 from .tables import HEADINGS
@@ -165,14 +165,6 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 FIT = "fit = 100 (1 − ‖error‖/‖q − mean‖) %"
 
 
-def fit_note(measured: FloatArray, free: FloatArray) -> str:
-    """How well a free run fits, or why there is no score."""
-    fit = fit_percent(measured, free)
-    if fit is not None:
-        return f"fit {fit:.1f} %".replace("-", "−")
-    return "diverged" if rmse(measured, free) is None else "the measurement is constant"
-
-
 def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     """Q as measured and as the models run freely, with the fit of the main one that MATLAB's ``compare`` states."""
     main_model = data.model_names[0]
@@ -279,8 +271,8 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
         )
     colour = "rings with the device" if rings else "fades as slowly as the device settles"
     caption = (
-        f"{log.title.capitalize()}: {100 * residual.outside:.0f} % of the correlations with inputs lie outside their "
-        f"bands, 1 % would by chance. The residual {colour}; what correlates with an input the model misses."
+        f"{log.title.capitalize()}: {prefixed(residual.outside, '%', 0)} % of the correlations with inputs lie outside "
+        f"their bands, 1 % would by chance. The residual {colour}; what correlates with an input the model misses."
     )
     title = "Residual analysis: memory and inputs"
     return Figure("residual-correlation", title, caption, "lag", "s", tuple(panels), columns=len(panels))

@@ -19,8 +19,7 @@ from markupsafe import Markup
 from ..numerics.arrays import FloatArray
 from ..system.package import full_name
 from ..units.quantity import axis_scale
-from .figure import Figure, Line, Panel, axis_label, extreme_places
-from .legend import MARKS, dashes, slot
+from .figure import MARKS, Figure, Line, Panel, axis_label, extreme_places, slot, slot_dashes
 
 _ASSETS = files(full_name("reporting")) / "assets"
 _DASHES = {"mark": [], "snap": [4, 3]}  # of upright lines, by their kind
@@ -59,12 +58,9 @@ def packed(y: FloatArray, longest: int = LONGEST) -> dict[str, Any]:
 
 def _deflated(data: bytes) -> bytes:
     """Deflated for repetitions or for noise, whichever is shorter."""
-    return min((_deflate(data, kind) for kind in (zlib.Z_DEFAULT_STRATEGY, zlib.Z_FILTERED)), key=len)
-
-
-def _deflate(data: bytes, strategy: int) -> bytes:
-    packer = zlib.compressobj(DEFLATION, zlib.DEFLATED, zlib.MAX_WBITS, zlib.DEF_MEM_LEVEL, strategy)
-    return packer.compress(data) + packer.flush()
+    strategies = (zlib.Z_DEFAULT_STRATEGY, zlib.Z_FILTERED)
+    packers = [zlib.compressobj(level=DEFLATION, strategy=strategy) for strategy in strategies]
+    return min((packer.compress(data) + packer.flush() for packer in packers), key=len)
 
 
 def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) -> str:
@@ -168,7 +164,7 @@ def _viewer_panel(
         {
             "label": line.label,
             "slot": slot(line.role, models),
-            "dash": list(dashes(line.role, models)),
+            "dash": list(slot_dashes(slot(line.role, models))),
             "wide": line.wide,
             "factor": factor,
             **_stored(line, store),

@@ -4,9 +4,10 @@ import base64
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from ..device.parameters import JointParameters
-from ..diagnostics.facts.run_data import RunData
-from ..units.units import SIGNALS
+from ..device.parameters import QUANTITIES, JointParameters
+from ..diagnostics.run_data import RunData
+from ..units.quantity import prefixed
+from ..units.units import SIGNALS, to_si
 from .page import render
 
 _ANALYTICAL = {"q": 0.057, "phi": 0.056, "qdot": 0.104, "qddot": 0.108}
@@ -19,15 +20,15 @@ PRINTED = {
 its analytical model was fitted to the prototype is not said."""
 
 PRINTED_PARAMETERS = (
-    ("l", "mm", 1e3, "90"), ("A", "mm²", 1e6, "11"), ("I", "mm⁴", 1e12, "1.1"), ("E", "GPa", 1e-9, "1.62 MPa"),
-    ("rho", "g/cm³", 1e-3, "1.2"), ("eta", "MPa·s", 1e-6, "3.64"), ("m", "g", 1e3, "40"), ("left.a", "mm", 1e3, "32"),
-    ("left.b", "mm", 1e3, "23"), ("left.a0", "mm", 1e3, "11, under the beam"), ("left.e_x", "mm", 1e3, "7"),
-    ("left.e_z", "mm", 1e3, "16"), ("left.l0", "mm", 1e3, "51"), ("left.n", "1", 1.0, "8"),
-    ("left.d0", "µm", 1e6, "50"), ("left.A0", "mm²", 1e6, "1326"), ("left.eps_r", "1", 1.0, "2.8"),
-    ("left.beta", "1", 1.0, "not given"), ("g", "m/s²", 1.0, "not given"), ("left.Y", "MPa", 1e-6, "1.2"),
-    ("left.Y_MW", "MPa", 1e-6, "0.31"), ("left.eta_MW", "kPa·s", 1e-3, "83.5"), ("left.eta_v", "kPa·s", 1e-3, "0.3"),
+    ("l", "mm", "90"), ("A", "mm²", "11"), ("I", "mm⁴", "1.1"), ("E", "GPa", "1.62 MPa"),
+    ("rho", "g/cm³", "1.2"), ("eta", "MPa·s", "3.64"), ("m", "g", "40"), ("left.a", "mm", "32"),
+    ("left.b", "mm", "23"), ("left.a0", "mm", "11, under the beam"), ("left.e_x", "mm", "7"),
+    ("left.e_z", "mm", "16"), ("left.l0", "mm", "51"), ("left.n", "1", "8"),
+    ("left.d0", "µm", "50"), ("left.A0", "mm²", "1326"), ("left.eps_r", "1", "2.8"),
+    ("left.beta", "1", "not given"), ("g", "m/s²", "not given"), ("left.Y", "MPa", "1.2"),
+    ("left.Y_MW", "MPa", "0.31"), ("left.eta_MW", "kPa·s", "83.5"), ("left.eta_v", "kPa·s", "0.3"),
 )  # fmt: skip
-"""Table 1: name, unit, factor from SI, and the value as printed."""
+"""Table 1: name, unit, and the value as printed."""
 
 CORRECTIONS = (
     ("Table 1, § 3.3", "E = 1.62 MPa", "1.62 GPa", "PETG has 1.6 to 2.1 GPa; with MPa the beam carries no load"),
@@ -52,9 +53,9 @@ def table_1(parameters: JointParameters) -> list[dict[str, str]]:
             "name": name.removeprefix("left."),
             "unit": unit,
             "printed": printed,
-            "used": f"{factor * parameters.value(name):.5g}",
+            "used": f"{parameters.value(name) / to_si(unit, (QUANTITIES[name].unit,), name).factor:.5g}",
         }
-        for name, unit, factor, printed in PRINTED_PARAMETERS
+        for name, unit, printed in PRINTED_PARAMETERS
     ]
 
 
@@ -131,6 +132,5 @@ def table_2_row(row: Mapping[str, Any]) -> dict[str, Any]:
     """
     cells = []
     for value, printed in ((row[signal], row[f"printed_{signal}"]) for signal in SIGNALS if signal in row):
-        computed = "diverged" if value is None else f"{100.0 * value:.2f}"
-        cells.append((computed, "" if printed is None else f"{100.0 * printed:.1f}"))
+        cells.append((prefixed(value, "%", 2, "diverged"), prefixed(printed, "%", 1, "")))
     return {"log": f"{row['role']}, {row['log']}", "model": row["model"], "cells": cells}

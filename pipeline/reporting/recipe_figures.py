@@ -6,9 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from ..diagnostics.facts.run_data import LogData
-from ..fitting.regression import basis_values
-from ..models.base import DynamicModel
+from ..diagnostics.run_data import LogData
 from ..numerics.arrays import FloatArray
 from ..signals.differentiate import AlphaStudy
 from ..store.columns import StudyName
@@ -21,11 +19,9 @@ _OTHERS = ("v1", "analytical", "raw", "measured")
 """Whose colours the α have that were not chosen."""
 
 
-def basis_figure(centres: FloatArray, width: float, weights: FloatArray) -> Figure:
-    """Figure 8b: the basis functions, and the restoring coefficient c(q) as their weighted sum; weights (M,) [N/m]."""
-    q = np.linspace(centres[0], centres[-1], 400)
-    bells = basis_values(q, centres, width)
-    functions = tuple(Line(f"{len(centres)} basis functions", "v1", q, bell) for bell in bells.T)
+def basis_figure(q: FloatArray, bells: FloatArray, weights: FloatArray) -> Figure:
+    """Figure 8b: the basis functions at q (n, M), and c(q) as their weighted sum; weights (M,) [N/m]."""
+    functions = tuple(Line(f"{len(weights)} basis functions", "v1", q, bell) for bell in bells.T)
     terms = tuple(Line("its terms", "raw", q, term) for term in (bells * weights).T)
     total = Line("weighted sum", "rbf-paper", q, bells @ weights, "solid")
     panels = (Panel("φᵢ", "1", functions), Panel("c", "N/m", (*terms, total)))
@@ -89,9 +85,8 @@ def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
     return Figure("alpha", "Regularisation parameter", "", "t", "s", tuple(panels), columns=2)
 
 
-def curves_figure(models: Mapping[str, DynamicModel], q: FloatArray) -> Figure:
-    """Figure 14: restoring force, damping and both ∂C/∂q of the models; every curve is whole within its axes."""
-    curves = {name: model.curves(q) for name, model in models.items()}  # type: ignore[attr-defined]
+def curves_figure(curves: Mapping[str, Mapping[str, FloatArray]], q: FloatArray) -> Figure:
+    """Figure 14: restoring force, damping and both ∂C/∂q by model; every curve is whole within its axes."""
     units = curve_units("m", "V", squared=True, mass_known=True)
     shown = (("F", "F", "F"), ("d", "d", "d"), ("dC1_dq", "∂C₁/∂q", "dC"), ("dC2_dq", "∂C₂/∂q", "dC"))
     panels = tuple(

@@ -5,14 +5,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from ..diagnostics.facts.datasheet import Datasheet
-from ..diagnostics.facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
-from ..diagnostics.facts.run_data import WHY, RunData, judged_log
-from ..diagnostics.rows import CheckRow, beside
+from ..diagnostics.check import CheckRow, beside
+from ..diagnostics.datasheet import Datasheet
+from ..diagnostics.grades import OF_WELLS, THRESHOLDS, Check, Threshold
+from ..diagnostics.run_data import WHY, RunData, judged_log
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
 from ..units.quantity import short
-from .canvas import chart
 from .control_figures import control_figures
 from .datasheet_rows import (
     NOT_USED,
@@ -24,12 +23,11 @@ from .datasheet_rows import (
     structure_summary,
 )
 from .device_figures import device_figures
-from .figure import Figure
-from .legend import event_swatches, swatches
+from .figure import Figure, event_swatches, swatches
 from .log_figures import LOG_FIGURES, log_figures, overlay
 from .page import json_for_script, render, viewer_data
-from .short_tables import main_table
-from .tables import BEST, HEADINGS, TIED, NrmseTable, TableCell, behaviour_table, nrmse_table
+from .plotted import chart
+from .tables import BEST, HEADINGS, TIED, NrmseTable, TableCell, behaviour_table, main_table, nrmse_table
 
 SECTION_TITLES = {
     "derivatives": "Derivatives",

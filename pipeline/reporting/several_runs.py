@@ -5,14 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..diagnostics.facts.series import Series, SeriesFact
-from ..fitting.trends import FEWEST
+from ..diagnostics.series import Series, SeriesFact
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_95
 from ..units.quantity import quantity
-from .canvas import chart
-from .figure import Band, Figure, Line, Panel, Points
+from .figure import Band, Figure, Line, Panel, Points, error_bars
 from .page import render
+from .plotted import chart
 
 CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
 """Curves that are drawn, and their names."""
@@ -113,8 +112,8 @@ def change(fact: SeriesFact, unit: str) -> str:
 
 def conclusion(series: Series) -> str:
     """A sentence on the whole series."""
-    if len(series.names) < FEWEST:
-        return f"{len(series.names)} runs: too few to show a drift; it takes {FEWEST}, a step six"
+    if series.facts and all(fact.trend.kind == "unknown" for fact in series.facts):
+        return f"{len(series.names)} runs: too few to show a drift; it takes four, a step six"
     changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
     scattered = [fact.title for fact in series.facts if fact.title not in changed and _scatter(fact) > _WIDE]
     text = f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
@@ -152,10 +151,7 @@ def series_page(series: Series) -> str:
 def _figure(fact: SeriesFact, unit: str) -> Figure:
     """Values of the runs with their intervals, the values from all runs as a band, and the line or step."""
     at = fact.at
-    half = NORMAL_95 * fact.errors
-    gap = np.full(len(at), np.nan)
-    ends = np.column_stack([fact.values - half, fact.values + half, gap]).ravel()
-    bars = Line("95 % interval", "measured", np.repeat(at, 3), ends, dash="solid")
+    bars = error_bars("95 % interval", fact.values, NORMAL_95 * fact.errors, at, upright=True)
     wide = NORMAL_95 * fact.smooth_errors
     panel = Panel(
         "value", fact.unit, (bars, *_drawn_change(fact)),

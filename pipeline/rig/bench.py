@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ..numerics.arrays import FloatArray
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..numerics.compiled import compiled, inner
 from .joint import simulate
 from .parameters import RigParameters
@@ -205,13 +205,23 @@ class Bench:
 
 
 @dataclass(frozen=True)
-class BenchRecord:
-    """One log in SI units: what was measured, and the truth behind it; all of shape (N,)."""
+class Readings:
+    """What the instruments show in one experiment, each of shape (N,): t [s], q [m], v1 (left) and v2 (right) [V]."""
 
     t: FloatArray
     q: FloatArray
     v1: FloatArray
     v2: FloatArray
+
+    def at(self, rows: BoolArray | IntArray) -> "Readings":
+        """The samples of some rows."""
+        return Readings(self.t[rows], self.q[rows], self.v1[rows], self.v2[rows])
+
+
+@dataclass(frozen=True)
+class BenchRecord(Readings):
+    """One log in SI units: what was measured, and the truth behind it; all of shape (N,)."""
+
     true_q: FloatArray
     true_qdot: FloatArray
     true_phi: FloatArray

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, get_args
 
@@ -23,21 +23,13 @@ BurstKind = Literal["pulse", "both", "chirp", "steps", "multisine"]
 BURSTS: tuple[BurstKind, ...] = get_args(BurstKind)
 """Kinds of bursts: one side on, both sides on, and three that swing between the sides."""
 SHARES: dict[str, dict[BurstKind, float]] = {
-    "pulses": {"pulse": 1.0},
-    "chirps": {"pulse": 0.5, "chirp": 0.5},
-    "both": {"pulse": 0.5, "both": 0.5},
-    "steps": {"pulse": 0.5, "steps": 0.5},
-    "multisine": {"pulse": 0.5, "multisine": 0.5},
-    "mixed": dict.fromkeys(BURSTS, 1.0 / len(BURSTS)),
     "training": {"pulse": 0.86, "both": 0.1, "chirp": 0.04},
     "validation": {"pulse": 0.72, "both": 0.16, "chirp": 0.12},
 }
-"""How often each kind of burst is drawn in an excitation. The last two are those of three prototypes' logs, as are the
-shares below: 6 logs of 20 to 27 bursts."""
-
-EXCITATIONS = (*SHARES, "alternating")
-"""Excitations of a log; "alternating" is `switching_pulses`."""
-
+"""How often each kind of burst stands in three prototypes' logs, as do the shares below: 6 logs of 20 to 27 bursts."""
+EXCITATIONS = ("pulses", "chirps", "both", "steps", "multisine", "mixed", *SHARES, "alternating")
+"""Excitations of a log: half of its bursts pulses and half of one kind, all kinds alike, or as in the logs of
+prototypes; "alternating" is `switching_pulses`."""
 SHORT_PULSES = 0.45
 SHORT_PAUSES = 0.6
 
@@ -66,8 +58,8 @@ class Burst:
     duration: float
     left: float
     right: float
-    frequencies: FloatArray
-    levels: FloatArray
+    frequencies: FloatArray = field(default_factory=lambda: np.empty(0))
+    levels: FloatArray = field(default_factory=lambda: np.empty(0))
 
 
 def command(bursts: list[Burst], t: FloatArray) -> FloatArray:
@@ -88,22 +80,19 @@ def _swing(burst: Burst, t: FloatArray) -> FloatArray:
     """The signed waveform within ±1 at times `t` [s] after the start of the burst."""
     if burst.shape == "chirp":
         f0, f1 = burst.frequencies
-        wave: FloatArray = np.sin(2 * np.pi * (f0 * t + 0.5 * (f1 - f0) / burst.duration * t**2))
-        return wave
+        return np.asarray(np.sin(2 * np.pi * (f0 * t + 0.5 * (f1 - f0) / burst.duration * t**2)))
     if burst.shape == "steps":
         index = np.minimum((t / burst.duration * burst.levels.size).astype(np.int64), burst.levels.size - 1)
         return burst.levels[index]
     waves = np.sin(2 * np.pi * np.outer(t, burst.frequencies) + burst.levels).sum(axis=1)
-    clipped: FloatArray = np.clip(waves / np.sqrt(burst.frequencies.size), -1.0, 1.0)
-    return clipped
+    return np.asarray(np.clip(waves / np.sqrt(burst.frequencies.size), -1.0, 1.0))
 
 
 def alternating_pulses(*, duration: float = 37.5, rest: float = REST, voltage: float = MAX_VOLTAGE) -> list[Burst]:
     """Equal pulses, left and right in turn, with equal pauses: the plain sequence that designs are compared with."""
-    none = np.empty(0)
     starts = np.arange(rest, duration - PULSE, PULSE + PAUSE)
     sides = [(voltage, 0.0), (0.0, voltage)]
-    return [Burst("pulse", float(start), PULSE, *sides[i % 2], none, none) for i, start in enumerate(starts)]
+    return [Burst("pulse", float(start), PULSE, *sides[i % 2]) for i, start in enumerate(starts)]
 
 
 def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5, top: float = MAX_VOLTAGE) -> list[Burst]:
@@ -116,7 +105,7 @@ def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5, top: f
     while start < duration - 0.5:
         length, pause = rng.uniform(1.0, 2.0, 2)
         sides = (top, 0.0) if len(bursts) % 2 == 0 else (0.0, top)
-        bursts.append(Burst("pulse", start, float(length), *sides, np.empty(0), np.empty(0)))
+        bursts.append(Burst("pulse", start, float(length), *sides))
         start += float(length + pause)
     return bursts
 
@@ -143,18 +132,26 @@ def random_excitation(
     """
     if excitation == "alternating":
         return switching_pulses(rng, duration=duration, top=top)
-    none = np.empty(0)
-    bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), top, 0.0, none, none)]
-    shares = SHARES[excitation]
+    bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), top, 0.0)]
+    shares = _shares(excitation)
     start = REST + bursts[0].duration + float(rng.uniform(0.05, 0.6))
     side = 1
     while start < duration - 0.2:
-        kind = BURSTS[int(rng.choice(len(BURSTS), p=[shares.get(name, 0.0) for name in BURSTS]))]
+        kind = BURSTS[int(rng.choice(len(BURSTS), p=shares))]
         burst = draw_burst(rng, kind, start, side, top, SHORT_PULSES)
         bursts.append(burst)
         start += burst.duration + draw_pause(rng, SHORT_PAUSES)
         side = 1 - side if kind == "pulse" and rng.random() < 0.8 else side
     return bursts
+
+
+def _shares(excitation: str) -> list[float]:
+    """How often each of `BURSTS` is drawn."""
+    if excitation == "mixed":
+        return [1.0 / len(BURSTS)] * len(BURSTS)
+    kind = excitation if excitation in BURSTS else excitation.removesuffix("s")
+    halves = {name: 0.5 * (name == "pulse") + 0.5 * (name == kind) for name in BURSTS}
+    return [SHARES.get(excitation, halves).get(name, 0.0) for name in BURSTS]
 
 
 def draw_pause(rng: np.random.Generator, short: float = 0.4) -> float:
@@ -182,22 +179,21 @@ def draw_burst(
     short : float
         Share of the pulses in which the joint does not come to rest.
     """
-    none = np.empty(0)
     amplitude = top if rng.random() < 0.55 else float(rng.uniform(0.5, 1.0)) * top
     if kind == "pulse":
         length = float(rng.uniform(0.1, 0.6) if rng.random() < short else rng.uniform(1.0, 2.4))
         left, right = (amplitude, 0.0) if side == 0 else (0.0, amplitude)
-        return Burst("pulse", start, length, left, right, none, none)
+        return Burst("pulse", start, length, left, right)
     if kind == "both":
         left, right = rng.uniform(0.5, 0.95, 2) * top
-        return Burst("pulse", start, float(rng.uniform(0.8, 2.2)), float(left), float(right), none, none)
+        return Burst("pulse", start, float(rng.uniform(0.8, 2.2)), float(left), float(right))
     if kind == "chirp":
         band = np.array([rng.uniform(0.5, 2.0), rng.uniform(4.0, 10.0)])
-        return Burst("chirp", start, float(rng.uniform(1.0, 2.4)), amplitude, amplitude, band, none)
+        return Burst("chirp", start, float(rng.uniform(1.0, 2.4)), amplitude, amplitude, band)
     if kind == "steps":
         levels = rng.uniform(-1.0, 1.0, int(rng.integers(6, 16)))
         length = STEP_HOLD * levels.size * float(rng.uniform(1.0, 4.0))
-        return Burst("steps", start, length, top, top, none, levels)
+        return Burst("steps", start, length, top, top, levels=levels)
     lines = rng.uniform(0.3, 8.0, MULTISINE_LINES)
     phases = rng.uniform(0.0, 2 * np.pi, MULTISINE_LINES)
     return Burst("multisine", start, float(rng.uniform(2.0, 5.0)), amplitude, amplitude, lines, phases)
@@ -224,8 +220,7 @@ class Sequence:
     def at(self, t: FloatArray) -> FloatArray:
         """Commands at sorted times `t` (M,) [s], each held until the next: shape (M, 2) [V]."""
         rows = np.searchsorted(self.t, t + 1e-9 * self.duration, side="right") - 1
-        held: FloatArray = self.u[np.clip(rows, 0, self.t.size - 1)]
-        return held
+        return np.asarray(self.u[np.clip(rows, 0, self.t.size - 1)])
 
 
 def save_sequence(path: Path, sequence: Sequence, about: Mapping[str, Any]) -> tuple[Path, ...]:

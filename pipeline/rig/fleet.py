@@ -1,4 +1,8 @@
-"""Folders as the rig leaves them: a prototype's raw logs, its TOML, and beside them the truth."""
+"""Folders as the rig leaves them: raw logs of a prototype, its TOML, and beside them the truth; and the demo's.
+
+The demo is a recording that comes with the program, so no kernel of the rig is compiled: the paper's experiment on a
+drawn joint of the analytical model's physics. `tests/rig/record_demo.py` records it anew.
+"""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -11,11 +15,12 @@ from pydantic import Field, model_validator
 
 from ..errors import InputError
 from ..settings.logs import Number, Role, SettingsTable, Whole
+from ..store.atomic import write_text
 from ..store.outputs import new_outputs, rebased
-from .bench import Bench, BenchRecord, random_bench, record
+from .bench import Bench, BenchRecord, Readings, random_bench, record
 from .excitation import EXCITATIONS, Sequence, command, load_sequence, random_excitation
 from .joint import wells
-from .log import LAYOUTS, Fault, FaultKind, RawLog, inject_faults
+from .log import LAYOUTS, Fault, FaultKind, inject_faults
 from .parameters import RigParameters, as_json, nominal, sized, table1
 from .random_joint import Drift, Family, aged, random_joint
 
@@ -27,6 +32,7 @@ _CROSSINGS = 6  # through q = 0, the least that a log shall show
 _MAX_TRIES = 20
 _BEAM_SHARE = 0.25  # of the beam's mass that moves with the frame, about
 
+_DRAWINGS = {"nominal": nominal, "table1": table1}
 _EXCITATIONS: dict[Role, str] = {"train": "training", "validation": "validation"}
 """Default excitation of the logs."""
 
@@ -93,7 +99,7 @@ class SimulatedLog:
     record: BenchRecord
 
 
-def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int) -> Path:
+def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int) -> Path:
     """Draw a prototype from `seed`, run the experiments, write logs, ``NAME.toml`` and ``truth/``.
 
     A drawn prototype is drawn again until every log switches often enough and none reaches the laser's rail, as an
@@ -118,60 +124,38 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
     Raises
     ------
     InputError
-        No usable draw, or a sequence to play that cannot be read.
+        No usable draw, a sequence to play that cannot be read, or files of the same names that were not written so.
     """
     rng = np.random.default_rng(seed)
-    joint, bench, logs = draw(experiment, rng)
     form = LAYOUTS[experiment.format]
-    (folder / "truth").mkdir(parents=True, exist_ok=True)
-    faults: dict[str, list[Fault]] = {}
-    for log in logs:
-        measured = RawLog(log.record.t, log.record.q, log.record.v1, log.record.v2)
-        raw, faults[log.stem] = inject_faults(measured, experiment.faults, rng)
-        form.save(raw, folder / f"{log.stem}{form.suffix}")
-        _write_truth(folder / "truth" / f"{log.stem}.parquet", log.record, experiment.rate)
-    truth = {
-        "seed": seed,
-        "units": "SI",
-        "experiment": experiment.model_dump(),
-        "excitations": {log.stem: log.excitation for log in logs},
-        "wells_m": wells(joint),
-        "joint": as_json(joint),
-        "bench": asdict(bench),
-        "faults": {stem: [asdict(fault) for fault in injected] for stem, injected in faults.items()},
-    }
-    (folder / "truth" / "truth.json").write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8", newline="\n")
-    prototype = folder / f"{name}.toml"
-    files = {role: [f"{log.stem}{form.suffix}" for log in logs if log.role == role] for role in get_args(Role)}
-    drawing = 'parameters = "nominal"\n' if experiment.size == 1.0 else ""  # of another size there is no drawing
-    text = prototype_toml(name, moving_mass(joint), files, experiment.format, more=drawing)
-    prototype.write_text(text, encoding="utf-8", newline="\n")
-    return prototype
-
-
-def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int) -> Path:
-    """Write a prototype as `write_prototype` does, and return its settings file.
-
-    Parameters
-    ----------
-    folder : Path
-        Folder of its files.
-    name : str
-        Name of the prototype.
-    experiment : Experiment
-        What is drawn and recorded.
-    seed : int
-        Seed of all draws.
-
-    Raises
-    ------
-    InputError
-        The folder holds files of the same names that were not written so.
-    """
-    names = [*log_files(experiment), f"{name}.toml", "truth/truth.json"]
+    files: dict[str, list[str]] = {role: [] for role in get_args(Role)}
+    for role, stem in _planned(experiment):
+        files[role].append(f"{stem}{form.suffix}")
+    names = [*(file for of_role in files.values() for file in of_role), f"{name}.toml", "truth/truth.json"]
     with new_outputs(folder, "rig simulate", force=None, names=names) as staged:
-        prototype = write_prototype(staged, name, experiment, seed=seed)
-    return rebased(prototype, staged, folder)
+        joint, bench, logs = draw(experiment, rng)
+        truth = staged / "truth"
+        truth.mkdir(parents=True, exist_ok=True)
+        faults: dict[str, list[Fault]] = {}
+        for log in logs:
+            raw, faults[log.stem] = inject_faults(log.record, experiment.faults, rng)
+            form.save(raw, staged / f"{log.stem}{form.suffix}")
+            _write_truth(truth / f"{log.stem}.parquet", log.record, experiment.rate)
+        document = {
+            "seed": seed,
+            "units": "SI",
+            "experiment": experiment.model_dump(),
+            "excitations": {log.stem: log.excitation for log in logs},
+            "wells_m": wells(joint),
+            "joint": as_json(joint),
+            "bench": asdict(bench),
+            "faults": {stem: [asdict(fault) for fault in injected] for stem, injected in faults.items()},
+        }
+        (truth / "truth.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8", newline="\n")
+        drawing = 'parameters = "nominal"\n' if experiment.size == 1.0 else ""  # of another size there is no drawing
+        text = prototype_toml(name, moving_mass(joint), files, experiment.format, more=drawing)
+        (staged / f"{name}.toml").write_text(text, encoding="utf-8", newline="\n")
+    return folder / f"{name}.toml"
 
 
 def simulate_fleet(folder: Path, count: int, experiment: Experiment, *, seed: int) -> Iterator[Path]:
@@ -201,7 +185,7 @@ def simulate_fleet(folder: Path, count: int, experiment: Experiment, *, seed: in
 def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameters, Bench, list[SimulatedLog]]:
     """A joint, its bench and its logs, drawn until they are worth recording; the drawing is taken as it is.
 
-    With the generator of an equal seed it is what `write_prototype` drew.
+    With the generator of an equal seed it is what `simulate_prototype` drew.
 
     Raises
     ------
@@ -210,11 +194,13 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameter
     """
     sequence = None if experiment.play is None else load_sequence(Path(experiment.play))
     for _ in range(_MAX_TRIES):
-        joint = sized(_joint(experiment.kind, rng), experiment.size)
+        drawing = _DRAWINGS.get(experiment.kind)
+        drawn = random_joint(rng, cast(Family, experiment.kind)) if drawing is None else drawing()
+        joint = sized(drawn, experiment.size)
         bench = random_bench(rng, rate=experiment.rate, charging=experiment.charging_time_s)
         bench = replace(bench, laser=replace(bench.laser, rail=experiment.size * bench.laser.rail))
         logs = _logs(joint, bench, experiment, sequence, rng)
-        if experiment.kind in ("nominal", "table1") or all(_worth_keeping(log.record, bench) for log in logs):
+        if experiment.kind in _DRAWINGS or all(_worth_keeping(log.record, bench) for log in logs):
             break
     else:
         raise InputError(f"no prototype worth recording among {_MAX_TRIES} draws; take another --seed")
@@ -225,56 +211,28 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameter
     return joint, bench, _logs(joint, bench, experiment, sequence, of_the_day)
 
 
+def _planned(experiment: Experiment) -> list[tuple[Role, str]]:
+    """Role and stem of each log of an experiment."""
+    counts: dict[Role, int] = {"train": experiment.training_logs, "validation": experiment.validation_logs}
+    return [(role, f"{role}-{i + 1}" if i else role) for role, count in counts.items() for i in range(count)]
+
+
 def _logs(
     joint: RigParameters, bench: Bench, experiment: Experiment, sequence: Sequence | None, rng: np.random.Generator
 ) -> list[SimulatedLog]:
     """All logs of an experiment; those of training play the sequence, if there is one."""
     logs = []
-    for role in _EXCITATIONS:
-        for i in range(experiment.training_logs if role == "train" else experiment.validation_logs):
-            logs.append(_run(role, i, joint, bench, experiment, sequence if role == "train" else None, rng))
+    for role, stem in _planned(experiment):
+        if sequence is not None and role == "train":
+            excitation = "played"
+            t = bench.clock(sequence.duration)
+            u = sequence.at(t)
+        else:
+            excitation = experiment.excitation or _EXCITATIONS[role]
+            t = bench.clock(experiment.duration)
+            u = command(random_excitation(rng, duration=experiment.duration, excitation=excitation), t)
+        logs.append(SimulatedLog(role, stem, excitation, record(joint, bench, t, u, rng)))
     return logs
-
-
-def log_files(experiment: Experiment) -> list[str]:
-    """Names of the raw logs of an experiment."""
-    counts = {"train": experiment.training_logs, "validation": experiment.validation_logs}
-    return [
-        f"{_stem(role, i)}{LAYOUTS[experiment.format].suffix}" for role in _EXCITATIONS for i in range(counts[role])
-    ]
-
-
-def _stem(role: Role, index: int) -> str:
-    return role if index == 0 else f"{role}-{index + 1}"
-
-
-def _joint(kind: str, rng: np.random.Generator) -> RigParameters:
-    """The joint of a `kind`."""
-    if kind == "nominal":
-        return nominal()
-    if kind == "table1":
-        return table1()
-    return random_joint(rng, cast(Family, kind))
-
-
-def _run(
-    role: Role,
-    index: int,
-    joint: RigParameters,
-    bench: Bench,
-    experiment: Experiment,
-    played: Sequence | None,
-    rng: np.random.Generator,
-) -> SimulatedLog:
-    """Simulate log number `index` of a role, under the sequence `played` or under a drawn one."""
-    stem = _stem(role, index)
-    if played is not None:
-        t = bench.clock(played.duration)
-        return SimulatedLog(role, stem, "played", record(joint, bench, t, played.at(t), rng))
-    excitation = experiment.excitation or _EXCITATIONS[role]
-    bursts = random_excitation(rng, duration=experiment.duration, excitation=excitation)
-    t = bench.clock(experiment.duration)
-    return SimulatedLog(role, stem, excitation, record(joint, bench, t, command(bursts, t), rng))
 
 
 def _worth_keeping(measured: BenchRecord, bench: Bench) -> bool:
@@ -327,3 +285,69 @@ def prototype_toml(name: str, mass: float, files: Mapping[str, list[str]], form:
     logs = "\n".join(["[logs]", *(f"{role} = {json.dumps(names)}" for role, names in files.items() if names)])
     plant = f'[plant]\nmass = {{ value = {mass:.4f}, unit = "kg" }}\ninputs = "squared"\n{more}'
     return f'# Simulated by the virtual rig.\nname = "{name}"\n\n{logs}\n\n{LAYOUTS[form].toml()}\n{plant}'
+
+
+RECORDING = Path(__file__).with_name("assets") / "demo.npz"
+INTERVAL = 1e-3
+"""Interval of the recording [s]."""
+_SET = 'parameters = "nominal"  # the drawing, from which the simulated joint differs by workshop tolerances\n'
+_COMPARED = '\n[compare]\nmodels = ["analytical", "sindy", "narx"]\n'
+STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
+"""Resolution of the recorder [m, V]: a third of the instruments' noise."""
+
+
+def recorded() -> tuple[dict[str, Readings], str]:
+    """The demo's logs, by name, and the truth behind them, as they come with the program."""
+    with np.load(RECORDING) as stored:
+        names = dict.fromkeys(key.partition(".")[0] for key in stored if "." in key)
+        logs = {}
+        for name in names:
+            q, v1, v2 = (
+                np.cumsum(stored[f"{name}.{key}"], dtype=np.int64).astype(np.float64) * step
+                for key, step in STEPS.items()
+            )
+            logs[name] = Readings(np.linspace(0.0, (q.size - 1) * INTERVAL, q.size), q, v1, v2)
+        return logs, str(stored["truth"])
+
+
+def write_demo(folder: Path) -> Path:
+    """Write what a rig would leave of the prototype: two raw logs and its TOML; and, beside them, the truth.
+
+    Parameters
+    ----------
+    folder : Path
+        Made if missing. Gets ``demo.toml``, ``train.mat``, ``validation.mat`` (1 kHz, 37.5 s, ControlDesk layout) and
+        ``truth.json``.
+
+    Returns
+    -------
+    Path
+        The prototype's TOML.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    logs, truth = recorded()
+    for name, log in logs.items():
+        LAYOUTS["mat"].save(log, folder / f"{name}.mat")
+    (folder / "truth.json").write_text(f"{truth}\n", encoding="utf-8", newline="\n")
+    mass = float(json.loads(truth)["moving_mass"])
+    prototype = folder / "demo.toml"
+    settings = prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat", more=_SET)
+    write_text(prototype, settings + _COMPARED)
+    return prototype  # written last and whole: where it is there, so are the logs
+
+
+def write_demo_logs(run: Path, *, force: bool = False) -> Path:
+    """Write the demo's raw logs beside the run folder, once; returns the prototype's settings file.
+
+    Raises
+    ------
+    InputError
+        Files of the same names lie there that no demo wrote.
+    """
+    folder = run.with_name(f"{run.name}-rig")
+    prototype = folder / "demo.toml"
+    if prototype.is_file():
+        return prototype
+    with new_outputs(folder, "demo", force=force, names=("train.mat", "validation.mat", "truth.json")) as staged:
+        prototype = write_demo(staged)
+    return rebased(prototype, staged, folder)

@@ -121,6 +121,7 @@ def saddle(p: RigParameters) -> FloatArray:
     scale = abs(potential(p, np.zeros(left.size), none) - potential(p, right, none))
 
     def gradient(x: FloatArray) -> FloatArray:
+        """Slope of the potential by central differences, over the scale."""
         moves = step * np.eye(x.size)
         return np.array([potential(p, x + d, none) - potential(p, x - d, none) for d in moves]) / (2 * step * scale)
 
@@ -141,9 +142,14 @@ def barrier(p: RigParameters) -> float:
 
 def tip_displacement(p: RigParameters, x: FloatArray) -> float:
     """Tip displacement q [m] at the coordinates `x`."""
+    return float(_pose(p, x)[0])
+
+
+def _pose(p: RigParameters, x: FloatArray) -> FloatArray:
+    """(q, u_y, φ) of the tip."""
     pose = np.empty(3)
     tip(x, p, pose, np.empty((3, x.size)))
-    return float(pose[0])
+    return pose
 
 
 def potential(p: RigParameters, x: FloatArray, v: FloatArray) -> float:
@@ -151,8 +157,7 @@ def potential(p: RigParameters, x: FloatArray, v: FloatArray) -> float:
 
     Beam, weight, rubber, and ``−½ C v²`` of the membranes held at their voltages: the force is minus its gradient.
     """
-    pose = np.empty(3)
-    tip(x, p, pose, np.empty((3, x.size)))
+    pose = _pose(p, x)
     energy = elastic(x, np.zeros(x.size), p, np.empty(x.size)) + p.mass * p.gravity * pose[1]
     for side in (0, 1):
         energy += p.volume[side] * rubber_energy(stretch(side, pose, p, np.empty(3)), side, p)
@@ -161,11 +166,9 @@ def potential(p: RigParameters, x: FloatArray, v: FloatArray) -> float:
 
 def membrane_capacitances(p: RigParameters, x: FloatArray) -> FloatArray:
     """Capacitance [F] of each membrane at the coordinates `x`, shape (2,)."""
-    pose = np.empty(3)
-    tip(x, p, pose, np.empty((3, x.size)))
+    pose = _pose(p, x)
     stretches = np.array([stretch(side, pose, p, np.empty(3)) for side in (0, 1)])
-    capacitances: FloatArray = np.asarray(p.capacitance) * stretches**p.capacitance_exponent
-    return capacitances
+    return np.asarray(np.asarray(p.capacitance) * stretches**p.capacitance_exponent)
 
 
 @compiled

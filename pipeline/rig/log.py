@@ -4,7 +4,7 @@ MAT files are as ControlDesk exports them: one struct with ``X`` (time axes) and
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Literal, get_args
@@ -12,9 +12,9 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from ..numerics.arrays import BoolArray, FloatArray
+from ..numerics.arrays import FloatArray
 from ..units.units import PLAIN
-from .bench import Laser
+from .bench import Laser, Readings
 
 _VARIABLE = "rec"
 _RASTER = "HostService"
@@ -66,29 +66,6 @@ _RIG = (("Laser_q", "mm"), ("HV1_meas", "kV"), ("HV2_meas", "kV"))
 
 
 @dataclass(frozen=True)
-class RawLog:
-    """Readings of one experiment, each of shape (N,): t [s], q [m], v1 (left) and v2 (right) [V]."""
-
-    t: FloatArray
-    q: FloatArray
-    v1: FloatArray
-    v2: FloatArray
-
-    def rows_where(self, keep: BoolArray) -> "RawLog":
-        """The samples where `keep`, shape (N,), is true."""
-        return RawLog(self.t[keep], self.q[keep], self.v1[keep], self.v2[keep])
-
-    def repeated(self, at: int) -> "RawLog":
-        """The log with sample `at` standing twice, as a logger that writes a row again."""
-        order = np.insert(np.arange(self.t.size), at, at)
-        return RawLog(self.t[order], self.q[order], self.v1[order], self.v2[order])
-
-    def with_q(self, q: FloatArray) -> "RawLog":
-        """The log with other displacement readings."""
-        return replace(self, q=q)
-
-
-@dataclass(frozen=True)
 class Layout:
     """How a rig of one make names its channels.
 
@@ -111,7 +88,9 @@ class Layout:
     v2: tuple[str, str]
     write: Callable[[Path, FloatArray, dict[str, tuple[FloatArray, str]]], None]
 
-    def save(self, log: RawLog, path: Path, more: Mapping[tuple[str, str], FloatArray] = MappingProxyType({})) -> None:
+    def save(
+        self, log: Readings, path: Path, more: Mapping[tuple[str, str], FloatArray] = MappingProxyType({})
+    ) -> None:
         """Write `log` in this layout, and `more` channels [SI] by name and unit; samples are in the units named."""
         samples = {self.q: log.q, self.v1: log.v1, self.v2: log.v2, **more}
         channels = {name: (values * (1.0 / PLAIN[unit][0]), unit) for (name, unit), values in samples.items()}
@@ -210,7 +189,7 @@ class Fault:
     end: float
 
 
-def inject_faults(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator) -> tuple[RawLog, list[Fault]]:
+def inject_faults(log: Readings, kinds: tuple[str, ...], rng: np.random.Generator) -> tuple[Readings, list[Fault]]:
     """Put faults of the `kinds` into `log`; say which and where.
 
     ``gaps``        samples are missing, time runs on (3 of 5 to 60 ms)
@@ -234,19 +213,19 @@ def inject_faults(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator)
         for first, last in _places(log, (0.0, 0.0) if kind == "nan" else _DROPOUT, rng):
             q[first:last] = np.nan if kind == "nan" else rail
             faults.append(Fault(kind, float(log.t[first]), float(log.t[last - 1])))
-    damaged = log.with_q(q)
+    damaged = Readings(log.t, q, log.v1, log.v2)
     intact = log.t
     for first, last in _places(log, _GAP, rng) if "gaps" in kinds else []:
         faults.append(Fault("gaps", float(intact[first - 1]), float(intact[last])))
-        damaged = damaged.rows_where((damaged.t < intact[first]) | (damaged.t >= intact[last]))
+        damaged = damaged.at((damaged.t < intact[first]) | (damaged.t >= intact[last]))
     for _ in range(_COUNT if "repeats" in kinds else 0):
         at = int(rng.integers(1, damaged.t.size))
         faults.append(Fault("repeats", float(damaged.t[at]), float(damaged.t[at])))
-        damaged = damaged.repeated(at)
+        damaged = damaged.at(np.insert(np.arange(damaged.t.size), at, at))  # as a logger that writes a row again
     return damaged, sorted(faults, key=lambda fault: fault.start)
 
 
-def _places(log: RawLog, lengths: tuple[float, float], rng: np.random.Generator) -> list[tuple[int, int]]:
+def _places(log: Readings, lengths: tuple[float, float], rng: np.random.Generator) -> list[tuple[int, int]]:
     """Ranges of samples [first, last), one in each third of the log, at least one sample long."""
     dt = float(log.t[1] - log.t[0])
     third = log.t.size // _COUNT

@@ -15,7 +15,7 @@ from llvmlite import ir
 from ..errors import InputError
 from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.compiled import compiled, inner, intrinsic, types
-from .bench import Bench, Converter, Laser, Probe, bent, charge_left, charged
+from .bench import Bench, Converter, Laser, Probe, Readings, bent, charge_left, charged
 from .excitation import MAX_VOLTAGE
 from .joint import barrier, rest, tip_displacement, wells
 from .midpoint import KEEP, advance, at_rest, read_tip, workspace
@@ -229,6 +229,7 @@ def python_controller(beginning: Callable[[float], Step]) -> Controller:
     steps: list[Step] = []
 
     def begin(q: float) -> None:
+        """Make the step function for the first reading."""
         steps.append(beginning(q))
 
     def step(q: float, target: float, v: Any) -> None:
@@ -319,7 +320,7 @@ class Scenario:
 
 
 @dataclass(frozen=True)
-class ClosedLoop:
+class ClosedLoop(Readings):
     """A closed-loop run, all of shape (N,) and SI: what a log holds, and what no instrument shows.
 
     `q`, `v1`, `v2` are readings, `target` what the controller got, `command1` and `command2` what it returned
@@ -327,10 +328,6 @@ class ClosedLoop:
     one as the end of the range), and with one beyond the range.
     """
 
-    t: FloatArray
-    q: FloatArray
-    v1: FloatArray
-    v2: FloatArray
     target: FloatArray
     command1: FloatArray
     command2: FloatArray
@@ -429,16 +426,14 @@ def _surroundings(
 
 
 def _pushes(scenario: Scenario, t: FloatArray) -> FloatArray:
-    """External force [N] on q at each row."""
+    """External force [N] on q at each row: constant, half a sine, and a sine."""
+    waves = [(start, force, length, 0.0, 0.5 * np.pi) for start, force, length in scenario.pushes]
+    waves += [(start, force, length, 0.5 / length, 0.0) for start, force, length in scenario.hands]
+    waves += [(start, force, length, frequency, 0.0) for start, force, frequency, length in scenario.shakes]
     push = np.zeros(t.size)
-    for start, force, length in scenario.pushes:
-        push[(t >= start) & (t < start + length)] += force
-    for start, force, length in scenario.hands:
+    for start, force, length, frequency, phase in waves:
         during = (t >= start) & (t < start + length)
-        push[during] += force * np.sin(np.pi * (t[during] - start) / length)
-    for start, force, frequency, length in scenario.shakes:
-        during = (t >= start) & (t < start + length)
-        push[during] += force * np.sin(2.0 * np.pi * frequency * (t[during] - start))
+        push[during] += force * np.sin(2.0 * np.pi * frequency * (t[during] - start) + phase)
     return push
 
 

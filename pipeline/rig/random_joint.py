@@ -17,10 +17,21 @@ import numpy as np
 from ..errors import InputError
 from ..numerics.arrays import FloatArray
 from ..settings.logs import Number, SettingsTable
-from . import parameters as law
 from .bench import Bench
 from .joint import simulate, wells
-from .parameters import RigParameters, nominal
+from .parameters import (
+    BOUC_WEN,
+    CHAIN,
+    DAHL,
+    GENT,
+    HENCKY,
+    LUGRE,
+    MAXWELL_SLIP,
+    MOONEY_RIVLIN,
+    OGDEN,
+    RigParameters,
+    nominal,
+)
 
 Family = Literal["same", "foreign", "worn"]
 
@@ -65,8 +76,7 @@ def _asymmetric(rng: np.random.Generator, p: RigParameters) -> RigParameters:
 
     def lengths(pair: FloatArray, tolerance: float) -> FloatArray:
         """The lengths [m] of left and right, each moved by up to the tolerance [m]."""
-        moved: FloatArray = pair + rng.uniform(-tolerance, tolerance, 2)
-        return moved
+        return np.asarray(pair + rng.uniform(-tolerance, tolerance, 2))
 
     return p._replace(
         mass=_spread(rng, 40.2e-3, 0.02),
@@ -91,7 +101,7 @@ def _same(rng: np.random.Generator) -> RigParameters:
     return p._replace(
         branch_modulus=np.outer(rng.uniform(0.95, 1.05, 2), [_spread(rng, 0.31e6, 0.3), rng.uniform(0.04e6, 0.12e6)]),
         branch_time=np.array([_spread(rng, 0.27, 0.3), rng.uniform(3.0, 15.0)]),
-        friction=law.MAXWELL_SLIP,
+        friction=MAXWELL_SLIP,
         slip_stiffness=slip / reach,
         slip_force=slip,
     )
@@ -101,16 +111,16 @@ def _foreign(rng: np.random.Generator, links: int | None = None) -> RigParameter
     """Link chain, other rubber with three relaxation times, other friction, extended frame."""
     links = int(rng.integers(3, 6)) if links is None else links
     p = _asymmetric(rng, nominal(links=links))
-    rubber = int(rng.choice([law.GENT, law.MOONEY_RIVLIN, law.OGDEN]))
+    rubber = int(rng.choice([GENT, MOONEY_RIVLIN, OGDEN]))
     shape = {
-        law.GENT: np.array([rng.uniform(6.0, 15.0), 0.0]),
-        law.MOONEY_RIVLIN: np.array([rng.uniform(0.1, 0.4), 0.0]),
-        law.OGDEN: np.array([rng.uniform(1.2, 1.8), rng.uniform(2.5, 4.0)]),
+        GENT: np.array([rng.uniform(6.0, 15.0), 0.0]),
+        MOONEY_RIVLIN: np.array([rng.uniform(0.1, 0.4), 0.0]),
+        OGDEN: np.array([rng.uniform(1.2, 1.8), rng.uniform(2.5, 4.0)]),
     }[rubber]
     print_error = rng.uniform(0.92, 1.08, links)
     damping = p.bending_loss / nominal().bending_loss
     p = p._replace(
-        beam=law.CHAIN,
+        beam=CHAIN,
         frame_offset=float(rng.uniform(1e-3, 6e-3)),
         frame_inertia=float(rng.uniform(0.4e-5, 1.6e-5)),
         hinge_stiffness=p.hinge_stiffness * print_error,
@@ -119,7 +129,7 @@ def _foreign(rng: np.random.Generator, links: int | None = None) -> RigParameter
         rubber=rubber,
         rubber_shape=shape,
         capacitance_exponent=float(rng.uniform(1.0, 1.3)),
-        strain=law.HENCKY,
+        strain=HENCKY,
         branch_modulus=np.outer(rng.uniform(0.95, 1.05, 2), rng.uniform(0.02e6, 0.06e6, 3)),
         branch_time=np.array([rng.uniform(0.03, 0.08), rng.uniform(0.25, 0.7), rng.uniform(4.0, 15.0)]),
         friction_arm=float(rng.uniform(-10e-3, 10e-3)),
@@ -142,13 +152,13 @@ def _worn(rng: np.random.Generator) -> RigParameters:
 
 def _other_friction(rng: np.random.Generator, p: RigParameters) -> RigParameters:
     """`p` with LuGre, Bouc–Wen or Dahl friction of 0.6 to 2 mN."""
-    kind = int(rng.choice([law.LUGRE, law.BOUC_WEN, law.DAHL]))
+    kind = int(rng.choice([LUGRE, BOUC_WEN, DAHL]))
     force = float(rng.uniform(0.6e-3, 2.0e-3))
     reach = float(rng.uniform(0.1e-3, 1.2e-3))
     shape = {
-        law.LUGRE: np.array([rng.uniform(0.1, 0.5), rng.uniform(2e-3, 10e-3), 0.02, rng.uniform(0.0, 0.01)]),
-        law.BOUC_WEN: np.array([rng.uniform(0.0, 0.5), 1.0, 0.0, 0.0]),
-        law.DAHL: np.array([rng.uniform(0.1e-3, 0.4e-3), rng.uniform(3e-3, 10e-3), 0.0, 0.0]),
+        LUGRE: np.array([rng.uniform(0.1, 0.5), rng.uniform(2e-3, 10e-3), 0.02, rng.uniform(0.0, 0.01)]),
+        BOUC_WEN: np.array([rng.uniform(0.0, 0.5), 1.0, 0.0, 0.0]),
+        DAHL: np.array([rng.uniform(0.1e-3, 0.4e-3), rng.uniform(3e-3, 10e-3), 0.0, 0.0]),
     }[kind]
     return p._replace(
         friction=kind, slip_stiffness=np.array([force / reach]), slip_force=np.array([force]), friction_shape=shape

@@ -1,16 +1,17 @@
-"""A free run against its measured record: one score per signal."""
+"""A free run against its measured record: scores by signal, errors by horizon, and times of the switches."""
 
-from collections.abc import Mapping
+import itertools
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from ..device.device import Device
-from ..numerics.arrays import FloatArray
-from ..numerics.metrics import nrmse, rmse, signal_range
-from .intervals import Interval, block_of, mean_interval, rms_interval, share_interval
-from .wells import NoWells, Wells, in_same_well, switch_accuracy
+from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
+from ..numerics.metrics import fit_percent, nrmse, rms, rmse, settling_index, signal_range
+from .intervals import BLOCK, SEED, Interval, block_of, mean_interval, median_interval, rms_interval, share_interval
+from .wells import LONGEST_WINDOW, NoWells, Wells, in_same_well, switch_accuracy
 
 Status = Literal["ok", "diverged"]
 
@@ -119,3 +120,308 @@ def _agreement_interval(same: FloatArray, block: int, rng: np.random.Generator) 
     if band is None or least is None:
         return band
     return Interval(min(band.low, least.low), max(band.high, least.high))
+
+
+MOST_STARTS = 400
+
+SHORTEST_HORIZON = 2.0
+"""In sample intervals: a shorter one but for one step would be rounded to another time than that of its name."""
+
+Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray, IntArray, IntArray], Iterable[FloatArray]]
+"""``(t, v, seen, speed, starts, ahead) -> predictions``: see `pipeline.models.base.Predicts`."""
+
+
+@dataclass(frozen=True)
+class MeasuredPath:
+    """A log as predictions are compared with it.
+
+    Attributes
+    ----------
+    t, q, qdot : FloatArray, shape (N,)
+        Uniform time [s] and the measured state; NaN where masked.
+    v : FloatArray, shape (N, K) or (N, r, K)
+        Inputs, as the predictor takes them; NaN where they are not known, which no prediction passes.
+    """
+
+    t: FloatArray
+    v: FloatArray
+    q: FloatArray
+    qdot: FloatArray
+
+    @property
+    def recorded(self) -> BoolArray:
+        """Where all inputs are known, shape (N,)."""
+        return np.asarray(np.all(np.isfinite(self.v).reshape(self.q.size, -1), axis=1))
+
+
+@dataclass(frozen=True)
+class HorizonError:
+    """Prediction error after a fixed time.
+
+    Attributes
+    ----------
+    horizon_s : float
+        How far ahead is predicted [s].
+    nrmse : float or None
+        RMS of the error of q at the horizon over the range of q (eq. 41). A restart that diverged counts as an error
+        of the whole range. None if every start diverged or none exists.
+    interval : Interval or None
+        95 % moving-block bootstrap interval of `nrmse`, in blocks of neighbouring starts (`block_of`; of the joint
+        as many as 2 s hold); None with fewer than three blocks of them.
+    starts : int
+        Restarts made.
+    diverged : int
+        Those that diverged.
+    """
+
+    horizon_s: float
+    nrmse: float | None
+    interval: Interval | None
+    starts: int
+    diverged: int
+
+
+def horizon_errors(
+    predict: Predict,
+    path: MeasuredPath,
+    horizons: Sequence[float],
+    *,
+    plant: Device | None,
+    most_starts: int = MOST_STARTS,
+) -> list[HorizonError]:
+    """Restart at evenly spread samples and compare q at each horizon, as a predictive controller would find it.
+
+    A model takes its hidden states from the measurement before a restart; of what comes after, it sees the inputs
+    alone.
+
+    Parameters
+    ----------
+    predict : callable
+        The model's predictions of q from measured rows on.
+    path : MeasuredPath
+        The log.
+    horizons : sequence of float
+        Times ahead [s]; rounded to samples, at least one.
+    plant : Device or None
+        Whether it is the joint, see `pipeline.scoring.intervals.block_of`.
+    most_starts : int
+        Upper bound of the restarts of a horizon; they are at least one horizon apart, but for the one-step horizon.
+
+    Notes
+    -----
+    Cost: a simulation of the record, one of at most as much for each horizon, and the call overhead of the restarts.
+    """
+    q = path.q
+    interval = sample_interval(path.t)
+    aheads = [samples_of(horizon, interval) for horizon in horizons]
+    starts = [_starts(path, ahead, most_starts) for ahead in aheads]
+    farthest: dict[int, int] = {}
+    for ahead, chosen in zip(aheads, starts, strict=True):
+        farthest |= {start: max(ahead, farthest.get(start, 0)) for start in chosen.tolist()}
+    paths = dict(_predictions(predict, path, farthest))
+    span = signal_range(q)
+    return [
+        _error(
+            np.array([paths[start][ahead] - q[start + ahead] for start in chosen.tolist()]),
+            chosen, ahead, interval, span, plant=plant,
+        )
+        for ahead, chosen in zip(aheads, starts, strict=True)
+    ]  # fmt: skip
+
+
+def predicted(predict: Predict, path: MeasuredPath, ahead: int) -> FloatArray:
+    """Displacement `ahead` samples after each measured state, at the sample it is for, shape (N,); else NaN."""
+    q = np.full(path.q.size, np.nan)
+    starts = _starts(path, ahead, path.q.size, apart=1)
+    for start, ahead_of in _predictions(predict, path, dict.fromkeys(starts.tolist(), ahead)):
+        q[start + ahead] = ahead_of[ahead]
+    return q
+
+
+def _predictions(predict: Predict, path: MeasuredPath, ahead: dict[int, int]) -> Iterator[tuple[int, FloatArray]]:
+    """Rows and the predictions of q from them on, so many samples ahead, for rows whose state is measured."""
+    measured = np.isfinite(path.q) & np.isfinite(path.qdot)
+    for rows in runs_of(path.recorded):
+        starts = np.array([start for start in sorted(ahead) if rows.start <= start < rows.stop], dtype=np.int64)
+        if starts.size:
+            part = slice(rows.start + int(np.argmax(measured[rows])), rows.stop)
+            counts = np.array([ahead[start] for start in starts.tolist()], dtype=np.int64)
+            runs = predict(path.t[part], path.v[part], path.q[part], path.qdot[part], starts - part.start, counts)
+            yield from zip(starts.tolist(), runs, strict=True)
+
+
+def _error(
+    errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, plant: Device | None
+) -> HorizonError:
+    """What the errors `ahead` samples after the starts come to."""
+    diverged = int(np.count_nonzero(~np.isfinite(errors)))
+    if diverged == starts.size or not span:
+        return HorizonError(ahead * interval, None, None, starts.size, diverged)
+    errors = np.where(np.isfinite(errors), errors, span)
+    spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
+    block = block_of((errors,), spacing, plant=plant)
+    band = rms_interval(errors / span, block, np.random.default_rng(SEED))
+    return HorizonError(ahead * interval, rms(errors) / span, band, starts.size, diverged)
+
+
+def _starts(path: MeasuredPath, ahead: int, most: int, apart: int | None = None) -> IntArray:
+    """Rows whose state, target and inputs between are measured, at least `apart` (`ahead`) apart, at most `most`."""
+    q = path.q
+    qdot = path.qdot
+    last = path.q.size - ahead
+    if last < 1:
+        return np.zeros(0, dtype=np.int64)
+    rows = np.arange(0, last, max(ahead if apart is None else apart, -(-last // most)))
+    missing = np.concatenate(([0], np.cumsum(~path.recorded)))
+    usable = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
+    usable &= missing[rows + ahead + 1] == missing[rows]
+    return np.asarray(rows[usable], dtype=np.int64)
+
+
+def fit_note(measured: FloatArray, free: FloatArray) -> str:
+    """How well a free run fits, or why there is no score."""
+    fit = fit_percent(measured, free)
+    if fit is not None:
+        return f"fit {fit:.1f} %".replace("-", "−")
+    return "diverged" if rmse(measured, free) is None else "the measurement is constant"
+
+
+STEP = 0.2  # of the largest voltage: a change by more between two looks 20 ms apart is a step, a chirp's slope is not
+STEP_WINDOW = 0.02  # s
+SHORTEST_RESPONSE = 0.8  # s; two ring periods, less shows no settling
+SETTLED = 0.1  # of the step in q
+
+
+@dataclass(frozen=True)
+class StepResponse:
+    """How one switch went.
+
+    Attributes
+    ----------
+    rise_s : float or None
+        From 10 to 90 % of the way to the final value [s]; None if the way is not completed.
+    settling_s : float or None
+        From the voltage step until q stays within ±10 % of the step [s]; None if it does not for the last 0.4 s.
+    """
+
+    rise_s: float | None
+    settling_s: float | None
+
+
+@dataclass(frozen=True)
+class ResponseErrors:
+    """Median absolute errors of the simulated times over the switches of a record.
+
+    Attributes
+    ----------
+    switches : int
+        Switches of the measurement whose response is long enough to be judged.
+    followed : int
+        Those in which the simulation switched too.
+    rise_s, settling_s : float or None
+        Median of |simulated − measured| [s] over the switches followed where both times exist; None if there is none.
+    rise_interval, settling_interval : Interval or None
+        95 % bootstrap intervals of these medians over the switches; None with fewer than four.
+    """
+
+    switches: int
+    followed: int
+    rise_s: float | None
+    settling_s: float | None
+    rise_interval: Interval | None
+    settling_interval: Interval | None
+
+
+def voltage_steps(v: FloatArray, interval: float, plant: Device) -> IntArray:
+    """The last rows before an input jumps by more than `STEP` of its `peaks`, one per jump, shape (n,)."""
+    lag = samples_of(STEP_WINDOW, interval)
+    jump = np.zeros(len(v), dtype=bool)
+    jump[lag:] = np.any(np.abs(v[lag:] - v[:-lag]) > STEP * plant.peaks(v), axis=1)
+    rises = np.flatnonzero(jump & ~np.concatenate([[False], jump[:-1]]))
+    return np.asarray(rises - 1, dtype=np.int64)
+
+
+def step_response(q: FloatArray, interval: float) -> StepResponse:
+    """Rise and settling time of q from the first row, a voltage step, to the last, just before the next.
+
+    The final value is the mean of the last 0.4 s, one period of the ring-down.
+
+    Parameters
+    ----------
+    q : FloatArray, shape (N,)
+        Displacement, finite.
+    interval : float
+        Sample interval [s].
+    """
+    window = samples_of(LONGEST_WINDOW, interval)
+    final = float(np.mean(q[-window:]))
+    step = final - q[0]
+    if step == 0.0:
+        return StepResponse(None, None)
+    way = (q - q[0]) / step
+    ten, ninety = (np.flatnonzero(way >= share) for share in (0.1, 0.9))
+    rise = float(ninety[0] - ten[0]) * interval if ninety.size else None
+    settled = int(settling_index(way - 1.0, SETTLED))
+    return StepResponse(rise, settled * interval if settled <= q.size - window else None)
+
+
+def response_errors(
+    measured: FloatArray,
+    calculated: FloatArray,
+    v: FloatArray,
+    interval: float,
+    wells: Wells,
+    rng: np.random.Generator,
+    *,
+    plant: Device,
+) -> ResponseErrors:
+    """Compare the times of all switches.
+
+    A switch is a segment between two voltage steps, at least 0.8 s long and without masked rows, that starts on one
+    side of the barrier and ends on the other.
+
+    Parameters
+    ----------
+    measured, calculated : FloatArray, shape (N,)
+        q [m]; NaN where masked, NaN after divergence.
+    v : FloatArray, shape (N, K)
+        Inputs.
+    interval : float
+        Sample interval [s].
+    wells : Wells
+        The wells of the device.
+    rng : numpy.random.Generator
+        For the bootstrap.
+    plant : Device
+        Its inputs, and whether it is the joint.
+    """
+    pairs: list[tuple[StepResponse, StepResponse]] = []
+    switches = 0
+    for rows in _stretches(voltage_steps(v, interval, plant=plant), len(v), samples_of(SHORTEST_RESPONSE, interval)):
+        if not np.all(np.isfinite(measured[rows])) or not _switches(measured[rows], wells, interval):
+            continue
+        switches += 1
+        if np.all(np.isfinite(calculated[rows])) and _switches(calculated[rows], wells, interval):
+            pairs.append((step_response(measured[rows], interval), step_response(calculated[rows], interval)))
+    rise = _errors([(a.rise_s, b.rise_s) for a, b in pairs])
+    settling = _errors([(a.settling_s, b.settling_s) for a, b in pairs])
+    bands = median_interval(rise, rng), median_interval(settling, rng)
+    return ResponseErrors(switches, len(pairs), _median(rise), _median(settling), *bands)
+
+
+def _median(errors: Sequence[float]) -> float | None:
+    return float(np.median(errors)) if errors else None
+
+
+def _stretches(steps: IntArray, samples: int, shortest: int) -> list[slice]:
+    edges = [*(int(s) for s in steps), samples]
+    return [slice(a, b) for a, b in itertools.pairwise(edges) if b - a >= shortest]
+
+
+def _switches(q: FloatArray, wells: Wells, interval: float) -> bool:
+    last = wells.side(q[-samples_of(LONGEST_WINDOW, interval) :])
+    return bool(last.all() == last.any() and last[0] != wells.side(q[:1])[0])
+
+
+def _errors(pairs: Sequence[tuple[float | None, float | None]]) -> list[float]:
+    return [abs(b - a) for a, b in pairs if a is not None and b is not None]

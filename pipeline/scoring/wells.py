@@ -60,20 +60,6 @@ class NoWells:
     one_cluster: bool = False
 
 
-def outermost_pair(stable: Sequence[bool], height: Sequence[float]) -> tuple[int, int, int] | None:
-    """Left well, saddle and right well among equilibria in the order of q: their numbers, or None.
-
-    The wells are the outermost stable ones, the saddle the highest unstable one between.
-    """
-    wells = [i for i, is_stable in enumerate(stable) if is_stable]
-    if len(wells) < 2:
-        return None
-    left = wells[0]
-    right = wells[-1]
-    between = [i for i in range(left, right) if not stable[i]]
-    return (left, max(between, key=height.__getitem__), right) if between else None
-
-
 def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, plant: Device) -> list[slice]:
     """Rows of at least the `shortest` time [s] in which all inputs are below `RESTING_VOLTAGE` of their `peaks`.
 

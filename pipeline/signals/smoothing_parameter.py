@@ -36,8 +36,8 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from ..numerics.arrays import FloatArray
-from ..numerics.tv_chain import effective_parameters
-from ..numerics.tv_minimisation import VariationProblem, minimise_variation
+from ..numerics.tv_newton import effective_parameters
+from ..numerics.tvregdiff import VariationProblem, minimise_variation
 from .noise import noise_std
 
 SHAPE = 0.3

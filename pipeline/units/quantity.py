@@ -6,6 +6,9 @@ import re
 # Angles are read in degrees, and what begins with one; kg and other compound units keep their own.
 _ANGLE = re.compile(r"rad(²?)(?=[/·]|$)(?!.*rad)")
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
+_POWERS = {prefix: power for power, prefix in _PREFIXES.items()} | {"%": -2}
+_LONG_AGO = 1e5
+"""Seconds of a clock from which on stamps are written to the millisecond: it counts from a day or an epoch long ago."""
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 SHORT = (0.01, 1e5)  # largest numbers along an axis that are written as they are
 _PLAIN = (-4, 5)  # powers of ten from and below which a number is written without one
@@ -187,3 +190,25 @@ def percent(fraction: float | None) -> str:
         return "–"
     places = 2 if abs(fraction) < 0.0995 else 1 if fraction != 1.0 else 0
     return f"{100.0 * fraction:.{places}f} %"
+
+
+def prefixed(value: float | None, prefix: str, digits: int, none: str = "–") -> str:
+    """A value in units with an SI prefix, or as a percentage, with so many decimals; what stands for none else.
+
+    Parameters
+    ----------
+    value : float or None
+        In SI.
+    prefix : str
+        As ``m`` of mm, or ``%``; empty for the unit itself.
+    digits : int
+        Decimals.
+    none : str
+        Text where there is no value.
+    """
+    return none if value is None else f"{value * 10.0 ** -_POWERS[prefix]:z.{digits}f}"
+
+
+def stamped(stamp: float) -> str:
+    """A time stamp [s] without its unit, to the nanosecond; to the millisecond where the clock has run for long."""
+    return f"{stamp:.3f}" if abs(stamp) >= _LONG_AGO else f"{round(stamp, 9) + 0.0:.6g}"

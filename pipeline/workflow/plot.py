@@ -7,16 +7,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import InputError
-from ..reporting.canvas import form_of, paper_figure
 from ..reporting.figure import Figure, of_models, window, x_range
-from ..reporting.plotted import paper_look, plotted
+from ..reporting.plotted import form_of, paper_figure, paper_look, plotted
 from ..store.atomic import write_bytes
 from ..store.outputs import new_outputs
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import Typeface
 from .run_models import made_control
 from .stage_report import made_studies, prepare
-from .stage_scores import scored_models
+from .stage_validate import scored_models
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -19,14 +19,13 @@ from pipeline.control.controller import PERIOD, begin_control, closed_on_model, 
 from pipeline.control.design import Settings, acting_lags, condensed_joint_law, design
 from pipeline.control.estimator import ESTIMATED, MEMORY, STATUS
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
-from pipeline.control.linear import wells_and_saddle
-from pipeline.control.plant import plant_of
-from pipeline.control.step_metrics import BAND, step_metrics
+from pipeline.control.plant import plant_of, wells_and_saddle
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
 from pipeline.models.hybrid.parameters import NAMES
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import BAND, step_metrics
 
 GCC = [
     "gcc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wdouble-promotion",
@@ -515,7 +514,7 @@ def test_a_voltage_below_the_static_switching_voltage_still_switches_by_pumping(
 
 def static_switching_voltage() -> float:
     """Lowest constant voltage [V] under which no equilibrium is left in the left well, to 1 %."""
-    from pipeline.control.linear import equilibria
+    from pipeline.control.plant import equilibria
 
     plant, _ = designed()
     low, high = 500.0, 3000.0

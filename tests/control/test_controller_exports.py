@@ -12,7 +12,7 @@ from scipy.io import loadmat, savemat
 
 from pipeline.control.controller import PERIOD, closed_on_model, estimate, observe
 from pipeline.control.law import Law
-from pipeline.control.linear import wells_and_saddle
+from pipeline.control.plant import wells_and_saddle
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
 from pipeline.numerics.arrays import FloatArray
 

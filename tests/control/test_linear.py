@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 from control_joints import model
 
-from pipeline.control.linear import equilibria, held, jacobian, wells_and_saddle
-from pipeline.control.plant import plant_of
-from pipeline.diagnostics.facts.events import ring_down
+from pipeline.control.plant import equilibria, held, jacobian, plant_of, wells_and_saddle
+from pipeline.diagnostics.events import ring_down
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.models.hybrid.parameters import NAMES

@@ -10,8 +10,8 @@ from control_joints import designed
 from pipeline.control.controller import PERIOD, begin_control, control, move
 from pipeline.control.design import condensed_joint_law
 from pipeline.control.law import CONTROLLER_STATE, NUMBERS, Law
-from pipeline.control.linear import wells_and_saddle
 from pipeline.control.margins import FACTOR, Margins, margins
+from pipeline.control.plant import wells_and_saddle
 from pipeline.models.hybrid.kernels import INDEX, prepare
 
 

@@ -52,12 +52,12 @@ def drawn_once(known: dict[Any, Any] | None = None) -> Iterator[None]:
 
     `known` keeps them for the next time that this is entered for the same run.
     """
-    from pipeline.reporting import canvas, log_figures, run_report
+    from pipeline.reporting import log_figures, plotted, run_report
 
     kept = {} if known is None else known
     with ExitStack() as patches:
         patches.enter_context(few_figures(log_figures.LOG_FIGURES[0]))
-        for module, name in ((report, "prepare"), (run_report, "run_report"), (canvas, "paper_figure")):
+        for module, name in ((report, "prepare"), (run_report, "run_report"), (plotted, "paper_figure")):
             patches.enter_context(patch.object(module, name, once(getattr(module, name), kept)))
         yield
 

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from pipeline.fitting.coverage import coverage, share_outside
+from pipeline.fitting.information import coverage, share_outside
 
 
 def test_every_sample_counts_for_its_nearest_centre_and_for_the_inputs_that_acted():

@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.models.tubes import APART, COVERAGE, TubeScale, tube_scale, tubes
+from pipeline.models.base import TubeScale
+from pipeline.models.free_runs import APART, COVERAGE, tube_scale, tubes
 
 N, DRAWS, SPAN = 20_000, 32, 20e-3
 MARGIN = 3.0

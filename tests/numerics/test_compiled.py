@@ -14,7 +14,7 @@ from pipeline.numerics import compiled
 from pipeline.numerics.kernel_cache import VARIABLE, WITHOUT_KERNELS, check_private
 
 _HAS_KERNELS = re.compile(r"^from \.+(numerics\.|codegen\.)?(compiled|numba_writer) import", re.MULTILINE)
-_COMPILER = ("numerics/compiled.py", "numerics/kernel_cache.py", "system/machine.py", "errors.py")
+_COMPILER = ("numerics/arrays.py", "numerics/compiled.py", "numerics/kernel_cache.py", "system/machine.py", "errors.py")
 _CALLED = "from pipeline.numerics.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
 _CALLER = """from pipeline.numerics.compiled import compiled
 from pipeline.called import (
@@ -131,7 +131,7 @@ print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 @pytest.mark.long
 def test_the_integrator_is_compiled_anew_when_a_system_has_changed(package: Path) -> None:
     """Even its name, which the index of the cache holds; and only then."""
-    _copy(package, "numerics/fixed_step.py", "numerics/arrays.py", "numerics/inner_loops.py")
+    _copy(package, "numerics/fixed_step.py")
     answers = []
     for factor, name in ((1.0, "Decay"), (1.0, "Decay"), (2.0, "Fading")):
         (package / "decay.py").write_text(_SYSTEM.format(factor=factor, name=name))

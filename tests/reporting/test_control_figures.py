@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.control_figures import control_figures
+from pipeline.reporting.plotted import paper_figure
 
 
 def documents() -> dict[str, dict[str, object]]:

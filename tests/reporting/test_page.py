@@ -15,14 +15,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.diagnostics.facts.datasheet import Datasheet, make_datasheet
-from pipeline.diagnostics.facts.run_data import RunData
+from pipeline.diagnostics.datasheet import Datasheet, make_datasheet
+from pipeline.diagnostics.run_data import RunData
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.figure import extreme_places
-from pipeline.reporting.fleet_report import LISTED, fleet_report
-from pipeline.reporting.fleet_table import Summary, summary
+from pipeline.reporting.fleet_report import LISTED, Summary, fleet_report, summary
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed
+from pipeline.reporting.plotted import page_chart
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.signals.log import voltages
 from pipeline.units.quantity import axis_scale, quantity

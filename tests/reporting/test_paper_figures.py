@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 from fontTools.ttLib import TTFont
 
-from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.figure import Figure, Line, Panel
-from pipeline.reporting.plotted import FONT, SANS
+from pipeline.reporting.plotted import FONT, SANS, paper_figure
 from tests.reporting.figure_font import write_subset
 from tests.reporting.synthetic import HOSTILE
 

@@ -1,14 +1,13 @@
-"""Records the demo's logs, the asset of `pipeline.rig.demo`: ``python -m tests.rig.record_demo``."""
+"""Records the demo's logs, the asset of `pipeline.rig.fleet`: ``python -m tests.rig.record_demo``."""
 
 import json
 from dataclasses import asdict
 
 import numpy as np
 
-from pipeline.rig.demo import INTERVAL, RECORDING, STEPS
-from pipeline.rig.fleet import Experiment, draw, moving_mass
+from pipeline.rig.bench import Readings
+from pipeline.rig.fleet import INTERVAL, RECORDING, STEPS, Experiment, draw, moving_mass
 from pipeline.rig.joint import wells
-from pipeline.rig.log import RawLog
 from pipeline.rig.parameters import as_json
 
 SEED = 1
@@ -18,10 +17,12 @@ EXPERIMENT = Experiment(kind="same", format="mat", rate=2000.0, excitation="alte
 EVERY = round(INTERVAL * EXPERIMENT.rate)  # the recorder keeps every second sample
 
 
-def record() -> tuple[dict[str, RawLog], str]:
+def record() -> tuple[dict[str, Readings], str]:
     """Simulate the demo's logs, by name, and the truth behind them (JSON); half a minute with compilation."""
     joint, bench, drawn = draw(EXPERIMENT, np.random.default_rng(SEED))
-    logs = {log.stem: RawLog(*(getattr(log.record, name)[::EVERY] for name in ("t", "q", "v1", "v2"))) for log in drawn}
+    logs = {
+        log.stem: Readings(*(getattr(log.record, name)[::EVERY] for name in ("t", "q", "v1", "v2"))) for log in drawn
+    }
     truth = {
         "seed": SEED,
         "units": "SI",
@@ -33,7 +34,7 @@ def record() -> tuple[dict[str, RawLog], str]:
     return logs, json.dumps(truth, indent=1)
 
 
-def store(logs: dict[str, RawLog], truth: str) -> None:
+def store(logs: dict[str, Readings], truth: str) -> None:
     counts = {
         f"{name}.{key}": np.diff(np.rint(getattr(log, key) / step).astype(np.int32), prepend=0).astype(np.int32)
         for name, log in logs.items()

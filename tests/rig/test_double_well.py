@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from scipy.io import loadmat
 
 from pipeline.rig.bench import Converter
-from pipeline.rig.demo import write_demo
+from pipeline.rig.fleet import write_demo
 from tests.double_well import DoubleWell
 
 

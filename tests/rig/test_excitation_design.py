@@ -20,7 +20,7 @@ from pipeline.rig.excitation import (
     random_excitation,
     save_sequence,
 )
-from pipeline.rig.fleet import Experiment, write_prototype
+from pipeline.rig.fleet import Experiment, simulate_prototype
 from pipeline.settings.file import read_options
 from pipeline.workflow.studies.excitation import DesignFile, drawn_simulators
 from pipeline.workflow.studies.excitation_design import Design, Requirements, assess, design_excitation
@@ -104,7 +104,7 @@ def test_the_virtual_rig_plays_a_sequence(tmp_path: Path) -> None:
     t = np.arange(5000) / 1e3
     save_sequence(tmp_path / "s.csv", Sequence(t, command(alternating_pulses(duration=5.0), t)), {})
     experiment = Experiment(kind="nominal", rate=2000.0, duration=2.0, format="parquet", play=str(tmp_path / "s.csv"))
-    write_prototype(tmp_path, "X", experiment, seed=1)
+    simulate_prototype(tmp_path, "X", experiment, seed=1)
     played = parquet.read_table(tmp_path / "truth" / "train.parquet").to_pydict()
     assert len(played["t"]) == 5000
     for name, level in (("v1", 1.5), ("v2", 3.5)):

@@ -10,10 +10,11 @@ from typer.testing import CliRunner
 
 from pipeline.commands.rig import app
 from pipeline.errors import InputError
-from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
-from pipeline.rig.fleet import Experiment, draw, write_prototype
+from pipeline.rig.bench import Readings
+from pipeline.rig.excitation import EXCITATIONS, MAX_VOLTAGE, command, random_excitation
+from pipeline.rig.fleet import Experiment, draw, simulate_prototype
 from pipeline.rig.joint import simulate
-from pipeline.rig.log import KINDS, LAYOUTS, RawLog, inject_faults
+from pipeline.rig.log import KINDS, LAYOUTS, inject_faults
 from pipeline.rig.parameters import CHAIN, RigParameters, as_json, nominal, sized
 from pipeline.rig_logs import read_recording
 
@@ -29,7 +30,7 @@ def truth_of(toml: Path) -> dict[str, object]:
 def test_every_format_is_read_back_as_its_toml_says(form: str, tmp_path: Path) -> None:
     from pyarrow import parquet
 
-    toml = write_prototype(tmp_path, "X", SHORT.model_copy(update={"format": form}), seed=2)
+    toml = simulate_prototype(tmp_path, "X", SHORT.model_copy(update={"format": form}), seed=2)
     prototype = tomllib.loads(toml.read_text(encoding="utf-8"))
     truth = parquet.read_table(tmp_path / "truth" / "train.parquet").to_pydict()
     entries = prototype["channels"]
@@ -64,7 +65,7 @@ def test_a_joint_and_its_records_come_back_from_the_seed(tmp_path: Path) -> None
     from pyarrow import parquet
 
     experiment = SHORT.model_copy(update={"kind": "foreign"})
-    truth = truth_of(write_prototype(tmp_path, "X", experiment, seed=7))
+    truth = truth_of(simulate_prototype(tmp_path, "X", experiment, seed=7))
     joint, _, logs = draw(Experiment(**truth["experiment"]), np.random.default_rng(truth["seed"]))
     records = {log.stem: log.record for log in logs}
     assert truth["joint"] == as_json(joint)
@@ -74,7 +75,7 @@ def test_a_joint_and_its_records_come_back_from_the_seed(tmp_path: Path) -> None
         np.testing.assert_array_equal(found.true_q[::2], written["q"])
 
 
-@pytest.mark.parametrize("excitation", SHARES)
+@pytest.mark.parametrize("excitation", EXCITATIONS)
 def test_excitations_keep_the_voltage_limit_and_use_both_sides(excitation: str) -> None:
     t = np.arange(0, 37.5, 1e-3)
     one, other = (command(random_excitation(np.random.default_rng(s), excitation=excitation), t) for s in (1, 2))
@@ -87,7 +88,7 @@ def test_excitations_keep_the_voltage_limit_and_use_both_sides(excitation: str) 
 
 def test_faults_are_put_where_they_are_said_to_be() -> None:
     t = np.arange(20_000) * 1e-3
-    clean = RawLog(t, 0.02 * np.sin(t), np.zeros(t.size), np.zeros(t.size))
+    clean = Readings(t, 0.02 * np.sin(t), np.zeros(t.size), np.zeros(t.size))
     log, faults = inject_faults(clean, KINDS, np.random.default_rng(4))
     found = {kind: [fault for fault in faults if fault.kind == kind] for kind in KINDS}
     assert {kind: len(found[kind]) for kind in KINDS} == {k: 1 if k == "saturation" else 3 for k in KINDS}

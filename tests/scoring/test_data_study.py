@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.data_study import amount_study, noise_study
+from pipeline.scoring.cross_validation import amount_study, noise_study
 from pipeline.signals.log import Log
 
 

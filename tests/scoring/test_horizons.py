@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.device.device import JOINT
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.horizons import HorizonError, MeasuredPath, Predict, horizon_errors
+from pipeline.scoring.scores import HorizonError, MeasuredPath, Predict, horizon_errors
 
 T = 0.01 * np.arange(1000)
 Q = np.sin(2.0 * T)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.device.device import JOINT
-from pipeline.scoring.step_responses import response_errors, step_response
+from pipeline.scoring.scores import response_errors, step_response
 from pipeline.scoring.wells import Wells
 
 DT = 0.001

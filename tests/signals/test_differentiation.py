@@ -7,7 +7,7 @@ import pytest
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import finite_difference, finite_difference_at_jumps
-from pipeline.numerics.tv_chain import effective_parameters
+from pipeline.numerics.tv_newton import effective_parameters
 from pipeline.numerics.tvregdiff import tvregdiff
 from pipeline.signals.differentiate import Kinematics, alpha_study, differentiate
 from pipeline.signals.noise import noise_std

@@ -10,6 +10,7 @@ from ...errors import InputError
 from ...generated.analytical_joint import capacitance, static_sensitivity, statics
 from ...numerics.arrays import BoolArray, FloatArray
 from ...numerics.continuation import Branch, Residual, SpecialPoint, trace_branch
+from ...numerics.stiff import RITZ
 from .statics import (
     TYPICAL_SHAPE,
     StaticPath,
@@ -75,12 +76,14 @@ def over_screw(parameters: JointParameters, v: FloatArray) -> Family:
     own_height = screw_height(parameters)
 
     def vector(z_b: float) -> FloatArray:
+        """Parameters of the joint whose mounts are at z_b [m]."""
         p = drawn.copy()
         p[columns] += own_height - z_b
         return p
 
     def slope(qm: FloatArray, z_b: float) -> FloatArray:
-        sensitivity = np.empty((4, len(VECTOR_NAMES)))
+        """Derivative of the static gradient by z_b."""
+        sensitivity = np.empty((RITZ, len(VECTOR_NAMES)))
         static_sensitivity(qm, v**2, vector(z_b), sensitivity)
         return np.asarray(-sensitivity[:, columns].sum(axis=1))
 
@@ -93,8 +96,9 @@ def over_voltage(parameters: JointParameters, side: int) -> Family:
     on = np.eye(2)[side]
 
     def slope(qm: FloatArray, value: float) -> FloatArray:
+        """Derivative of the static gradient by the voltage."""
         farads = np.empty(2)
-        jacobian = np.empty((2, 4))
+        jacobian = np.empty((2, RITZ))
         capacitance(qm, p, farads, jacobian)
         return np.asarray(-jacobian[side] * value)
 
@@ -110,8 +114,8 @@ def over_force(parameters: JointParameters, v: FloatArray) -> Family:
 
 def _residual(family: Family, scale: FloatArray) -> Residual:
     """The scaled static gradient: y = q_m / scale, λ in units of `family.unit`."""
-    gradient = np.empty(4)
-    hessian = np.empty((4, 4))
+    gradient = np.empty(RITZ)
+    hessian = np.empty((RITZ, RITZ))
     outer = np.outer(scale, scale)
 
     def residual(y: FloatArray, value: float) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -294,5 +298,5 @@ def _held_joint(parameters: JointParameters, v: FloatArray) -> StaticPath:
         family = over_force(parameters, v)
         start = equilibria(parameters, v)[0]
         branch = branch_through(family, start.qm, 0.0, (-1.0, 1.0))
-        q = branch.y[:, :4] @ parameters.levers
+        q = branch.y @ parameters.levers
         return describe_path(parameters, branch.y[np.abs(q) <= SHOWN[-1]], v)

@@ -12,9 +12,8 @@ from ...device.parameters import JointParameters
 from ...errors import InputError
 from ...generated.analytical_joint import dissipation, motion, motion_slopes, statics
 from ...numerics.arrays import FloatArray, IntArray
-from ...numerics.compiled import compiled, inner
-from ...numerics.inner_loops import copy_into, factorise, solve_factorised
-from ...numerics.stiff import R_S, RODAS4, STATES, Work, advance, factorise_stages, working
+from ...numerics.compiled import compiled, copy_into, factorise, inner, solve_factorised
+from ...numerics.stiff import FIRST_Z, INTERNAL, R_S, RITZ, RODAS4, STATES, Work, advance, factorise_stages, working
 from .statics import TYPICAL_SHAPE, StaticPath, equilibria, hold_tip, length_scales, unactuated_path
 
 REACH = 0.06
@@ -128,24 +127,26 @@ def _rest_states(
     scale = length_scales(parameters.l)
     lever = np.array([1.0, 1.0, 1.0, 0.0])
     states = np.empty((len(measured), STATES))
-    tangent = np.empty(4)
-    gradient = np.empty(4)
-    hessian = np.empty((4, 4))
-    system = np.zeros((5, 5))
-    damping = np.empty((4, 4))
-    coupling = np.empty((4, 3))
-    thickness = np.empty((2, 4))
+    tangent = np.empty(RITZ)
+    gradient = np.empty(RITZ)
+    hessian = np.empty((RITZ, RITZ))
+    system = np.zeros((RITZ + 1, RITZ + 1))
+    damping = np.empty((RITZ, RITZ))
+    coupling = np.empty((RITZ, INTERNAL))
+    thickness = np.empty((2, RITZ))
     for x, (q, qdot), volts, internal, shape in zip(states, measured, v, z, shapes, strict=True):
-        x[:4] = shape
-        if not np.isfinite(hold_tip(q, x[:4], volts**2, p, tangent)[0]):
+        x[:RITZ] = shape
+        if not np.isfinite(hold_tip(q, x[:RITZ], volts**2, p, tangent)[0]):
             raise InputError(f"the joint cannot be held at q = {1e3 * q:.2f} mm under {volts} V; check q0 and its unit")
-        x[4:8], x[8:] = tangent * qdot, internal
+        x[RITZ:FIRST_Z], x[FIRST_Z:] = tangent * qdot, internal
         # The change of shape, the tip held, by which elastic forces balance damping and internal forces.
-        statics(x[:4], volts**2, p, gradient, hessian)
-        dissipation(x[:4], p, damping, coupling, thickness)
-        system[:4, :4], system[:4, 4], system[4, :4] = hessian * np.outer(scale, scale), -lever, lever
-        pull = scale * (damping @ x[4:8] + coupling @ internal)
-        x[:4] -= scale * np.linalg.solve(system, np.append(pull, 0.0))[:4]
+        statics(x[:RITZ], volts**2, p, gradient, hessian)
+        dissipation(x[:RITZ], p, damping, coupling, thickness)
+        system[:RITZ, :RITZ] = hessian * np.outer(scale, scale)
+        system[:RITZ, RITZ] = -lever
+        system[RITZ, :RITZ] = lever
+        pull = scale * (damping @ x[RITZ:FIRST_Z] + coupling @ internal)
+        x[:RITZ] -= scale * np.linalg.solve(system, np.append(pull, 0.0))[:RITZ]
     return states
 
 
@@ -156,10 +157,10 @@ def _walked(parameters: JointParameters, q0: float) -> FloatArray:
     """
     rests = equilibria(parameters, np.zeros(2))
     if not rests:
-        return np.full(4, np.nan)
+        return np.full(RITZ, np.nan)
     start = min(rests, key=lambda e: abs(e.q - q0))
     qm = start.qm.copy()
-    tangent = np.empty(4)
+    tangent = np.empty(RITZ)
     for q in np.linspace(start.q, q0, 2 + int(min(abs(q0 - start.q) / 2.5e-4, 1e4))):
         hold_tip(q, qm, np.zeros(2), parameters.vector(), tangent)
     return qm
@@ -203,13 +204,14 @@ def simulate(
     drive = Inputs(np.ascontiguousarray(t), np.ascontiguousarray(v), load)
     valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
     states[valid:], rates[valid:] = np.nan, np.nan
-    qm = states[:, :4]
-    qm_dot = states[:, 4:8]
-    qm_ddot = rates[:, 4:8]
+    qm = states[:, :RITZ]
+    qm_dot = states[:, RITZ:FIRST_Z]
+    qm_ddot = rates[:, RITZ:FIRST_Z]
     levers = parameters.levers
     slopes = parameters.slopes
     return FullOrderMotion(
-        t, qm, qm_dot, qm_ddot, states[:, 8:], qm @ levers, qm_dot @ levers, qm_ddot @ levers, np.arctan(qm @ slopes),
+        t, qm, qm_dot, qm_ddot, states[:, FIRST_Z:], qm @ levers, qm_dot @ levers, qm_ddot @ levers,
+        np.arctan(qm @ slopes),
         None if valid == count else float(t[min(valid, count - 1)]), int(steps[0]), int(steps[1]),
     )  # fmt: skip
 
@@ -274,12 +276,12 @@ def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: Float
         s.squares[side] = (s.v[n, side] + s.rise[side] * offset) ** 2
     s.load[0] = s.force[n] + s.rise[2] * offset
     motion(x, s.squares, s.load, s.p, mass, out)
-    for i in range(4):
-        for j in range(4):
+    for i in range(RITZ):
+        for j in range(RITZ):
             s.factors[i, j] = mass[i, j]
     if not factorise(s.factors, s.pivots):
         return False
-    solve_factorised(s.factors, s.pivots, out[4:8], 1)
+    solve_factorised(s.factors, s.pivots, out[RITZ:FIRST_Z], 1)
     return True
 
 
@@ -288,16 +290,16 @@ def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
     """∂f/∂t by the inputs' rates where the step starts, whose mass matrix has just been factorised."""
     n = s.sample[0]
     lever = s.p[0] * s.p[0]
-    for i in range(4):
-        s.f_t[4 + i] = 0.0
+    for i in range(RITZ):
+        s.f_t[RITZ + i] = 0.0
         for side in range(2):
             volts = s.v[n, side] + s.rise[side] * s.offset[0]
-            s.f_t[4 + i] -= 2.0 * slopes[R_S + 2 * i + side] * volts * s.rise[side]
+            s.f_t[RITZ + i] -= 2.0 * slopes[R_S + 2 * i + side] * volts * s.rise[side]
         if i < 3:
             # ∂q/∂q_m = [l², l³, l⁴, 0]: the force acts on the tip.
-            s.f_t[4 + i] += lever * s.rise[2]
+            s.f_t[RITZ + i] += lever * s.rise[2]
             lever *= s.p[0]
-    solve_factorised(s.factors, s.pivots, s.f_t[4:8], 1)
+    solve_factorised(s.factors, s.pivots, s.f_t[RITZ:FIRST_Z], 1)
 
 
 @inner
@@ -330,7 +332,7 @@ def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
     """Stiffly accurate: the last stage completes the solution and is the error estimate; its RMS over the scale."""
     norm = 0.0
     for i in range(STATES):
-        last = work.y[5, i]
+        last = work.y[-1, i]
         x_new[i] = work.at[i] + last
         norm += (last / scale[i]) ** 2
     return float(np.sqrt(norm / STATES)) if np.isfinite(norm) else float(np.inf)
@@ -365,10 +367,10 @@ def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, r
     t, v, force = drive
     motion = _Motion(
         p, v, force, x0.copy(), np.empty(STATES), np.empty(STATES), np.zeros(1, np.int64), np.zeros(1), np.zeros(3),
-        np.zeros(STATES), np.empty(2), np.empty(1), np.empty(STATES), np.empty((4, 4)), np.empty((4, 4)),
-        np.empty(4, np.int64),
+        np.zeros(STATES), np.empty(2), np.empty(1), np.empty(STATES), np.empty((RITZ, RITZ)), np.empty((RITZ, RITZ)),
+        np.empty(RITZ, np.int64),
     )  # fmt: skip
-    return _integrate(t, motion, working(6, 1), scale, reach, solution)
+    return _integrate(t, motion, working(len(RODAS4.nodes), 1), scale, reach, solution)
 
 
 @compiled(nogil=True)
@@ -394,7 +396,7 @@ def _integrate(t: FloatArray, s: _Motion, work: Work, scale: FloatArray, reach: 
             elif not fine:
                 return sample + 1
             s.offset[0], norm, remaining = offset, np.inf, interval - offset
-            motion_slopes(x, s.squares, s.load, p, f0[4:8], work.slopes)
+            motion_slopes(x, s.squares, s.load, p, f0[RITZ:FIRST_Z], work.slopes)
             _time_derivative(s, work.slopes)
             while norm > 1.0:
                 tries += 1

@@ -26,6 +26,7 @@ from ...numerics.compiled import compiled
 from ...numerics.fixed_step import Methods, integrator, workspace
 from ...numerics.linear_filters import first_order_lag
 from ...numerics.metrics import nrmse
+from ...numerics.stiff import INTERNAL, RITZ
 from .full_order import FullOrderMotion, rest_state, simulate
 from .statics import StaticPath, equilibria, static_path
 
@@ -70,7 +71,7 @@ class ReducedJoint:
     def evaluate(self, q: FloatArray) -> FloatArray:
         """All curves at `q` (M,), and their derivatives: shape (2, M, 7)."""
         cell = np.clip(((q - self.q[0]) / (self.q[1] - self.q[0])).astype(int), 0, self.q.size - 2)
-        cubics = CUBICS.evaluate(pieces=self.coefficients[cell].reshape(-1, 28), s=(q - self.q[cell])[:, None])
+        cubics = CUBICS.evaluate(pieces=self.coefficients[cell].reshape(len(cell), -1), s=(q - self.q[cell])[:, None])
         return np.stack([cubics["curves"], cubics["slopes"]])
 
 
@@ -81,13 +82,13 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
     p = parameters.vector()
     count = path.q.size
     curves = np.empty((count, len(CURVES)))
-    mass = np.empty((4, 4))
-    tau = np.empty(4)
+    mass = np.empty((RITZ, RITZ))
+    tau = np.empty(RITZ)
     z_dot = np.empty(3)
-    damping = np.empty((4, 4))
-    coupling = np.empty((4, 3))
-    thickness = np.empty((2, 4))
-    nothing = np.zeros(4)
+    damping = np.empty((RITZ, RITZ))
+    coupling = np.empty((RITZ, INTERNAL))
+    thickness = np.empty((2, RITZ))
+    nothing = np.zeros(RITZ)
     for i, (qm, tangent) in enumerate(zip(path.qm, path.tangent, strict=True)):
         dynamics(qm, nothing, nothing[:3], nothing[:2], nothing[:1], p, mass, tau, z_dot)
         dissipation(qm, p, damping, coupling, thickness)
@@ -115,7 +116,7 @@ def polynomial_shapes(path: StaticPath, degree: int) -> FloatArray:
     Least squares over the path; ascending powers of q over the path's largest displacement.
     """
     x = path.q / np.max(np.abs(path.q))
-    return np.stack([np.polynomial.polynomial.polyfit(x, path.qm[:, i], degree) for i in range(4)])
+    return np.stack([np.polynomial.polynomial.polyfit(x, path.qm[:, i], degree) for i in range(RITZ)])
 
 
 @lru_cache(maxsize=16)

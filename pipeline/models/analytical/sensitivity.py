@@ -17,12 +17,13 @@ import numpy as np
 from ...codegen.numba_writer import kernel
 from ...generated.analytical_joint import MOTION, motion_slopes
 from ...numerics.arrays import FloatArray, IntArray
-from ...numerics.compiled import compiled, inner
-from ...numerics.inner_loops import copy_into
-from ...numerics.stiff import SDIRK3, SLOPES, STATES, Work, advance, factorise_stages, working
+from ...numerics.compiled import compiled, copy_into, inner
+from ...numerics.stiff import INTERNAL, RITZ, SDIRK3, SLOPES, STATES, Work, advance, factorise_stages, working
 
 BATCH = 8
 """Joints side by side."""
+_MOVED = RITZ + INTERNAL
+"""Rates that parameters act on: those of q̇_m and z."""
 _motions = kernel(MOTION, BATCH, common=("x", "v_squared", "force"))
 
 
@@ -55,15 +56,17 @@ def state_sensitivities(
     solutions at 10 ms, within 1.6 % at 5 ms: the shape relaxes faster than it is sampled.
     """
     count = 2 * t.size - 1
-    tables = _Tables(np.empty((count, 4, 4)), np.empty((count, SLOPES)), np.empty((count, 7, steps.size)))
+    tables = _Tables(np.empty((count, RITZ, RITZ)), np.empty((count, SLOPES)), np.empty((count, _MOVED, steps.size)))
     _tabulate(_Solution(t, v, states, rates), points, steps, tables)
     out = np.empty((t.size, STATES, steps.size))
     unknowns = steps.size
     system = _Variation(
         tables.masses.reshape(count, -1), tables.slopes, tables.sources.reshape(count, -1), np.zeros(2, np.int64),
-        np.empty(7 * unknowns),
+        np.empty(_MOVED * unknowns),
     )  # fmt: skip
-    integrate_sensitivities(t, system, start.flatten(), working(3, unknowns), unknowns, out.reshape(t.size, -1))
+    integrate_sensitivities(
+        t, system, start.flatten(), working(len(SDIRK3.nodes), unknowns), unknowns, out.reshape(t.size, -1)
+    )
     return out
 
 
@@ -89,11 +92,11 @@ def _tabulate(solution: _Solution, points: FloatArray, steps: FloatArray, tables
     """Fill the tables along a solution."""
     masses, slopes, sources = tables
     x = np.empty(STATES)
-    a = np.empty(4)
+    a = np.empty(RITZ)
     squares = np.empty(2)
     force = np.zeros(1)
-    base = np.empty(7)
-    mass = np.empty((4, 4, BATCH))
+    base = np.empty(_MOVED)
+    mass = np.empty((RITZ, RITZ, BATCH))
     right = np.empty((STATES, BATCH))
     count = len(points)
     size = points.shape[1]
@@ -108,15 +111,15 @@ def _tabulate(solution: _Solution, points: FloatArray, steps: FloatArray, tables
             batch_index = joint % BATCH
             if batch_index == 0:
                 _motions((x, squares, force, joints[joint // BATCH], mass, right))
-            for i in range(7):
-                owed = right[4 + i, batch_index]
-                for m in range(4 if i < 4 else 0):
+            for i in range(_MOVED):
+                owed = right[RITZ + i, batch_index]
+                for m in range(RITZ if i < RITZ else 0):
                     owed -= mass[i, m, batch_index] * a[m]
                 if joint > 0:
                     sources[k, i, joint - 1] = (owed - base[i]) / steps[joint - 1]
                 else:
                     base[i] = owed
-                    for m in range(4 if i < 4 else 0):
+                    for m in range(RITZ if i < RITZ else 0):
                         masses[k, i, m] = mass[i, m, 0]
 
 
@@ -129,10 +132,12 @@ def _between(solution: _Solution, k: int, x: FloatArray, a: FloatArray, squares:
     h = t[n + half] - t[n]
     for i in range(STATES):
         x[i] = 0.5 * (states[n, i] + states[n + half, i]) + 0.125 * h * (rates[n, i] - rates[n + half, i])
-    for i in range(4):
-        a[i] = rates[n, 4 + i]
+    for i in range(RITZ):
+        a[i] = rates[n, RITZ + i]
         if half:
-            a[i] = 1.5 / h * (states[n + 1, 4 + i] - states[n, 4 + i]) - 0.25 * (rates[n, 4 + i] + rates[n + 1, 4 + i])
+            a[i] = 1.5 / h * (states[n + 1, RITZ + i] - states[n, RITZ + i]) - 0.25 * (
+                rates[n, RITZ + i] + rates[n + 1, RITZ + i]
+            )
     for side in range(2):
         squares[side] = 0.25 * (v[n, side] + v[n + half, side]) ** 2
 
@@ -196,7 +201,7 @@ def integrate_sensitivities(
         for half in range(2):
             system.at[1] = half
             advance(SDIRK3, _stage, system, x, 0.5 * (t[n + 1] - t[n]), work, count)
-            copy_into(x, work.y[2])
+            copy_into(x, work.y[-1])
         copy_into(out[n + 1], x)
 
 

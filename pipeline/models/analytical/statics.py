@@ -8,7 +8,6 @@ solution of eq. 15 for every q, stable or not, with F as the unknown. It carries
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, lru_cache, partial
-from typing import NamedTuple
 
 import numpy as np
 
@@ -16,8 +15,8 @@ from ...device.parameters import NOMINAL, VECTOR_NAMES, JointParameters
 from ...errors import InputError
 from ...generated.analytical_joint import CAPACITANCE, STATICS, TIP, capacitance, statics, tip
 from ...numerics.arrays import BoolArray, FloatArray
-from ...numerics.compiled import compiled, inner
-from ...numerics.inner_loops import factorise, solve_factorised
+from ...numerics.compiled import compiled, factorise, inner, solve_factorised
+from ...numerics.stiff import RITZ
 
 STEEPEST = np.pi / 4
 """Tip rotation [rad] up to which the beam equations (moderate slopes) are believed."""
@@ -25,6 +24,16 @@ TYPICAL_SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
 """Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""
 REACH = 0.03
 """Largest deflection [m] of the shapes that Newton's method starts from."""
+TIP_VALUES = TIP.outputs["values"]
+"""q [m], φ [rad], u_y [m] and both stretches."""
+_HELD = RITZ + 1
+"""Unknowns of a joint whose tip is held: its shape and the force."""
+_MOST_STEPS = 60
+_LONGEST = 5e-2
+_LOST = 1e3
+_CONVERGED = 1e-9
+"""Of Newton's method: most steps, and in metres of a coordinate's tip contribution the longest one, one from which it
+does not come back, and one after which rounding alone is left."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +62,8 @@ class JointEquilibrium:
 
 def tip_values(qm: FloatArray, p: FloatArray) -> FloatArray:
     """Tip of the beam: q [m], φ [rad], u_y [m], λ1, λ2 at the Ritz coordinates, shape (5,)."""
-    values = np.empty(5)
-    jacobian = np.empty((5, 4))
+    values = np.empty(TIP_VALUES)
+    jacobian = np.empty((TIP_VALUES, RITZ))
     tip(qm, p, values, jacobian)
     return values
 
@@ -65,7 +74,13 @@ def length_scales(length: float) -> FloatArray:
 
 
 @inner
-def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: FloatArray, iterations: int) -> bool:
+def _shortened(size: float) -> float:
+    """Share of a Newton step of this size [m] that is taken."""
+    return min(1.0, _LONGEST / size) if size > 0.0 else 1.0
+
+
+@inner
+def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: FloatArray) -> bool:
     """Newton on ∂U/∂q_m = F ∂q/∂q_m from `qm`, in place; True if it converged.
 
     Converges to saddles as well as to minima. A step that moves a coordinate's tip contribution by more than
@@ -82,14 +97,12 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
         External force along q [N].
     p : FloatArray, shape (41,)
         Parameter vector.
-    iterations : int
-        Most steps.
     """
-    gradient = np.empty(4)
-    hessian = np.empty((4, 4))
-    pivots = np.empty(4, np.int64)
+    gradient = np.empty(RITZ)
+    hessian = np.empty((RITZ, RITZ))
+    pivots = np.empty(RITZ, np.int64)
     scale = np.array([p[0] ** -2, p[0] ** -3, p[0] ** -4, 1.0])
-    for _ in range(iterations):
+    for _ in range(_MOST_STEPS):
         statics(qm, v_squared, p, gradient, hessian)
         for i in range(3):
             gradient[i] -= force / scale[i]
@@ -97,10 +110,10 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
             return False
         solve_factorised(hessian, pivots, gradient, 1)
         size = np.max(np.abs(gradient / scale))
-        if not size < 1e3:
+        if not size < _LOST:
             return False
-        qm -= gradient * min(1.0, 5e-2 / max(size, 1e-300))
-        if size < 1e-9:
+        qm -= gradient * _shortened(size)
+        if size < _CONVERGED:
             # Quadratic convergence: this step has reached rounding error, which is near 1e-13 m.
             return True
     return False
@@ -111,7 +124,7 @@ def _converge_all(starts: FloatArray, v_squared: FloatArray, force: float, p: Fl
     """The solution of Newton's method from each start (n, 4); rows that do not converge are NaN."""
     shapes = starts.copy()
     for i in range(starts.shape[0]):
-        if not newton_equilibrium(shapes[i], v_squared, force, p, 60):
+        if not newton_equilibrium(shapes[i], v_squared, force, p):
             shapes[i] = np.nan
     return shapes
 
@@ -139,8 +152,8 @@ def equilibrium_at(p: FloatArray, qm: FloatArray, v: FloatArray, force: float = 
     force : float
         External force along q [N].
     """
-    gradient = np.empty(4)
-    hessian = np.empty((4, 4))
+    gradient = np.empty(RITZ)
+    hessian = np.empty((RITZ, RITZ))
     energy = statics(qm, v**2, p, gradient, hessian)
     q, phi, u_y = tip_values(qm, p)[:3]
     scale = length_scales(float(p[0]))
@@ -253,83 +266,47 @@ def hold_tip(
     -----
     Cost: an iteration evaluates `statics` and factorises 5×5, 0.7 µs; four to six iterations from a neighbour.
     """
-    scale = np.empty(4)
-    gradient = np.empty(4)
-    hessian = np.empty((4, 4))
-    system = np.empty((5, 5))
-    right = np.empty(5)
-    pivots = np.empty(5, np.int64)
+    scale = np.empty(RITZ)
+    gradient = np.empty(RITZ)
+    hessian = np.empty((RITZ, RITZ))
+    system = np.empty((_HELD, _HELD))
+    right = np.empty(_HELD)
+    pivots = np.empty(_HELD, np.int64)
     scale[0], scale[1], scale[2], scale[3] = p[0] ** -2, p[0] ** -3, p[0] ** -4, 1.0
     energy = np.nan
     last = False
-    for _ in range(50):
+    for _ in range(_MOST_STEPS):
         energy = statics(qm, v_squared, p, gradient, hessian)
         # Bordered system in coordinates of tip displacement: the unknowns are the step and the force.
-        for i in range(4):
-            for j in range(4):
+        for i in range(RITZ):
+            for j in range(RITZ):
                 system[i, j] = hessian[i, j] * scale[i] * scale[j]
-            system[4, i] = 1.0 if i < 3 else 0.0
-            system[i, 4] = -system[4, i]
+            system[RITZ, i] = 1.0 if i < 3 else 0.0
+            system[i, RITZ] = -system[RITZ, i]
             right[i] = -gradient[i] * scale[i]
-        system[4, 4] = 0.0
-        right[4] = q - (qm[0] / scale[0] + qm[1] / scale[1] + qm[2] / scale[2])
+        system[RITZ, RITZ] = 0.0
+        right[RITZ] = q - (qm[0] / scale[0] + qm[1] / scale[1] + qm[2] / scale[2])
         if not factorise(system, pivots):
             break
         if last:
             solve_factorised(system, pivots, right, 1)
-            force = right[4]
-            for i in range(5):
-                right[i] = 1.0 if i == 4 else 0.0
+            force = right[RITZ]
+            for i in range(_HELD):
+                right[i] = 1.0 if i == RITZ else 0.0
             solve_factorised(system, pivots, right, 1)
-            for i in range(4):
+            for i in range(RITZ):
                 tangent[i] = right[i] * scale[i]
-            return force, right[4], energy
+            return force, right[RITZ], energy
         solve_factorised(system, pivots, right, 1)
         size = 0.0
-        for i in range(4):
+        for i in range(RITZ):
             size = max(size, abs(right[i])) if right[i] == right[i] else np.inf
-        if not size < 1e3:
+        if not size < _LOST:
             break
-        for i in range(4):
-            qm[i] += right[i] * scale[i] * min(1.0, 5e-2 / max(size, 1e-300))
-        last = size < 1e-9
+        for i in range(RITZ):
+            qm[i] += right[i] * scale[i] * _shortened(size)
+        last = size < _CONVERGED
     return np.nan, np.nan, np.nan
-
-
-class _PathColumns(NamedTuple):
-    """Columns of a `StaticPath` of N shapes.
-
-    `tips` (N, 5), `tangent` (N, 4), `scalars` (N, 3: force, stiffness, energy), capacitances `farads` and their slopes
-    over q along the path (N, 2), `hessians` (N, 4, 4). Scalars and tangent belong to the equilibrium that `hold_tip`
-    finds from the shape at its tip displacement, all else to the shape as it is given.
-    """
-
-    tips: FloatArray
-    tangent: FloatArray
-    scalars: FloatArray
-    farads: FloatArray
-    slopes: FloatArray
-    hessians: FloatArray
-
-
-def _describe(shapes: FloatArray, v_squared: FloatArray, p: FloatArray, columns: _PathColumns) -> None:
-    """Fill the columns from shapes (N, 4) at `v_squared` [V²] (2,) with the parameters `p`."""
-    tips, tangent, scalars, farads, slopes, hessians = columns
-    qm = np.empty(4)
-    gradient = np.empty(4)
-    tip_jacobian = np.empty((5, 4))
-    farad_jacobian = np.empty((2, 4))
-    for i in range(len(shapes)):
-        for j in range(4):
-            qm[j] = shapes[i, j]
-        tip(qm, p, tips[i], tip_jacobian)
-        scalars[i, 0], scalars[i, 1], scalars[i, 2] = hold_tip(tips[i, 0], qm, v_squared, p, tangent[i])
-        capacitance(shapes[i], p, farads[i], farad_jacobian)
-        for side in range(2):
-            slopes[i, side] = 0.0
-            for j in range(4):
-                slopes[i, side] += farad_jacobian[side, j] * tangent[i, j]
-        statics(shapes[i], v_squared, p, gradient, hessians[i])
 
 
 def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> StaticPath:
@@ -351,12 +328,12 @@ def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> St
     """
     p = parameters.vector()
     count = q.size
-    qm = np.empty((count, 4))
-    tangent = np.empty((count, 4))
+    qm = np.empty((count, RITZ))
+    tangent = np.empty((count, RITZ))
     scalars = np.empty((count, 3))
     middle = int(np.argmin(np.abs(q)))
     lead = np.linspace(0.0, q[middle], 2 + int(abs(q[middle]) / 2.5e-4))
-    start = _trace(lead, np.zeros(4), v**2, p)[0][-1]
+    start = _trace(lead, np.zeros(RITZ), v**2, p)[0][-1]
     for part in (slice(middle, None), slice(middle, None, -1)):
         qm[part], tangent[part], scalars[part] = _trace(q[part], start, v**2, p)
     path = describe_path(parameters, qm, v)
@@ -374,11 +351,11 @@ def _trace(
     q: FloatArray, start: FloatArray, v_squared: FloatArray, p: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Hold the tip at every q in turn, each from its neighbour's solution and tangent: shapes, tangents, scalars."""
-    shapes = np.empty((q.size, 4))
-    tangents = np.empty((q.size, 4))
+    shapes = np.empty((q.size, RITZ))
+    tangents = np.empty((q.size, RITZ))
     scalars = np.empty((q.size, 3))
     guess = start.copy()
-    slope = np.zeros(4)
+    slope = np.zeros(RITZ)
     for i, step in enumerate(np.diff(q, prepend=q[0])):
         guess += slope * step
         scalars[i] = hold_tip(q[i], guess, v_squared, p, slope)
@@ -389,16 +366,29 @@ def _trace(
 def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) -> StaticPath:
     """The static path of the shapes `qm` (N, 4) under voltages `v` (2,), in their order.
 
-    Each shape satisfies eq. 15 for some force, which is found here too.
+    Each shape satisfies eq. 15 for some force, which is found here too. Forces and tangent belong to the equilibrium
+    that `hold_tip` finds from the shape at its tip displacement, all else to the shape as it is given.
     """
+    p = parameters.vector()
     count = len(qm)
-    shapes = ((5,), (4,), (3,), (2,), (2,), (4, 4))
-    columns = _PathColumns(*(np.empty((count, *shape)) for shape in shapes))
-    _describe(qm, v**2, parameters.vector(), columns)
-    tips, tangent, scalars, farads, slopes, hessians = columns
+    tips = np.empty((count, TIP_VALUES))
+    tangent = np.empty((count, RITZ))
+    scalars = np.empty((count, 3))
+    farads = np.empty((count, 2))
+    slopes = np.empty((count, 2))
+    hessians = np.empty((count, RITZ, RITZ))
+    gradient = np.empty(RITZ)
+    tip_jacobian = np.empty((TIP_VALUES, RITZ))
+    farad_jacobian = np.empty((2, RITZ))
+    for i, shape in enumerate(qm):
+        tip(shape, p, tips[i], tip_jacobian)
+        scalars[i] = hold_tip(tips[i, 0], shape.copy(), v**2, p, tangent[i])
+        capacitance(shape, p, farads[i], farad_jacobian)
+        slopes[i] = (farad_jacobian * tangent[i]).sum(axis=1)
+        statics(shape, v**2, p, gradient, hessians[i])
     scale = length_scales(parameters.l)
     finite = np.isfinite(qm).all(axis=1)
-    negative = np.full(count, 4)
+    negative = np.full(count, RITZ)
     negative[finite] = (np.linalg.eigvalsh(hessians[finite] * np.outer(scale, scale)) < 0.0).sum(axis=1)
     # Inertia is additive over the held shape and the tip's own stiffness (Haynsworth 1968).
     held = negative == (scalars[:, 1] < 0.0)
@@ -476,8 +466,8 @@ def _rotation_slopes(parameters: JointParameters) -> FloatArray:
     """dφ/dq [rad/m] at the nodes of the unactuated path."""
     path = unactuated_path(parameters)
     p = parameters.vector()
-    values = np.empty(5)
-    jacobian = np.empty((5, 4))
+    values = np.empty(TIP_VALUES)
+    jacobian = np.empty((TIP_VALUES, RITZ))
     slopes = np.empty(path.q.size)
     for i in range(path.q.size):
         tip(path.qm[i], p, values, jacobian)

@@ -298,6 +298,7 @@ def start_states(parameters: JointParameters, windows: Windows) -> FloatArray:
     rates = np.array([side.relaxation for side in (parameters.left, parameters.right)])
 
     def internal(motion: Log) -> FloatArray:
+        """Maxwell strains and friction state along a motion, shape (N, 3)."""
         stretch = np.stack([np.interp(motion.q, path.q, path.stretch[:, side]) for side in range(2)], axis=1)
         strains = maxwell_strains(stretch**-0.5, motion.interval, rates)
         return np.column_stack([strains, friction_state(motion.q, parameters.s_c)])

@@ -108,7 +108,7 @@ def mass_matrix(x: FloatArray, p: FloatArray, mass: FloatArray) -> None:
 def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatArray) -> None:
     """The corrections at q (eq. 38), filled into `out` (VALUES,): nine curves, then the slopes of four.
 
-    The bells follow from three exponentials (`pipeline.equations.basis_functions`). Cost: 26 operations for each
+    The bells follow from three exponentials (`pipeline.equations.elements`). Cost: 26 operations for each
     centre.
 
     Parameters

@@ -16,11 +16,10 @@ from scipy.interpolate import CubicSpline
 from ...fitting.posterior import first_order_curves, posterior_draws
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
-from ...signals.decimation_kernel import filtered_samples
 from ...signals.log import Log
-from ..base import FreeRun, checked
+from ...signals.resampling import filtered_samples
+from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, Unit, tree_of
-from ..tubes import NO_TUBES, TubeScale
 from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES

@@ -149,6 +149,7 @@ def search_lag(stretches: Sequence[LagStretch], *, start: float, bounds: tuple[f
     high = np.log(bounds[1])
 
     def evaluate(x: float) -> tuple[FloatArray, tuple[float, int, float]]:
+        """Weights and criteria at the logarithm of a lag."""
         equations.update(float(np.exp(x)))
         return equations.solve()
 

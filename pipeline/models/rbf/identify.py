@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from ...errors import DataRefusedError
-from ...fitting.coverage import coverage
 from ...fitting.descent import Prior
 from ...fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
+from ...fitting.information import coverage
 from ...fitting.posterior import posterior_factor, robust_spread, whiteness
 from ...fitting.regression import InputLaw
 from ...numerics.arrays import FloatArray
@@ -283,4 +283,4 @@ def _fit(training: Training) -> RbfModel:
     )
 
 
-RBF = ModelType(_fit, RbfModel.from_tree, "export.data_driven:realise")
+RBF = ModelType(_fit, RbfModel.from_tree, "export.data_driven:realise_rbf")

@@ -14,9 +14,8 @@ from ...generated.terms import CONFINED_FORCE, STOP_FORCE
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
 from ...signals.log import Log
-from ..base import FreeRun, checked
+from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, read_part, tree_of
-from ..tubes import NO_TUBES, TubeScale
 from .coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
 from .elements import acting_forces
 from .observed_run import Coupling, Drive, observed_run
@@ -261,7 +260,7 @@ class RbfModel:
         rates = np.tile(c.rates, (len(q), 1))
         for i in range(p.structure.shape_elements):
             rates[:, i] += curves[:, p.rows[f"relaxation{i}"]]
-        damping = curves[:, DAMPING] + np.where(rates > s.frequency, couplings**2 / rates, 0.0).sum(axis=1)
+        damping = curves[:, DAMPING] + np.where(rates > s.pace, couplings**2 / rates, 0.0).sum(axis=1)
         gains = curves[:, INPUT : INPUT + inputs]
         result = {"F": -self.mass_kg * s.half * curves[:, FORCE], "d": self.mass_kg * damping}
         for k in range(inputs):

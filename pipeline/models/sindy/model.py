@@ -6,14 +6,13 @@ from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
-from pydantic import BeforeValidator, model_validator
+from pydantic import model_validator
 
 from ...fitting.regression import InputLaw
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
 from ...scoring.cross_validation import mean_over_folds
 from ...signals.log import Log
-from ...units.units import DISPLACEMENT, INPUT
 from ..base import FreeRun, checked
 from ..model_file import (
     MOST_INPUTS,
@@ -25,6 +24,7 @@ from ..model_file import (
     Span,
     Table,
     Unit,
+    Units,
 )
 from ..model_type import ModelType
 from ..polynomial_dynamics import (
@@ -38,16 +38,6 @@ from ..polynomial_dynamics import (
     monomials,
     scaled_variables,
 )
-
-Units = tuple[str, str]
-
-
-def _units(values: Any) -> Units:
-    length, voltage = (str(unit) for unit in values)
-    if length not in DISPLACEMENT or voltage not in INPUT:
-        raise ValueError("are no SI units of a displacement and an input")
-    return length, voltage
-
 
 MOST_LAGS = 9
 
@@ -78,7 +68,7 @@ class SindyModel(ModelFile):
     """Whether inputs act squared or linear."""
     bounds: Annotated[Span, Unit("{q}")]
     """Smallest and largest displacement, beyond which a run counts as diverged."""
-    units: Annotated[Units, BeforeValidator(_units)] = ("m", "V")
+    units: Units = ("m", "V")
     """SI units of displacement and inputs."""
 
     @model_validator(mode="after")
@@ -363,12 +353,12 @@ SINDY = ModelType(
         data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
     ),
     partial(SindyModel.read, name="sindy", command="compare"),
-    "export.lagged:realise_polynomial",
+    "export.data_driven:realise_polynomial",
 )
 SINDY_DEFAULT = ModelType(
     lambda data: identify_default_sindy(
         data.segments, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
     ),
     partial(SindyModel.read, name="sindy", command="compare"),
-    "export.lagged:realise_polynomial",
+    "export.data_driven:realise_polynomial",
 )

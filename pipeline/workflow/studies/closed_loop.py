@@ -11,14 +11,13 @@ from pydantic import Field
 
 from ...control.controller import begin_control, control
 from ...control.law import CONTROLLER_STATE, Law
-from ...control.step_metrics import step_metrics
 from ...errors import InputError
 from ...numerics.arrays import FloatArray
-from ...numerics.metrics import rms
+from ...numerics.metrics import rms, step_metrics
 from ...rig.bench import Bench, random_bench
 from ...rig.excitation import MAX_VOLTAGE, load_sequence
 from ...rig.joint import saddle, tip_displacement, wells
-from ...rig.log import LAYOUTS, RawLog
+from ...rig.log import LAYOUTS
 from ...rig.loop import ClosedLoop, Controller, Scenario, bench_from_json, played, python_controller, run_loop
 from ...rig.parameters import RigParameters, from_json, nominal, table1
 from ...rig.random_joint import Family, random_joint
@@ -162,7 +161,7 @@ def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
         ("command_right", unit): run.command2,
     }
     path.parent.mkdir(parents=True, exist_ok=True)
-    layout.save(RawLog(run.t, run.q, run.v1, run.v2), path, more)
+    layout.save(run, path, more)
     toml = path.with_suffix(".toml")
     head = f'# Simulated by the virtual rig in closed loop.\nname = "{name}"\n\n[logs]\ntrain = ["{path.name}"]\n\n'
     plant = '[plant]\ninputs = "squared"\nparameters = "nominal"\n'

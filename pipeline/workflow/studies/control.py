@@ -12,15 +12,14 @@ from ...control.design import Settings
 from ...control.design import design as design_law
 from ...control.ensemble import INTERVAL, Converters, Ensemble, ensemble_of
 from ...control.law import Law
-from ...control.linear import wells_and_saddle
 from ...control.margins import Margins, margins
-from ...control.plant import ASSUMED_LAG
+from ...control.plant import ASSUMED_LAG, wells_and_saddle
 from ...control.pulses import design_pulse
-from ...control.step_metrics import BAND, step_metrics
 from ...control.switching_map import PULSES, TYPICAL, lowest_voltage, switching_map, with_voltage_error
 from ...errors import InputError
 from ...models.hybrid.model import HybridModel
 from ...numerics.arrays import FloatArray
+from ...numerics.metrics import BAND, step_metrics
 from ...rig.excitation import ENDINGS, Sequence, save_sequence
 from ...store.outputs import new_outputs, rebased
 from ...system.names import Goal, Well

@@ -11,18 +11,19 @@ from typing import Any
 import numpy as np
 
 from ...device.device import device
-from ...device.parameter_sets import parameter_set
-from ...device.parameters import JointParameters
-from ...diagnostics.facts.run_data import RunData, wells_of_run
+from ...device.parameters import JointParameters, parameter_set
+from ...diagnostics.run_data import RunData, wells_of_run
 from ...errors import InputError
+from ...fitting.regression import basis_values
 from ...models.analytical.bifurcation import characteristics
 from ...models.analytical.reduced_order import beam_modes, pulse_sequence, simulate_both
+from ...models.base import HasCurves
 from ...models.paper.model import RbfPaperModel
 from ...numerics.arrays import FloatArray
-from ...reporting.canvas import Format, paper_figure
 from ...reporting.figure import Figure, of_models, window
 from ...reporting.log_figures import log_figures
 from ...reporting.paper_page import paper_page, table_1, table_2
+from ...reporting.plotted import Format, paper_figure
 from ...settings.logs import ROLES
 from ...settings.models import CENTRES, SMOOTHING
 from ...settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
@@ -31,11 +32,10 @@ from ...store import layout, schemas
 from ...store.lock import run_lock
 from ...store.run_folder import RunFolder, Written
 from ...units.units import ALPHA_UNIT
-from .. import stage_scores as scores
-from ..engine import Observer, Task, TaskStatus, tasks_of
+from .. import stage_validate as validate
+from ..engine import Observer, Task, TaskStatus, bring_up_to_date, tasks_of
 from ..report_data import read_run
-from ..schedule import bring_up_to_date
-from ..stages import STAGE_NAMES, Planned, of_stages, plan
+from ..run import STAGE_NAMES, Planned, of_stages, plan
 from .study import study_task
 
 ALGORITHM = "4"
@@ -166,7 +166,7 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
 def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> Mapping[str, Written]:
     from ...reporting.joint_figures import COLOURED
 
-    data = read_run(run, prototype, scores.scored_models(run, prototype))
+    data = read_run(run, prototype, validate.scored_models(run, prototype))
     figures: dict[str, tuple[Figure, Sequence[str]]] = {
         name: (figure, COLOURED) for name, figure in joint_figures(parameters).items()
     }
@@ -192,10 +192,7 @@ def joint_figures(parameters: JointParameters) -> dict[str, Figure]:
     motions = simulate_both(parameters, *pulse_sequence())
     modes = beam_modes(motions.full.qm, parameters.l)
     return {
-        "fig-01b": draw.double_well_figure(curves),
-        "fig-03": draw.equilibrium_figure(curves),
-        "fig-04": draw.force_figure(curves),
-        "fig-05": draw.capacitance_figure(curves),
+        **draw.paper_joint_figures(curves),
         "fig-06": draw.modes_figure(parameters, modes, motions.full.t),
         "fig-07": draw.motion_figure(motions),
     }
@@ -218,16 +215,18 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
     study = schemas.STUDIES["basis"], (settings.basis_functions, settings.smoothing)
     units = {column.key: column.unit for column in schemas.schema_of(study[0], device(prototype)).columns}
     begin = float(training.kinematics["t"][0])
-    shown = {name: data.models[name] for name in DRAWN if name in data.models}
+    q = np.linspace(network.centres[0], network.centres[-1], 241)
+    drawn = {name: data.models[name] for name in DRAWN if name in data.models}
+    curves = {name: model.curves(q) for name, model in drawn.items() if isinstance(model, HasCurves)}
     figures = {
-        "fig-08": draw.basis_figure(network.centres, network.width, network.weights[0]),
+        "fig-08": draw.basis_figure(q, basis_values(q, network.centres, network.width), network.weights[0]),
         "lag-search": draw.lag_figure(network.diagnostics["lag_search"]),
         "fig-11a": draw.signals_figure(training),
         "fig-11b": draw.basis_study_figure(run.read_table(layout.study("basis")), units, study[1]),
         "fig-11c": draw.alpha_figure(*_alpha_study(training.kinematics), float(RECIPE.alpha)),
         "fig-12": compared["train"],
         "fig-13": window(compared["train"], *(begin + at for at in draw.ZOOM)),
-        "fig-14": draw.curves_figure(shown, np.linspace(network.centres[0], network.centres[-1], 241)),
+        "fig-14": draw.curves_figure(curves, q),
     }
     return figures | ({"fig-15": compared["validation"]} if "validation" in compared else {})
 

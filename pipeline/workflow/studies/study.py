@@ -12,8 +12,8 @@ from ...device.device import Device, device
 from ...models.paper.model import identify_rbf_paper
 from ...models.paper.online import drifted, follow, memories
 from ...numerics.arrays import FloatArray, sample_interval
-from ...reporting.canvas import paper_figure
-from ...scoring.data_study import amount_study, held_out_error, noise_study
+from ...reporting.plotted import paper_figure
+from ...scoring.cross_validation import amount_study, held_out_error, noise_study
 from ...settings.logs import Role
 from ...settings.prototype import Prototype
 from ...signals.differentiate import alpha_study, differentiate
@@ -27,10 +27,9 @@ from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
 from ...system.worker_pool import in_processes
 from ...units.units import ALPHA_UNIT
-from ..engine import Observer, Task
+from ..engine import Observer, Task, bring_up_to_date
 from ..logs import load_logs, sources
 from ..report_data import read_study
-from ..schedule import bring_up_to_date
 from ..steps.differentiate import differentiator
 
 ALGORITHM = "2"

@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.models.free_runs import tubes
 from pipeline.models.model_type import KnownCurves
 from pipeline.models.rbf.candidates import FRICTION, Candidate, RbfChoice
 from pipeline.models.rbf.identify import identify_rbf
@@ -9,7 +10,6 @@ from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped
 from pipeline.models.rbf.structure import JointScales, JointStructure
-from pipeline.models.tubes import tubes
 from pipeline.signals.differentiate import differentiate
 from pipeline.signals.log import Log
 

@@ -1,0 +1,164 @@
+"""The assessment of the measurement: gaps, noise, rails, excitation, and whether validation stays inside training."""
+
+import re
+
+import numpy as np
+
+from ..fitting.information import coverage
+from ..numerics.arrays import FloatArray, sample_interval
+from ..scoring.wells import NoWells, Wells, snaps
+from ..signals.findings import Finding, Number
+from ..signals.log import voltages
+from ..signals.noise import below_resolution, noise_std, rounding
+from ..signals.signal_quality import examine_signal
+from .grades import Check, graded, of_finding
+from .run_data import LogData, RunData
+from .sentences import MASKS
+
+NOT_DECIMATED = 0.9
+"""Least sample interval of a log over that of its kinematics at which both have the same noise."""
+
+DEALT_WITH = re.compile(
+    r"masked|split there|start anew|not finite|single-sample|extreme .*saturated|kept|interpolated$|accepted"
+    r"|taken as uniform|a clock of its own"
+)
+"""Remarks on what is left out of fits and scores, or what the user has decided on."""
+
+
+def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
+    """The measurement: gaps, noise, rails, excitation, and whether validation stays inside the training range."""
+    advice = "judge every number with that in mind, or record again without it"
+    checks = [Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted]
+    checks += _remark_checks(data)
+    checks.append(_masked_check(data))
+    span, noise, rails = _signal_numbers(data)
+    checks.append(_noise_check(data, span, noise))
+    if data.prototype.ingest.rails == "keep" and rails > 0.0:  # the user has said what they are
+        checks.append(of_finding("data", Finding("rails", "good", subject="kept", numbers={"value": Number(rails)})))
+    else:
+        checks.append(graded("data", "rails", rails))
+    train = data.role("train")
+    if isinstance(wells, NoWells):
+        if data.device.joint:  # another device need not have two
+            checks.append(of_finding("data", Finding("no_wells", "fair", subject=wells.reason)))
+    else:
+        count = sum(len(snaps(log.kinematics["q"], wells)) for log in train)
+        checks.append(graded("data", "switches", count, subject="joint" if data.device.joint else ""))
+    checks += _coverage_checks(data)
+    return checks + _extrapolation_checks(data)
+
+
+def _remark_checks(data: RunData) -> list[Check]:
+    """Every remark on a log, and every (!) of the checks; what was masked or split is graded by its share."""
+    advice = "see to it, or judge every number with that in mind"
+    remarks = [
+        (log.title, str(text))
+        for log in data.logs
+        for text in log.record_notes.get("warnings", ())
+        if text not in log.record_notes.get("accepted", ())  # which have a row of their own
+    ]
+    checks = [
+        Check("data", "remark", "good" if DEALT_WITH.search(text) else "fair", f"{title}: {text}", advice)
+        for title, text in remarks
+        if text not in data.accepted
+    ]
+    return checks + [
+        Check("data", "check", "fair", f"{row['log']}: {row['what']}: {row['found']}", row["advice"])
+        for row in data.log_checks
+        if row["state"] == "note"
+    ]
+
+
+def _masked_check(data: RunData) -> Check:
+    """Rows that are no measurement, what made them so, and what to do about each; the ends of a log that were cut off
+    count.
+    """
+    cut = sum(float(log.record_notes.get("cut_off_s", 0.0)) / log.interval for log in data.logs)
+    rows = sum(len(log.kinematics["t"]) for log in data.logs) + cut
+    masked = (sum(int(np.count_nonzero(log.kinematics["segment"] < 0)) for log in data.logs) + cut) / rows
+    counts = {cause: sum(int(log.record_notes.get(cause, 0)) for log in data.logs) for cause in MASKS}
+    numbers = {cause: Number(count) for cause, count in counts.items() if count}
+    return graded("data", "masked", masked, numbers=numbers)
+
+
+def _extrapolation_checks(data: RunData) -> list[Check]:
+    """Validation samples outside the range of the training data."""
+    outside = _outside(data)
+    if outside is None:
+        return []
+    return [graded("data", "extrapolation", outside)]
+
+
+def _coverage_checks(data: RunData) -> list[Check]:
+    """Samples at the centres between the outermost two, which lie at the ends of the range."""
+    inner = centre_visits(data)[1][1:-1]
+    if inner.size == 0:
+        return []
+    subject = "joint" if data.device.joint else ""
+    numbers = {"centres": Number(inner.size)}
+    return [graded("data", "coverage", float(inner.min()), subject=subject, numbers=numbers)]
+
+
+def _noise_check(data: RunData, span: float, noise: float) -> Check:
+    """Noise over the range of q [both m or rad], or where the sensor's steps hide it, what these round off."""
+    steps = max(log.record_notes.get("resolution") or 0.0 for log in data.logs)
+    if below_resolution(noise, steps):
+        sizes = {"steps": Number(steps, data.device.displacement.symbol), "share": Number(steps / span)}
+        return graded("data", "noise", rounding(steps) / span, subject="steps", numbers=sizes)
+    return graded("data", "noise", noise / span, numbers={"noise": Number(noise, data.device.displacement.symbol)})
+
+
+def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
+    """Centres over the training range [m or rad], and the training samples nearest to each, both (centres,)."""
+    q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
+    q = q[np.isfinite(q)]
+    places = np.linspace(q.min(), q.max(), data.prototype.identify.basis_functions)
+    return places, coverage(places, [q], [np.zeros((q.size, 0))]).visits.astype(np.float64)
+
+
+def _signal_numbers(data: RunData) -> tuple[float, float, float]:
+    """Range of q, its largest noise and rail share over the logs."""
+    spans = []
+    noises = []
+    rails = []
+    for log in data.logs:
+        t = log.record["t"]
+        q = log.record["q"]
+        quality = examine_signal(t, q, sample_interval(t))
+        spans.append(quality.largest - quality.smallest)
+        rails.append(quality.low_rail + quality.high_rail)
+        # The differentiator works on the noise at the log's own rate; the record has what the filter left of it.
+        notes = log.kinematics_notes
+        of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
+        stated = [s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std")]
+        noises.append(min(max(stated, default=quality.noise), _noise_of_residual(data, log)))
+    return max(spans) or 1.0, max(noises), max(rails)
+
+
+def _noise_of_residual(data: RunData, log: LogData) -> float:
+    """Noise of q in the residual of the main model's free run, infinite where the residual does not show the sensor.
+
+    Where the device moves within a few samples, differences of q take motion for noise (1.0 mV on an electronic
+    resonator whose model errs by 0.24 mV); those of the residual have less of it. A log that was decimated has lost
+    noise.
+    """
+    run = log.predictions.get(data.model_names[0])
+    if run is None or log.record_notes.get("raw_step", 0.0) < NOT_DECIMATED * log.interval:
+        return np.inf
+    residual = log.kinematics["q"] - run["q"]
+    valid = residual[np.isfinite(residual) & (log.kinematics["segment"] >= 0)]
+    return noise_std(valid) or np.inf if valid.size else np.inf
+
+
+def _outside(data: RunData) -> float | None:
+    validation = data.role("validation")
+    if not validation:
+        return None
+    trained = [np.column_stack((log.kinematics["q"], voltages(log.kinematics))) for log in data.role("train")]
+    low = np.nanmin(np.concatenate(trained), axis=0)
+    high = np.nanmax(np.concatenate(trained), axis=0)
+    rows = np.concatenate([np.column_stack((g.kinematics["q"], voltages(g.kinematics))) for g in validation])
+    margin = 0.01 * (high - low)
+    rows = rows[np.isfinite(rows).all(axis=1)]
+    beyond = np.any((rows < low - margin) | (rows > high + margin), axis=1)
+    return float(np.mean(beyond)) if rows.size else None

@@ -1,0 +1,374 @@
+"""The datasheet of a device: facts with uncertainties, from the model and, beside it, from the measurement alone."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from ..models.base import DynamicModel
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import NORMAL_90
+from ..scoring.wells import NoWells, Wells
+from ..signals.findings import Finding, Number
+from ..signals.log import voltages
+from ..store.columns import FACT_COLUMNS, STABLE
+from .characteristics import (
+    COVERAGE,
+    Curves,
+    believed_wells,
+    device_facts,
+    equilibria,
+    intervals,
+    model_curves,
+    shares,
+)
+from .data_quality import data_checks
+from .events import RestFacts, rest_facts, ring_down
+from .grades import THRESHOLDS, Check, Grade, graded, of_finding, overall
+from .model_quality import model_checks
+from .run_data import RunData, wells_of_run
+
+FORMAT = "debist-datasheet/1"
+RING_TIME, RING_STEP = 2.0, 0.005  # s
+RING_AMPLITUDE = 0.025  # of the range of q: small enough for one frequency, large against friction
+
+SCATTERED = 0.1
+"""Share of the range of q: rests whose standard deviation is larger are several places."""
+LEAST_EVENTS = 3
+"""Fewest events for a spread."""
+LEAST_SPREAD = 0.05
+"""Least spread of a measured value: no rest and no ring-down repeats better."""
+
+
+@dataclass(frozen=True)
+class DatasheetFact:
+    """One line of the datasheet, in SI; None where it does not exist or is not known.
+
+    Attributes
+    ----------
+    value : float or None
+        By the model's curves; of a ring-down that of a small motion, as the whole model simulates it.
+    low, high : float or None
+        Central 90 % of what the training data leave open.
+    measured, measured_spread : float or None
+        The same from the data without any model, and its standard deviation over the events.
+    events : int
+        Number of events.
+    free_run : float or None
+        The same from the model's own free runs over the logs, which compares motions of the same size.
+    in_draws : float or None
+        Share of the draws that have the fact; there are no limits below `COVERAGE`.
+    """
+
+    key: str
+    title: str
+    unit: str
+    value: float | None
+    low: float | None = None
+    high: float | None = None
+    measured: float | None = None
+    measured_spread: float | None = None
+    events: int = 0
+    free_run: float | None = None
+    in_draws: float | None = None
+
+    @property
+    def doubt(self) -> str:
+        """Text in place of an interval where too few draws have the fact; empty otherwise."""
+        if self.low is not None or self.in_draws is None or self.in_draws >= COVERAGE:
+            return ""
+        return f"not certain: in {100.0 * self.in_draws:.0f} % of the draws"
+
+    @property
+    def half_width(self) -> float | None:
+        """Half of the interval of `value`."""
+        return None if self.low is None or self.high is None else (self.high - self.low) / 2.0
+
+
+def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
+    """One finding for each fact whose modelled value lies far outside the measured ones; one good one if none does.
+
+    Compared is what the model's free runs show in the same events, by the same estimator: damping depends on the size
+    of the motion, and a rest on how long ago the joint came there. Without a free run it is the model's own value.
+    """
+    compared = [(fact, distance(fact)) for fact in facts]
+    distances = [(fact, apart) for fact, apart in compared if apart is not None]
+    if not distances:
+        return []
+    limit = THRESHOLDS["measured_facts"]
+    off = [
+        graded("model", "measured_facts", apart, subject=fact.title, numbers=_compared(fact))
+        for fact, apart in distances
+        if limit.grade(apart) != "good"
+    ]
+    if off:
+        return off
+    largest = max(0.1, np.ceil(10.0 * max(apart for _, apart in distances)) / 10.0)  # "within" is rounded up
+    numbers = {"value": Number(float(largest)), "count": Number(len(distances))}
+    return [of_finding("model", Finding("measured_facts", "good", numbers=numbers))]
+
+
+def _compared(fact: DatasheetFact) -> dict[str, Number]:
+    """What is compared of a fact."""
+    assert fact.measured is not None  # noqa: S101 - as it has a distance
+    numbers = {"measured": Number(fact.measured, fact.unit, fact.measured_spread), "events": Number(fact.events)}
+    if fact.free_run is not None:
+        return numbers | {"free_run": Number(fact.free_run, fact.unit)}
+    assert fact.value is not None  # noqa: S101
+    return numbers | {"model": Number(fact.value, fact.unit, fact.half_width)}
+
+
+def distance(fact: DatasheetFact) -> float | None:
+    """Distance of model and measurement in standard deviations; None where there is nothing to compare.
+
+    They are those of the measured events, and of the model where its own value is compared.
+    """
+    if fact.measured is None or fact.measured_spread is None or fact.events < LEAST_EVENTS:
+        return None
+    spread = max(fact.measured_spread, LEAST_SPREAD * abs(fact.measured))
+    if fact.free_run is not None:
+        return abs(fact.free_run - fact.measured) / spread
+    if fact.value is None:
+        return None
+    return abs(fact.value - fact.measured) / float(np.hypot(spread, (fact.half_width or 0.0) / NORMAL_90))
+
+
+@dataclass(frozen=True)
+class Datasheet:
+    """What is known of a device, and how good data and model are.
+
+    Attributes
+    ----------
+    model : str or None
+        Name of the model that the facts come from; None if no model has curves.
+    main_model : str
+        Name of the model that is judged.
+    curves, draws : of that model
+        On the training range; draws from its posterior for bands.
+    """
+
+    name: str
+    model: str | None
+    main_model: str
+    facts: tuple[DatasheetFact, ...]
+    checks: tuple[Check, ...]
+    wells: Wells | NoWells
+    rests: RestFacts
+    curves: Mapping[str, Curves]
+    draws: Mapping[str, list[Curves]]
+
+    @property
+    def refused(self) -> bool:
+        """Whether the facts come from a model that the assessment rejects."""
+        return self.model == self.main_model and is_refused([vars(check) for check in self.checks])
+
+    @property
+    def grades(self) -> dict[str, Grade]:
+        """The assessment of the data and on the model: the worst grade of the checks of each."""
+        return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
+
+    def elements(self, data: RunData) -> list[dict[str, Any]]:
+        """Forces of the elements of the judged model along the training logs, the largest first; 0 of what is absent.
+
+        The share is that of the restoring force. Empty for a model whose elements are not known.
+        """
+        forces: Mapping[str, float] = data.descriptions.get(self.main_model, {}).get("elements", {})
+        whole = forces.get("restoring force")
+        unit = data.device.curve_units["F"]
+        return [
+            {"name": name, "force_rms": force, "unit": unit, "share": force / whole if whole else None}
+            for name, force in sorted(forces.items(), key=lambda item: -item[1])
+        ]
+
+    def to_json(self, data: RunData) -> dict[str, Any]:
+        """The document that is written as ``datasheet.json``; SI units, null where unknown."""
+        return {
+            "format": FORMAT,
+            "name": self.name,
+            "facts_from": self.model,
+            "judged_model": self.main_model,
+            "choice": None if data.choice is None else dict(data.choice),
+            "level_of_intervals": COVERAGE,
+            "facts": [asdict(fact) for fact in self.facts],
+            "elements": self.elements(data),
+            "verdict": {**self.grades, "checks": [asdict(check) for check in self.checks]},
+            "instruments": [dict(row) for row in data.instruments],
+            "scores": [dict(score) for score in data.scores],
+        }
+
+
+def is_refused(checks: Iterable[Mapping[str, Any]]) -> bool:
+    """Whether the checks of an assessment, as its JSON has them, say not to use the model: a constant does better."""
+    return any(check["name"] == "constant" and check["grade"] == "poor" for check in checks)
+
+
+def make_datasheet(data: RunData) -> Datasheet:
+    """Evaluate curves, rests and ring-downs of a run, and judge it."""
+    wells = wells_of_run(data)
+    records = [(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs]
+    hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
+    rests = rest_facts(records, wells, hum, plant=data.device)
+    curves, draws = model_curves(data)
+    source = next(iter(curves), None)
+    values: dict[str, float | None] = {}
+    limits: dict[str, tuple[float, float]] = {}
+    in_draws: dict[str, float] = {}
+    if source is not None:
+        values, limits, in_draws = _by_model(data, curves[source], draws.get(source, []))
+        stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
+        believed = believed_wells(wells, source, stable, plant=data.device)
+        if believed is not wells:
+            wells = believed
+            rests = rest_facts(records, believed, hum, plant=data.device)
+        values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
+    events = _in_free_run(data, source, wells)
+    facts = _facts(data, values, limits, in_draws, rests, wells, events)
+    main_model = data.model_names[0]
+    checks = (
+        *data_checks(data, wells),
+        *model_checks(data, main_model, _rest_errors(events, values, rests, wells), wells),
+        *fact_checks(facts),
+    )
+    return Datasheet(data.prototype.name, source, main_model, facts, checks, wells, rests, curves, draws)
+
+
+def _by_model(
+    data: RunData, curves: Curves, draws: list[Curves]
+) -> tuple[dict[str, float | None], dict[str, tuple[float, float]], dict[str, float]]:
+    """Facts of the curves, their intervals, and the share of the draws that have each.
+
+    Stable states have neither interval nor share: a draw may have another number of them than the curves.
+    """
+    values = device_facts(curves, plant=data.device)
+    drawn = [device_facts(draw, plant=data.device) for draw in draws]
+    limits = intervals(values, drawn) if draws else {}
+    compared = {key for key in values if not key.startswith(STABLE)}
+    in_draws = {key: share for key, share in shares(values, drawn).items() if key in compared}
+    return values, {key: ends for key, ends in limits.items() if key in compared}, in_draws
+
+
+def _simulated_ring_downs(
+    model: DynamicModel, values: Mapping[str, float | None], curves: Curves, inputs: int
+) -> dict[str, float | None]:
+    """Frequency and damping ratio of a small free oscillation in each well, as the whole model simulates it."""
+    facts: dict[str, float | None] = {}
+    t = np.arange(0.0, RING_TIME, RING_STEP)
+    amplitude = RING_AMPLITUDE * float(curves.q[-1] - curves.q[0])
+    mass = float(getattr(model, "mass", 1.0))
+    for key, side in (("well_left", "_left"), ("well_right", "_right"), ("rest", "")):
+        place = values.get(key)
+        stiffness = values.get(f"stiffness{side}")
+        if place is None or stiffness is None:
+            continue
+        run = model.simulate(t, np.zeros((t.size, inputs)), place, amplitude * float(np.sqrt(stiffness / mass)))
+        ring = ring_down(t, run.q) if run.status == "ok" and np.isfinite(run.q).all() else None
+        facts[f"frequency{side}"] = ring.frequency if ring else None
+        facts[f"damping{side}"] = ring.damping if ring else None
+    return facts
+
+
+def _rest_errors(
+    events: Mapping[str, float], values: Mapping[str, float | None], rests: RestFacts, wells: Wells | NoWells
+) -> tuple[float, float] | None:
+    """Modelled minus measured rest on the left and on the right; None unless all are known.
+
+    Modelled are the rests in free runs over the logs; without those the equilibria, short of which friction and creep
+    hold a joint.
+    """
+    if isinstance(wells, NoWells):
+        return None
+    measured = _measured(rests, wells)
+    both = ("well_left", "well_right")
+    if all(key in events and key in measured for key in both):
+        return events["well_left"] - measured["well_left"].mean(), events["well_right"] - measured["well_right"].mean()
+    left, right = (values.get(key) for key in both)
+    return None if left is None or right is None else (left - wells.left, right - wells.right)
+
+
+def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> dict[str, float]:
+    """Rests and ring-downs in the model's own free runs over the logs, evaluated as those that were measured."""
+    logs = [log for log in data.logs if model in log.predictions]
+    if model is None or not logs:
+        return {}
+    runs = [(log.kinematics["t"], log.predictions[model]["q"], voltages(log.kinematics)) for log in logs]
+    events = _measured(rest_facts(runs, wells, plant=data.device), wells)
+    return {key: float(np.mean(values)) for key, values in events.items()}
+
+
+def _facts(
+    data: RunData,
+    values: Mapping[str, float | None],
+    limits: Mapping[str, tuple[float, float]],
+    in_draws: Mapping[str, float],
+    rests: RestFacts,
+    wells: Wells | NoWells,
+    in_free_run: Mapping[str, float],
+) -> tuple[DatasheetFact, ...]:
+    # One rest measured over several modelled ones is the mean of all, and none of them.
+    several = values.get("well_left") is not None or any(key.startswith(STABLE) for key in values)
+    measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
+    if "rest" in measured and _scattered(measured["rest"], [log.kinematics["q"] for log in data.logs]):
+        del measured["rest"]
+    of_mass = data.device.known_mass is not None
+    stiffness = f"{data.device.curve_units['F']}/{data.device.displacement.symbol}" if of_mass else "1/s²"
+    units = {
+        "{q}": data.device.displacement.symbol,
+        "{v}": data.device.inputs[0].symbol,
+        "{U}": data.device.energy_unit,
+        "{k}": stiffness,
+    }
+    facts = []
+    for key, title, unit in _listed(values):
+        events = measured.get(key)
+        if values.get(key) is None and events is None:
+            continue
+        low, high = limits.get(key, (None, None))
+        samples = np.empty(0) if events is None else events
+        facts.append(
+            DatasheetFact(
+                key,
+                title,
+                units.get(unit, unit),
+                values.get(key),
+                low,
+                high,
+                float(np.mean(samples)) if samples.size else None,
+                float(np.std(samples, ddof=1)) if samples.size > 1 else None,
+                int(samples.size),
+                in_free_run.get(key) if samples.size else None,
+                in_draws.get(key),
+            )
+        )
+    return tuple(facts)
+
+
+def _listed(values: Mapping[str, float | None]) -> Iterator[tuple[str, str, str]]:
+    """Key, title and unit of every fact that a device may have; stable states are numbered."""
+    stable = [key.removeprefix(STABLE) for key in values if key.startswith(STABLE)]
+    for column in FACT_COLUMNS:
+        for number in stable if column.key == STABLE else ("",):
+            yield column.key + number, f"{column.title} {number}".rstrip(), column.unit
+
+
+def _scattered(places: FloatArray, motions: Sequence[FloatArray]) -> bool:
+    """Whether places of rest are too far apart for one: of a drive that stays anywhere, or of a log without rests."""
+    low = min(float(np.nanmin(q)) for q in motions)
+    high = max(float(np.nanmax(q)) for q in motions)
+    return bool(np.std(places) > SCATTERED * (high - low))
+
+
+def _measured(rests: RestFacts, wells: Wells | NoWells) -> dict[str, FloatArray]:
+    if isinstance(wells, NoWells):
+        sides = {"rest": ("", rests.left, rests.rings_left)}
+    else:
+        sides = {
+            "well_left": ("_left", rests.left, rests.rings_left),
+            "well_right": ("_right", rests.right, rests.rings_right),
+        }
+    events = {}
+    for key, (side, places, rings) in sides.items():
+        events[key] = places
+        events[f"frequency{side}"] = np.array([ring.frequency for ring in rings])
+        events[f"damping{side}"] = np.array([ring.damping for ring in rings])
+    return {key: values for key, values in events.items() if values.size}

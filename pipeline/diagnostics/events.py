@@ -1,0 +1,209 @@
+"""Events of a log without any model: switched voltages, and the rests between with their ring-downs."""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..device.device import Device
+from ..numerics.arrays import FloatArray, runs_of, sample_interval
+from ..scoring.wells import NoWells, Wells, end_of_rest, places_of_rest, rests
+from ..signals.spectrum import aliased
+
+SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
+STEP, LEVEL_MOVES = 0.1, 0.02  # of an input's range: least height of a step, and what moves between two levels
+STEP_SAMPLES, LEVEL_SAMPLES = 3, 5  # within which a step is over, and for which a level lasts at least
+MOST_STEPS = 60  # of one log: more lines than that hide the signals
+QUIET = 0.1  # s without a switch before one counts as an event of its own
+RING_DOWN = 1.5  # s after a switch-off in which the oscillation is looked at
+MOST_RING_DOWNS = 100  # of one log that are looked at
+LEAST_SAMPLES = 20
+MOST_UNEXPLAINED = 0.3  # RMS of the rest over that of the oscillation, beyond which no frequency is stated
+BESIDE_MONOTONE = 0.5  # what a ring-down leaves unexplained, as a share of what the best monotone course leaves
+LEAST_DAMPING = 1e-4  # damping ratio below which an oscillation is not a device's own: it is driven, or hum
+MAINS_WIDTH = 0.5  # Hz to either side of a line of the mains, where it appears in the samples
+FARTHEST = 30.0  # of the logarithms of decay and frequency [1/s], which stay finite
+
+
+@dataclass(frozen=True)
+class RingDown:
+    """A damped sinusoid: frequency [Hz], damping ratio, and the unexplained share (RMS over RMS)."""
+
+    frequency: float
+    damping: float
+    unexplained: float
+
+
+def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
+    """Fit ``q = a + b t + e^(−ζω₀t) (c cos ωt + s sin ωt)``; None where there is no such oscillation.
+
+    The four linear numbers are eliminated (Golub & Pereyra 1973, doi:10.1137/0710036), so that decay and frequency are
+    left to a search by Levenberg and Marquardt. It starts at the highest line of the spectrum.
+
+    Parameters
+    ----------
+    t : FloatArray, shape (n,)
+        Uniform time [s].
+    q : FloatArray, shape (n,)
+        Displacement, finite.
+    """
+    from scipy.optimize import leastsq
+
+    if q.size < LEAST_SAMPLES:
+        return None
+    time = t - t[0]
+    span = float(t[-1] - t[0])
+    trend = np.column_stack((np.ones_like(time), time / span))
+    oscillation = q - trend @ np.linalg.lstsq(trend, q, rcond=None)[0]
+    size = float(np.linalg.norm(oscillation))
+    if size == 0.0:
+        return None
+    padded = 8 * q.size
+    line = int(np.argmax(np.abs(np.fft.rfft(oscillation, padded))))
+    omega = 2.0 * np.pi * line / (padded * span / (q.size - 1))
+    if omega * span < 2.0 * np.pi:
+        return None
+    columns = np.empty((4, q.size))
+    columns[:2] = trend.T
+
+    def rest(logs: FloatArray) -> FloatArray:
+        """Part that decay and frequency [1/s], as logarithms, leave unexplained, over the size of the oscillation."""
+        decay, angular = np.exp(np.clip(logs, -FARTHEST, FARTHEST))
+        swing = np.exp(complex(-decay, angular) * time)
+        columns[2], columns[3] = swing.real, swing.imag
+        weights = np.linalg.lstsq(columns @ columns.T, columns @ q, rcond=None)[0]
+        return np.asarray((q - weights @ columns) / size)
+
+    best, _, outcome, _, _ = leastsq(rest, np.log([2.0 / span, omega]), full_output=True)
+    decay, angular = np.exp(np.clip(best, -FARTHEST, FARTHEST))
+    unexplained = float(np.linalg.norm(outcome["fvec"]))
+    if unexplained > MOST_UNEXPLAINED or angular * span < 2.0 * np.pi:
+        return None
+    if unexplained * size > BESIDE_MONOTONE * _left_by_monotone(q):
+        return None
+    natural = float(np.hypot(decay, angular))
+    return RingDown(float(angular / (2.0 * np.pi)), float(decay / natural), unexplained)
+
+
+def _left_by_monotone(q: FloatArray) -> float:
+    """Norm of what the best monotone course leaves of q: an overdamped device creeps back and does not ring."""
+    from scipy.optimize import isotonic_regression
+
+    return min(float(np.linalg.norm(q - isotonic_regression(q, increasing=rises).x)) for rises in (True, False))
+
+
+def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:
+    """Times [s] at which an input is switched on or off; of a burst (a chirp) only the first, shape (n,)."""
+    times = []
+    for column in v.T:
+        peak = float(np.max(np.abs(column), initial=0.0))
+        if peak > 0.0:
+            on = np.abs(column) > SWITCHED * peak
+            times.append(t[1:][on[1:] != on[:-1]])
+    ordered = np.sort(np.concatenate(times)) if times else np.empty(0)
+    apart = np.diff(ordered, prepend=-np.inf) > QUIET
+    first: FloatArray = ordered[apart]
+    return first
+
+
+def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
+    """Times [s] at which an input jumps from level to level, shape (n,); none if there are more than `MOST_STEPS`.
+
+    A jump is over within `STEP_SAMPLES` samples and the input stays before and after it for `LEVEL_SAMPLES` or to the
+    end of the log, so that what changes all the time, as a sine or a ramp, has none.
+    """
+    times = []
+    for column in v.T:
+        size = float(np.ptp(column))
+        moving = runs_of(np.abs(np.diff(column)) > LEVEL_MOVES * size)
+        begins = np.array([rows.start for rows in moving])
+        ends = np.array([rows.stop for rows in moving])
+        stays = np.concatenate(([LEVEL_SAMPLES], begins[1:] - ends[:-1], [LEVEL_SAMPLES])) >= LEVEL_SAMPLES
+        for begin, end, before, after in zip(begins, ends, stays[:-1], stays[1:], strict=False):
+            short = before and after and end - begin <= STEP_SAMPLES
+            if short and abs(column[end] - column[begin]) >= STEP * size:
+                times.append(float(t[begin + 1]))
+    apart = np.unique(times)
+    return apart if apart.size <= MOST_STEPS else np.empty(0)
+
+
+@dataclass(frozen=True)
+class RestFacts:
+    """What the rests of a device show without any model.
+
+    Attributes
+    ----------
+    left, right : FloatArray, shape (n,)
+        Rest positions at zero voltage in the two wells.
+    rings_left, rings_right : tuple of RingDown
+        After switch-offs, where the device rings in that well.
+    """
+
+    left: FloatArray
+    right: FloatArray
+    rings_left: tuple[RingDown, ...]
+    rings_right: tuple[RingDown, ...]
+
+
+def rest_facts(
+    records: list[tuple[FloatArray, FloatArray, FloatArray]],
+    wells: Wells | NoWells,
+    hum: Collection[float] = (),
+    *,
+    plant: Device,
+) -> RestFacts:
+    """Rest positions and ring-downs of some logs.
+
+    Parameters
+    ----------
+    records : list of (t, q, v)
+        Uniform records: time [s], displacement with NaN where masked, inputs (N, K).
+    wells : Wells or NoWells
+        Without wells all rests are one place, on the left.
+    hum : collection of float
+        Mains lines in the displacement [Hz]; what oscillates there, or where it is aliased to, is no ring-down.
+    plant : Device
+        Its inputs, and whether it is the joint.
+
+    Notes
+    -----
+    Cost: 8 ms a ring-down, at most `MOST_RING_DOWNS` in a log, evenly over it.
+    """
+    places: tuple[list[float], list[float]] = ([], [])
+    rings: tuple[list[RingDown], list[RingDown]] = ([], [])
+    for t, q, v in records:
+        interval = sample_interval(t)
+        quiet = rests(v, sample_interval(t), plant=plant)
+        standing = [rest.start for rest in places_of_rest(q, v, interval, plant=plant)]
+        step = -(-len(quiet) // MOST_RING_DOWNS)
+        for number, rest in enumerate(quiet):
+            end = q[end_of_rest(rest, interval)]
+            if not np.isfinite(end).all():
+                continue
+            place = float(np.median(end))
+            side = int(isinstance(wells, Wells) and place > wells.barrier)
+            if rest.start in standing:
+                places[side].append(place)
+            ring = _ring_down(t, q, rest, interval, wells) if number % step == 0 else None
+            if ring is not None and not _is_driven(ring, interval, hum):
+                rings[side].append(ring)
+    return RestFacts(np.array(places[0]), np.array(places[1]), tuple(rings[0]), tuple(rings[1]))
+
+
+def _is_driven(ring: RingDown, interval: float, hum: Collection[float]) -> bool:
+    """Whether it does not decay, or is a line of the mains [Hz] in samples an interval [s] apart."""
+    at_line = any(abs(ring.frequency - aliased(line, interval)) < MAINS_WIDTH for line in hum)
+    return ring.damping < LEAST_DAMPING or at_line
+
+
+def _ring_down(t: FloatArray, q: FloatArray, rest: slice, interval: float, wells: Wells | NoWells) -> RingDown | None:
+    stop = min(rest.stop, rest.start + round(RING_DOWN / interval))
+    part = q[rest.start : stop]
+    if rest.start == 0 or not np.isfinite(part).all():
+        return None
+    first = rest.start
+    if isinstance(wells, Wells):
+        side = wells.side(part)
+        crossings = np.flatnonzero(side[1:] != side[:-1])
+        first += int(crossings[-1]) + 1 if crossings.size else 0
+    return ring_down(t[first:stop], q[first:stop])

@@ -1,0 +1,297 @@
+"""The assessment of the main model: errors and their causes, wells, rivals, generalisation, trust."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ..numerics.arrays import FloatArray
+from ..scoring.wells import NoWells, Wells, snaps
+from ..signals.findings import Finding, Number
+from ..system.names import ROLE_WORDS, log_title
+from ..units.units import HORIZONS
+from .grades import THRESHOLDS, Check, graded, of_finding
+from .run_data import LogData, RunData
+
+BRIEF = 0.1
+"""Share of a log that one place lasts at most."""
+MOST_OF_IT = 0.8
+"""Share of the squared error that one place must make."""
+
+
+def instrument_findings(data: RunData, model: str) -> list[Finding]:
+    """Readings of the instruments beyond their limits; none in a run without a measurement of them."""
+    rows = [row for row in data.instruments if row["model"] == model]
+    findings = []
+    logs = dict.fromkeys((row["role"], row["log"]) for row in rows)
+    trained = [log for log in logs if log[0] == "train"]
+    if len(trained) == 2:  # each is compared with the other: neither is the wrong one by that
+        findings += _disagreements(rows, trained[0], log_title(*trained[1]), data.device.displacement.symbol)
+        logs = dict.fromkeys(log for log in logs if log not in trained)
+    for log in logs:
+        of_log = [row for row in rows if (row["role"], row["log"]) == log]
+        title = log_title(*log)
+        if of_log[0]["status"] == "another device":
+            ratio = Number(float(of_log[0]["residual_ratio"]))
+            findings.append(Finding("another_device", "poor", title, numbers={"residual_ratio": ratio}))
+            continue
+        if of_log[0]["exchanged"] != "none":
+            findings.append(Finding("exchanged", "poor", title, of_log[0]["exchanged"]))
+        findings += [_instrument(row, title, data.device.displacement.symbol) for row in of_log if row["beyond"]]
+    return findings
+
+
+def _disagreements(
+    rows: Sequence[Mapping[str, Any]], log: tuple[str, str], other: str, displacement: str
+) -> list[Finding]:
+    """What one of two training logs reads otherwise than the other one."""
+    own = [row for row in rows if (row["role"], row["log"]) == log]
+    if own[0]["exchanged"] != "none":
+        return [Finding("unlike_training", "poor", log_title(*log), other)]
+    found = [_instrument(row, log_title(*log), displacement) for row in own if row["beyond"]]
+    return [replace(finding, code="disagreement", log=f"{finding.log} and the {other}") for finding in found]
+
+
+def _instrument(row: Mapping[str, Any], title: str, displacement: str) -> Finding:
+    unit = {"zero_q": displacement, "delay": "s"}.get(row["quantity"], "1")
+    numbers = {
+        "estimate": Number(float(row["estimate"]), unit, float(row["standard_error"])),
+        "limit": Number(float(row["limit"]), unit),
+        "correction": Number(float(row["correction"]), unit),
+    }
+    return Finding("instrument", "fair", title, row["quantity"], numbers)
+
+
+def causes(data: RunData, worst: Mapping[str, Any], ratio: float, wells: Wells | NoWells) -> list[Finding]:
+    """That a validation log has `ratio` times the error of the training logs, unless what was measured explains it.
+
+    Parameters
+    ----------
+    data : RunData
+        The run.
+    worst : mapping
+        Row of the score table of the validation log with the largest error.
+    ratio : float
+        That error over the largest of the training logs.
+    wells : Wells or NoWells
+        Of the run.
+
+    Returns
+    -------
+    list of Finding
+        The passage over the barrier that makes it, nothing where instruments, another device or extrapolation have
+        findings of their own, else the ratio itself.
+    """
+    title = log_title(worst["role"], worst["log"])
+    severity = THRESHOLDS["generalisation"].grade(ratio)
+    if severity == "good":
+        return [Finding("generalisation", severity, title, worst["model"], {"ratio": Number(ratio)})]
+    if any(finding.log == title for finding in instrument_findings(data, worst["model"])):
+        return []
+    if THRESHOLDS["outside"].grade(worst.get("outside_training") or 0.0) != "good":
+        return []
+    log = next(log for log in data.logs if (log.role, log.name) == (worst["role"], worst["log"]))
+    passage = None if isinstance(wells, NoWells) else _one_passage(log, worst["model"], wells)
+    if passage is not None:
+        share, time = passage
+        numbers = {"share": Number(share), "time": Number(time, "s"), "ratio": Number(ratio)}
+        return [Finding("one_passage", "fair", title, worst["model"], numbers)]
+    return [Finding("generalisation", severity, title, worst["model"], {"ratio": Number(ratio)})]
+
+
+def _one_passage(log: LogData, model: str, wells: Wells) -> tuple[float, float] | None:
+    """Share of the squared error behind one passage over the barrier, and when it is [s]; None where there is none.
+
+    The passage is the slowest of the measured and the modelled ones within the tenth of the log that errs most.
+    """
+    if model not in log.predictions:
+        return None
+    q = np.asarray(log.kinematics["q"])
+    own = np.asarray(log.predictions[model]["q"])
+    squares = np.nan_to_num((q - own) ** 2)
+    length = max(1, round(BRIEF * squares.size))
+    sums = np.concatenate(([0.0], np.cumsum(squares)))
+    windows = sums[length:] - sums[:-length]
+    begin = int(np.argmax(windows))
+    share = float(windows[begin] / sums[-1]) if sums[-1] > 0.0 else 0.0
+    if share < MOST_OF_IT:
+        return None
+    crossings = [row for run in (q, own) for row in _crossings(run, wells) if begin - 1 <= row < begin + length]
+    if not crossings:
+        return None
+    return share, float(log.kinematics["t"][_slowest(crossings, q, own)])
+
+
+def _crossings(q: FloatArray, wells: Wells) -> Sequence[int]:
+    return [int(row) for row in snaps(q, wells)]
+
+
+def _slowest(crossings: Sequence[int], q: FloatArray, own: FloatArray) -> int:
+    """The crossing at which measurement or model move least."""
+    speeds = [
+        min(abs(float(run[min(row + 1, run.size - 1)] - run[max(row - 1, 0)])) for run in (q, own)) for row in crossings
+    ]
+    return crossings[int(np.argmin(speeds))]
+
+
+RIVAL_SURELY = 2e-3
+"""Least NRMSE by which a baseline is surely better before it is mentioned."""
+
+
+WORST = 0.15
+"""NRMSE of a free run beyond which what follows a measured state is judged beside it."""
+
+
+def model_checks(
+    data: RunData, model: str, rest_errors: tuple[float, float] | None, wells: Wells | NoWells
+) -> list[Check]:
+    """The main model: free-run error, wells, generalisation, and by how much its two rests err.
+
+    Parameters
+    ----------
+    data : RunData
+        The run.
+    model : str
+        The main model.
+    rest_errors : (float, float) or None
+        Errors of its rests left and right, as shares of the range.
+    wells : Wells or NoWells
+        The wells in the data.
+    """
+    by_role = {
+        role: [s for s in data.scores if s["model"] == model and s["role"] == role and s["signal"] == "q"]
+        for role in ("train", "validation")
+    }
+    judged, where = (by_role["validation"], "validation") if by_role["validation"] else (by_role["train"], "train")
+    checks = [] if where == "validation" else [_no_validation(data)]
+    checks += _ended_early(model, data.descriptions.get(model, {}), judged)
+    errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
+    if errors:
+        checks.append(graded("model", "nrmse", max(errors), log=f"worst {ROLE_WORDS[where]} log", subject=model))
+    if isinstance(wells, NoWells):  # what the scores say of wells is of rests that are none
+        judged = [{**s, "switch_accuracy": None, "outcomes": None} for s in judged]
+    right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]
+    if right:
+        checks.append(graded("model", "switch_accuracy", min(right)))
+    checks += [*_constant_checks(data, judged), *_rival_checks(data, judged)]
+    checks += [of_finding("data", finding) for finding in instrument_findings(data, model)]
+    checks += _trust_checks(judged)
+    train = [s["nrmse"] for s in by_role["train"] if s["nrmse"]]
+    # A still smaller error on the training data is no fault if the error is good.
+    if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
+        worst = max((s for s in judged if s["nrmse"] is not None), key=lambda score: score["nrmse"])
+        found = causes(data, worst, max(errors) / max(train), wells)
+        checks += [of_finding("model", finding) for finding in found]
+    if rest_errors is not None and isinstance(wells, Wells):
+        off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
+        checks.append(graded("model", "wells", off))
+    return checks
+
+
+def _no_validation(data: RunData) -> Check:
+    return of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s"))
+
+
+def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Logs that their own mean predicts better."""
+    checks = []
+    for own in judged:
+        spread = _spread(data, own)
+        if own["nrmse"] is not None and own["nrmse"] > spread:
+            checks.append((own["nrmse"] / spread, spread, own))
+    if not checks:
+        return []
+    _, spread, own = max(checks, key=lambda check: check[0])
+    numbers = {"constant": Number(spread), "own": Number(own["nrmse"])}
+    finding = Finding("constant", "poor", log_title(own["role"], own["log"]), own["model"], numbers)
+    return [of_finding("model", finding)]
+
+
+def _spread(data: RunData, score: Mapping[str, Any]) -> float:
+    """NRMSE of q of a constant, its mean, on the log of a score; infinite where q is constant."""
+    q = next(log for log in data.logs if (log.role, log.name) == (score["role"], score["log"])).kinematics["q"]
+    q = q[np.isfinite(q)]
+    return float(np.std(q) / np.ptp(q)) if np.ptp(q) > 0.0 else np.inf
+
+
+def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Logs that another model of the run predicts surely better, or that this one diverged on."""
+    rivals = {(s["role"], s["log"], s["model"]): s["nrmse"] for s in data.scores if s["signal"] == "q"}
+    checks = []
+    for own in judged:
+        others = {m: e for (*log, m), e in rivals.items() if e and log == [own["role"], own["log"]]}
+        if not others:
+            continue
+        best = min(others, key=lambda name: others[name])
+        if own["nrmse"] is None and others[best] < _spread(data, own):  # one that a constant beats is no help
+            checks.append((np.inf, best, others[best], own))
+        elif own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
+            checks.append((own["nrmse"] / others[best], best, others[best], own))
+    if not checks:
+        return _rivals_from_a_state(data, judged)
+    ratio, best, error, own = max(checks, key=lambda check: check[0])
+    numbers = {"error": Number(error)}
+    log = log_title(own["role"], own["log"])
+    subject = f"{best}, {own['model']}"
+    if own["nrmse"] is None:  # a free run that diverged has no ratio
+        return [of_finding("model", Finding("rival", "poor", log, subject, numbers))]
+    numbers["own"] = Number(own["nrmse"])
+    return [graded("model", "rival", ratio, log=log, subject=subject, numbers=numbers)]
+
+
+def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Where free runs are lost, as on a chaotic device: which model predicts surely better from a measured state."""
+    checks = []
+    for own in (score for score in judged if score["nrmse"] is None or score["nrmse"] > WORST):
+        others = [s for s in data.scores if all(s[key] == own[key] for key in ("role", "log", "signal"))]
+        for name, (seconds, _) in HORIZONS.items():
+            at = f"nrmse_{name}"
+            better = [s for s in others if _number(s.get(f"{at}_high")) < _number(own.get(f"{at}_low"), lacking=0.0)]
+            if seconds and better:
+                best = min(better, key=lambda score: score[at])
+                checks.append((own[at] / best[at], seconds, best[at], own[at], best))
+    if not checks:
+        return []
+    ratio, seconds, error, own_error, best = max(checks, key=lambda check: check[0])
+    log = log_title(best["role"], best["log"])
+    models = f"{best['model']}, {judged[0]['model']}"
+    numbers = {"error": Number(error), "own": Number(own_error), "horizon": Number(seconds, "s")}
+    return [graded("model", "rival", ratio, log=log, subject=models, numbers=numbers)]
+
+
+def _number(value: float | None, *, lacking: float = np.inf) -> float:
+    return lacking if value is None else float(value)
+
+
+def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """A fit that had not converged, and free runs that diverged."""
+    checks = []
+    if description.get("converged") is False:
+        checks.append(of_finding("model", Finding("converged", "fair", subject=model)))
+    diverged = [s for s in judged if s["status"] != "ok"]
+    if diverged:
+        times = {str(s["log"]): Number(float(s["diverged_at_s"]), "s") for s in diverged}
+        checks.append(of_finding("model", Finding("divergence", "poor", subject=model, numbers=times)))
+    return checks
+
+
+def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Ambiguous switching outcomes, and states outside the training data."""
+    checks = []
+    outcomes = sum(s.get("outcomes") or 0 for s in judged)
+    if outcomes:
+        open_ones = sum(s.get("ambiguous_outcomes") or 0 for s in judged)
+        counts = {"open": Number(open_ones), "outcomes": Number(outcomes)}
+        checks.append(graded("model", "ambiguous", open_ones / outcomes, numbers=counts))
+    outside = [s for s in judged if s.get("outside_training") is not None]
+    if outside:
+        most = max(outside, key=lambda score: score["outside_training"])
+        title = log_title(most["role"], most["log"])
+        outside_check = graded("model", "outside", float(most["outside_training"]), log=title)
+        errors = [s["nrmse"] for s in judged]
+        right = all(error is not None and THRESHOLDS["nrmse"].grade(error) == "good" for error in errors)
+        checks.append(
+            replace(outside_check, grade="fair") if right and outside_check.grade == "poor" else outside_check
+        )
+    return checks

@@ -1,0 +1,126 @@
+"""The residual of a free run: its correlation with itself and with the inputs, and its spectrum.
+
+The tests are those of MATLAB's ``resid`` (Ljung, System Identification, § 16.6): a residual without memory stays
+inside the band of its autocorrelation, one that the inputs explain no further inside that of the cross-correlation. A
+free run feeds nothing back, so that its residual rings with the device: that it is coloured alone is no fault, that
+it correlates with the inputs is.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..numerics.arrays import FloatArray, longest_run, samples_of
+from ..numerics.metrics import NORMAL_99
+from ..signals.log import voltages
+from .run_data import LogData, RunData
+
+LONGEST_LAG = 1.0
+FEWEST_LAGS = 50
+SHARE = 8
+"""Largest lag [s]; of a slow device, or a log too short for that, so many samples; and how many times as long as the
+largest lag a segment is at least."""
+
+SEGMENTS = 8
+"""Parts that overlap by half and whose spectra are averaged (Welch)."""
+
+
+@dataclass(frozen=True)
+class Residual:
+    """The analysis of one residual.
+
+    Attributes
+    ----------
+    lags : FloatArray, shape (2 L + 1,)
+        Lags [s], from −L to L samples; positive where the residual follows the input.
+    correlation : FloatArray, shape (2 L + 1,)
+        Autocorrelation.
+    band : float
+        99 % of the autocorrelations of white noise lie within ± this.
+    with_inputs : FloatArray, shape (K, 2 L + 1)
+        Correlation with each input.
+    input_bands : FloatArray, shape (K,)
+        The same bounds for a residual that is as coloured, but independent of the input (Bartlett's formula).
+    outside : float
+        Share of the cross-correlations at lags from 0 on that lie outside their bands; 0.01 is what chance gives.
+    frequency, density, measured_density : FloatArray, shape (F,)
+        Frequency [Hz] and power spectral densities of residual and measured signal [unit²/Hz].
+    """
+
+    lags: FloatArray
+    correlation: FloatArray
+    band: float
+    with_inputs: FloatArray
+    input_bands: FloatArray
+    outside: float
+    frequency: FloatArray
+    density: FloatArray
+    measured_density: FloatArray
+
+
+def analyse_residual(
+    measured: FloatArray, calculated: FloatArray, inputs: FloatArray, interval: float
+) -> Residual | None:
+    """Analyse the longest segment in which both signals are known; None if it is shorter than eight times the lags.
+
+    Parameters
+    ----------
+    measured, calculated : FloatArray, shape (N,)
+        NaN where masked or diverged.
+    inputs : FloatArray, shape (N, K)
+        What acts on the device, e.g. squared voltages.
+    interval : float
+        Sample interval [s].
+    """
+    rows = longest_run(np.isfinite(measured) & np.isfinite(calculated))
+    length = rows.stop - rows.start
+    second = samples_of(LONGEST_LAG, interval)
+    count = max(second if SHARE * second <= len(measured) else 1, min(FEWEST_LAGS, length // SHARE))
+    if length < SHARE * count:
+        return None
+    q = measured[rows]
+    u = inputs[rows]
+    residual = calculated[rows] - q
+    n = len(residual)
+    own = _correlation(residual, residual, count)
+    crossed = np.array([_correlation(column, residual, count) for column in u.T])
+    # Bartlett: the variance of a cross-correlation of independent signals is Σ ρ_ee ρ_uu / N over all lags.
+    far = min(n - 1, 10 * count)
+    colour = _correlation(residual, residual, far)
+    variances = [float(np.sum(colour * _correlation(column, column, far))) / n for column in u.T]
+    bands: FloatArray = NORMAL_99 * np.sqrt(np.maximum(variances, 1.0 / n))
+    beyond = np.abs(crossed[:, count:]) > bands[:, None]
+    frequency, density = _spectrum(residual, interval)
+    return Residual(
+        interval * np.arange(-count, count + 1.0), own, NORMAL_99 / float(np.sqrt(n)), crossed, bands,
+        float(np.mean(beyond)), frequency, density, _spectrum(q, interval)[1],
+    )  # fmt: skip
+
+
+def _correlation(x: FloatArray, y: FloatArray, count: int) -> FloatArray:
+    """Correlation of x(t) with y(t + lag) at lags from −count to count samples, shape (2 count + 1,)."""
+    from scipy.signal import correlate
+
+    a = x - x.mean()
+    b = y - y.mean()
+    scale = float(np.sqrt(np.sum(a**2) * np.sum(b**2)))
+    whole: FloatArray = correlate(b, a, method="fft") / (scale or np.inf)
+    return whole[len(x) - 1 - count : len(x) + count]
+
+
+def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
+    """Frequencies without zero and one-sided density by Welch's method."""
+    from scipy.signal import welch
+
+    frequency, density = welch(x, 1.0 / interval, nperseg=2 * len(x) // (SEGMENTS + 1))
+    return frequency[1:], density[1:]
+
+
+def main_residual(data: RunData, log: LogData) -> Residual | None:
+    """Analysis of its free run's residual of q against what acts on the device; None of a short or missing run."""
+    model = data.model_names[0]
+    if model not in log.predictions:
+        return None
+    inputs = voltages(log.kinematics)
+    acting = np.square(inputs) if (data.device.action == "squared") else inputs
+    return analyse_residual(log.kinematics["q"], log.predictions[model]["q"], acting, log.interval)

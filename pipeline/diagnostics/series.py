@@ -1,0 +1,188 @@
+"""Facts of one device over several runs: what of a run is compared, each with its standard error, and what changes."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..fitting.trends import Trend, smoothed, trend
+from ..models.base import DynamicModel, HasCurveDraws, HasCurves
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import NORMAL_90
+from ..signals.log import Log
+from .calibrated import calibrated
+from .instruments import InstrumentTest
+
+ALARM = 0.05
+"""Probability with which a series of an unchanged device has any change claimed."""
+DRAWS = 64
+PLACES = 121
+_LEFT_OUT = ("asymmetry", "stable")
+"""Beginnings of the keys of facts that follow from others, or that another run may number otherwise."""
+_QUANTITIES = {
+    "charging time": "charging time of the electrodes",
+    "creep stiffness 0": "creep within 60 ms, stiffness",
+    "creep stiffness 1": "creep within 1 s, stiffness",
+    "laser offset, change": "zero of the laser",
+}
+"""Quantities of `hybrid` that age, and what people call them."""
+
+READINGS = {
+    "gain_v1": "gain of v1",
+    "gain_v2": "gain of v2",
+    "zero_q": "zero of q",
+    "gain_q": "gain of q",
+}
+"""Names of readings for people, where they differ from those in files."""
+
+
+@dataclass(frozen=True)
+class SeriesFact:
+    """One fact over the runs that have it, in SI.
+
+    Attributes
+    ----------
+    key, title, unit : str
+    at, values, errors : FloatArray, shape (n,)
+        Times, values, and standard errors of the single runs.
+    smooth, smooth_errors : FloatArray, shape (n,)
+        The same from all runs together, where the device changes little (`pipeline.fitting.trends.smoothed`).
+    trend : Trend
+    """
+
+    key: str
+    title: str
+    unit: str
+    at: FloatArray
+    values: FloatArray
+    errors: FloatArray
+    smooth: FloatArray
+    smooth_errors: FloatArray
+    trend: Trend
+
+
+@dataclass(frozen=True)
+class Series:
+    """Runs of one device in the order of their times.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Folders of the runs.
+    at : tuple of float
+        Times, in `unit`.
+    unit : str
+        "day", or "run" where no times were given.
+    facts : tuple of SeriesFact
+    """
+
+    names: tuple[str, ...]
+    at: tuple[float, ...]
+    unit: str
+    facts: tuple[SeriesFact, ...]
+
+
+@dataclass(frozen=True)
+class RunFact:
+    """A fact of one run: key, title and unit, value and standard error in SI."""
+
+    key: str
+    title: str
+    unit: str
+    value: float
+    error: float
+
+
+def facts_of(
+    sheet: Mapping[str, Any], model: DynamicModel, between: tuple[float, float] | None, gain_unit: str
+) -> Iterator[RunFact]:
+    """The facts of a run that have an interval.
+
+    Parameters
+    ----------
+    sheet : mapping
+        Its datasheet.
+    model : DynamicModel
+        The model that the datasheet's facts come from.
+    between : (float, float) or None
+        Displacements [m] between which capacitance gains are averaged, equal for all runs; None: they are left out.
+    gain_unit : str
+        Unit of the slopes of its capacitances.
+    """
+    for fact in sheet["facts"]:
+        if fact["low"] is not None and fact["value"] is not None and not fact["key"].startswith(_LEFT_OUT):
+            yield RunFact(fact["key"], fact["title"], fact["unit"], fact["value"], _error(fact["low"], fact["high"]))
+    if between is not None and isinstance(model, HasCurves) and isinstance(model, HasCurveDraws):
+        q = np.linspace(*between, PLACES)
+        yield from _gains(model.curves(q), model.curve_ensemble(q, DRAWS), gain_unit)
+    for quantity in calibrated(model):
+        if quantity.name in _QUANTITIES:
+            key = quantity.name.partition(",")[0].replace(" ", "_")
+            title = _QUANTITIES[quantity.name]
+            yield RunFact(key, title, quantity.unit, quantity.value, _error(quantity.low, quantity.high))
+
+
+def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
+    """What the instruments of a later run read, beside those of the first run, by the first run's model.
+
+    Nothing where the device has changed so that no instrument explains it: that is for the facts to show.
+
+    Parameters
+    ----------
+    instruments : InstrumentTest
+        Of the first run.
+    parts : sequence of Log
+        The parts of all training logs of the later run.
+    displacement : str
+        SI unit of q.
+    """
+    reading = instruments.of(parts)
+    if reading.status != "measured" or reading.exchange != "none":
+        return
+    units = {"zero_q": displacement, "delay": "s"}
+    for quantity, value, error in zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True):
+        # The force of a joint goes with C v², so that 2 % of capacitance read as 1 % of voltage.
+        either = " or of the device" if quantity.name.startswith("gain_v") else ""
+        title = f"instruments: {READINGS.get(quantity.name, quantity.name)}{either}, change since the first run"
+        yield RunFact(f"reading_{quantity.name}", title, units.get(quantity.name, "1"), float(value), float(error))
+
+
+def common_stroke(sheets: Sequence[Mapping[str, Any]]) -> tuple[float, float] | None:
+    """The displacements [m] that lie between the rests of every run; None where one has not two."""
+    rests = [{f["key"]: f["value"] for f in sheet["facts"] if f["key"].startswith("well_")} for sheet in sheets]
+    if any(len(run) < 2 or None in run.values() for run in rests):
+        return None
+    left = max(run["well_left"] for run in rests)
+    right = min(run["well_right"] for run in rests)
+    return (left, right) if left < right else None
+
+
+def _gains(curves: Mapping[str, FloatArray], draws: Mapping[str, FloatArray], unit: str) -> Iterator[RunFact]:
+    """Mean slope of each capacitance between the wells."""
+    for key in (key for key in curves if key.startswith("dC")):
+        low, high = np.quantile(draws[key].mean(axis=1), [0.05, 0.95])
+        title = f"capacitance gain ∂C{key[2]}/∂q, mean over the stroke"
+        yield RunFact(f"gain_v{key[2]}", title, unit, float(curves[key].mean()), _error(low, high))
+
+
+def _error(low: float, high: float) -> float:
+    """Standard error of a central 90 % interval."""
+    return float(high - low) / (2.0 * NORMAL_90)
+
+
+def facts_over_time(at: Sequence[float], runs: Sequence[Sequence[RunFact]]) -> tuple[SeriesFact, ...]:
+    """Each fact that at least two runs have, with its change; `at` are the times of the runs, ascending."""
+    by_fact: dict[tuple[str, str, str], list[tuple[float, float, float]]] = {}
+    for time, facts in zip(at, runs, strict=True):
+        for fact in facts:
+            if np.isfinite(fact.value) and fact.error > 0.0:
+                by_fact.setdefault((fact.key, fact.title, fact.unit), []).append((time, fact.value, fact.error))
+    several = {named: np.array(rows) for named, rows in by_fact.items() if len(rows) > 1}
+    return tuple(_over_time(named, rows, ALARM / len(several)) for named, rows in several.items())
+
+
+def _over_time(named: tuple[str, str, str], rows: FloatArray, alarm: float) -> SeriesFact:
+    """A fact from rows of time, value and standard error."""
+    t, y, errors = rows.T
+    return SeriesFact(*named, t, y, errors, *smoothed(t, y, errors), trend(t, y, errors, alarm))
