@@ -102,8 +102,7 @@ def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:
             times.append(t[1:][on[1:] != on[:-1]])
     ordered = np.sort(np.concatenate(times)) if times else np.empty(0)
     apart = np.diff(ordered, prepend=-np.inf) > QUIET
-    first: FloatArray = ordered[apart]
-    return first
+    return np.asarray(ordered[apart])
 
 
 def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:

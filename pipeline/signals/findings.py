@@ -59,6 +59,10 @@ class Finding:
     numbers: Mapping[str, Number] = field(default_factory=dict)
     gate: Gate | None = None
 
+    def value(self, name: str) -> float:
+        """A number of the finding, in SI."""
+        return self.numbers[name].value
+
 
 def refusal(gate: Gate, code: str, numbers: Mapping[str, Number] | None = None, subject: str = "") -> Finding:
     """A finding that refuses the data.

@@ -86,11 +86,6 @@ def below_resolution(noise: float, resolution: float | None) -> bool:
     return noise < rounding(resolution)
 
 
-def mostly_repeated(values: FloatArray) -> bool:
-    """Whether a value occurs twice on average, or more often."""
-    return 2 * int(np.unique(values).size) <= values.size
-
-
 def resolution(samples: FloatArray) -> float | None:
     """Step of the converter that made these samples: the least distance of two different values.
 
@@ -103,7 +98,7 @@ def resolution(samples: FloatArray) -> float | None:
         return None
     apart = np.diff(values)
     least = float(apart[apart > _RESOLUTION * (values[-1] - values[0])].min())
-    if mostly_repeated(finite):
+    if 2 * values.size <= finite.size:  # a value occurs twice on average, or more often
         return least
     step = float((values[-1] - values[0]) / np.sum(np.round(apart / least)))  # a log rounds the steps of its sensor
     steps = apart / step
@@ -132,8 +127,7 @@ def is_stepped(samples: FloatArray) -> bool:
 def _excerpt(samples: FloatArray) -> FloatArray:
     """The finite ones of the first 2¹⁷ samples."""
     first = samples[:CHUNK]
-    finite: FloatArray = first[np.isfinite(first)]
-    return finite
+    return np.asarray(first[np.isfinite(first)])
 
 
 _FEWEST = 100

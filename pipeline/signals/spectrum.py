@@ -163,5 +163,4 @@ def _spectrum(samples: FloatArray, size: int) -> FloatArray:
     for i in starts:
         part = samples[i : i + size]
         power += np.abs(np.fft.rfft((part - part.mean()) * window)) ** 2
-    result: FloatArray = power * (2.0 / (len(starts) * size * np.sum(window**2)))
-    return result
+    return np.asarray(power * (2.0 / (len(starts) * size * np.sum(window**2))))

@@ -82,8 +82,7 @@ def between(t: FloatArray, fine: Table) -> FloatArray | None:
     first = int(np.searchsorted(grid, t[0] - 1e-9))
     v = voltages(fine)
     places = np.minimum(first + np.arange(len(t) * refined), len(v) - 1)
-    between: FloatArray = v[places].reshape(len(t), refined, -1)
-    return between
+    return np.asarray(v[places].reshape(len(t), refined, -1))
 
 
 def corrections(prototype: Prototype) -> dict[tuple[Role, str], Corrections]:

@@ -2,6 +2,8 @@
 
 import copy
 import csv
+import hashlib
+import re
 import tomllib
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
@@ -15,7 +17,7 @@ from ..settings.file import read_document, toml_text
 from ..settings.prototype import load_prototype, parse_prototype
 from ..store import layout
 from ..store.atomic import write_text
-from ..system.names import part_holds, part_of, slug
+from ..system.names import slug
 from ..system.plain_files import LARGEST_SETTINGS, read_plain
 from .prior_knowledge import read_siblings
 
@@ -277,13 +279,15 @@ class Shard(NamedTuple):
         InputError
             It names none.
         """
-        if (part := part_of(text)) is None:
+        match = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text)
+        number, count = map(int, match.groups()) if match else (0, 0)
+        if not 1 <= number <= count:
             raise InputError(f"--shard {text}: write number/count such as 3/100; the numbers count from 1")
-        return cls(*part)
+        return cls(number, count)
 
     def holds(self, name: str) -> bool:
         """Whether the shard holds the prototype `name`, which depends on no other name."""
-        return part_holds(self.number, self.of, name)
+        return int.from_bytes(hashlib.sha256(name.encode()).digest()[:8], "big") % self.of == self.number - 1
 
     @property
     def lock(self) -> str:

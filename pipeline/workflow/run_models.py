@@ -101,11 +101,6 @@ def made_control(run: RunFolder) -> tuple[str, ...]:
     return tuple(t for t, name in names if name in artifacts and present in artifacts[name].recipe.inputs.values())
 
 
-def control_documents(run: RunFolder, titles: Sequence[str]) -> dict[str, dict[str, Any]]:
-    """What was made, by title."""
-    return {title: run.read_document(layout.control(title)) for title in titles}
-
-
 def failed_validations(run: RunFolder, name: str) -> list[str]:
     """On which validation logs a model diverges, or errs by more than `WORST`; a sentence each, none without scores."""
     if layout.SCORES not in run.manifest.artifacts:

@@ -287,8 +287,7 @@ def _simulated(simulate: Simulator, bursts: list[Burst], duration: float) -> tup
 
 def behind_converters(u: FloatArray, dt: float) -> FloatArray:
     """Voltages (N, 2) [V] of usual converters under commands every `dt` [s]."""
-    v: FloatArray = np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), dt) for side in (0, 1)], axis=1)
-    return v
+    return np.asarray(np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), dt) for side in (0, 1)], axis=1))
 
 
 def _criterion(

@@ -86,9 +86,8 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
     """
     with run_lock(root):
         run = RunFolder.open(root)
-        prototype = run.prototype
-        bring_up_to_date(run, [study_task(prototype, name, jobs)], observer)
-        return study_result(run, prototype, name)
+        bring_up_to_date(run, [study_task(run.prototype, name, jobs)], observer)
+        return study_result(run, run.prototype, name)
 
 
 def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
@@ -190,10 +189,9 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
 
 def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
     """Arguments of `identify_rbf_paper` by the settings."""
-    settings = prototype.identify
     return {
-        "basis_functions": settings.basis_functions,
-        "smoothing": settings.smoothing,
+        "basis_functions": prototype.identify.basis_functions,
+        "smoothing": prototype.identify.smoothing,
         "mass": plant.mass,
         "inputs": plant.action,
     }
