@@ -88,8 +88,7 @@ def undriven_starts(t: FloatArray, q: FloatArray, v: FloatArray) -> tuple[float,
     for column in v.T:
         steady &= np.ptp(np.lib.stride_tricks.sliding_window_view(column, rows), axis=1) < _STILL * np.ptp(column)
     begins = np.flatnonzero(still & moved & steady)
-    first = begins[np.diff(begins, prepend=-rows) > _ANSWER]
-    return tuple(t[first + rest].tolist())
+    return tuple(t[begins[np.diff(begins, prepend=-rows) > _ANSWER] + rest].tolist())
 
 
 def rest_drift(

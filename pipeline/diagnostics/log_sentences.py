@@ -353,8 +353,10 @@ def _fast_motion(finding: Finding) -> tuple[str, str]:
     half = finding.value("half")
     interval = finding.value("interval")
     text = f"half of the power of q lies above {half:.3g} Hz, which decimation to [ingest] sample_interval = "
-    advice = f"set sample_interval = {finding.value('advised'):g}, or correct the unit of time"
-    return f"{text}{interval:g} s takes away", advice
+    return (
+        f"{text}{interval:g} s takes away",
+        f"set sample_interval = {finding.value('advised'):g}, or correct the unit of time",
+    )
 
 
 def _coarse_log(finding: Finding) -> tuple[str, str]:
@@ -368,35 +370,44 @@ def _coarse_log(finding: Finding) -> tuple[str, str]:
 
 def _other_rate(finding: Finding) -> tuple[str, str]:
     stated = [f"{name} states {number.value:.6g} Hz" for name, number in finding.numbers.items() if name != "settings"]
-    text = f"in the log {' and '.join(stated)}, but [ingest] sample_rate is {finding.value('settings'):g} Hz"
-    return text, "correct sample_rate, or where the log means another rate keep it"
+    return (
+        f"in the log {' and '.join(stated)}, but [ingest] sample_rate is {finding.value('settings'):g} Hz",
+        "correct sample_rate, or where the log means another rate keep it",
+    )
 
 
 def _idle(finding: Finding) -> tuple[str, str]:
-    text = "the displacement shows nothing but noise: no excitation"
-    return text, "drive the device through its whole stroke"
+    return "the displacement shows nothing but noise: no excitation", "drive the device through its whole stroke"
 
 
 def _undriven(finding: Finding) -> tuple[str, str]:
-    text = f"input {finding.subject} never changes by more than its noise: nothing is known of its gain"
-    return text, f"drive it, or leave it out of [channels] ({finding.subject})"
+    return (
+        f"input {finding.subject} never changes by more than its noise: nothing is known of its gain",
+        f"drive it, or leave it out of [channels] ({finding.subject})",
+    )
 
 
 def _visits(finding: Finding) -> tuple[str, str]:
     visits = f"{finding.value('visits'):.0f} of at least {finding.value('least'):.0f} training samples"
-    text = f"the basis centre at q = {_shown(finding, 'place')} has {visits}"
-    return text, f"excite that place, or set fewer than {finding.value('centres'):.0f} [identify] basis_functions"
+    return (
+        f"the basis centre at q = {_shown(finding, 'place')} has {visits}",
+        f"excite that place, or set fewer than {finding.value('centres'):.0f} [identify] basis_functions",
+    )
 
 
 def _rank(finding: Finding) -> tuple[str, str]:
     condition = f"condition number {finding.value('condition'):.3g} (at most {finding.value('most'):g})"
-    text = f"the regressor's columns cannot be told apart: {condition}, {finding.value('silent'):.0f} zero"
-    return text, "vary the inputs independently"
+    return (
+        f"the regressor's columns cannot be told apart: {condition}, {finding.value('silent'):.0f} zero",
+        "vary the inputs independently",
+    )
 
 
 def _one_well(finding: Finding) -> tuple[str, str]:
-    text = "only one well is visited: of the other half of every curve the data say nothing"
-    return text, "add pulses that snap the joint to the other side (`debist rig excite`)"
+    return (
+        "only one well is visited: of the other half of every curve the data say nothing",
+        "add pulses that snap the joint to the other side (`debist rig excite`)",
+    )
 
 
 CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {

@@ -46,8 +46,7 @@ def sentences(finding: Finding) -> tuple[str, str]:
 def _shown(number: Number) -> str:
     """A number with its unit and its ±; shares in percent."""
     if number.unit == "1":
-        error = None if number.error is None else 100.0 * number.error
-        return quantity(100.0 * number.value, "%", error)
+        return quantity(100.0 * number.value, "%", None if number.error is None else 100.0 * number.error)
     return quantity(number.value, number.unit, number.error)
 
 
@@ -57,11 +56,10 @@ def _generalisation(finding: Finding) -> tuple[str, str]:
 
 
 def _another_device(finding: Finding) -> tuple[str, str]:
-    text = (
+    return (
         f"no instrument explains what is left of the {finding.log}: "
         f"{significant(finding.value('residual_ratio'), 2)} times what the training logs leave"
-    )
-    return text, "see whether this log is of this device, or whether the device was changed in between"
+    ), "see whether this log is of this device, or whether the device was changed in between"
 
 
 def _exchanged(finding: Finding) -> tuple[str, str]:
@@ -95,13 +93,17 @@ def _disagreement(finding: Finding) -> tuple[str, str]:
     name = {"zero_q": "the zero of q", "delay": "the delay of the inputs", "clock": "the clock"}.get(
         finding.subject, f"the reading of {finding.subject.removeprefix('gain_')}"
     )
-    text = f"{name} differs by {size} between the {finding.log}"
-    return text, "find out which of both logs is right, and correct the other one in [logs]"
+    return (
+        f"{name} differs by {size} between the {finding.log}",
+        "find out which of both logs is right, and correct the other one in [logs]",
+    )
 
 
 def _unlike_training(finding: Finding) -> tuple[str, str]:
-    text = f"the {finding.log} and the {finding.subject} are not of one device with equal channels"
-    return text, "see to channels and wiring of both logs, and whether the device was changed in between"
+    return (
+        f"the {finding.log} and the {finding.subject} are not of one device with equal channels",
+        "see to channels and wiring of both logs, and whether the device was changed in between",
+    )
 
 
 def correction_text(name: str, value: float, displacement: str) -> str:
@@ -112,15 +114,19 @@ def correction_text(name: str, value: float, displacement: str) -> str:
 
 def _extrapolation(finding: Finding) -> tuple[str, str]:
     share = _share(finding.value("value"))
-    text = f"{share} of the samples of the {finding.log} lie in states (q, q̇) that no training sample was near"
-    return text, "train on motions as large and as fast"
+    return (
+        f"{share} of the samples of the {finding.log} lie in states (q, q̇) that no training sample was near",
+        "train on motions as large and as fast",
+    )
 
 
 def _one_passage(finding: Finding) -> tuple[str, str]:
     share = percent(finding.value("share"))
     when = moment(finding.value("time"))
-    text = f"one passage over the barrier at t = {when} makes {share} of the squared error on the {finding.log}"
-    return text, "there a small error decides the well: judge the rest of the log by itself, or train on such passages"
+    return (
+        f"one passage over the barrier at t = {when} makes {share} of the squared error on the {finding.log}",
+        "there a small error decides the well: judge the rest of the log by itself, or train on such passages",
+    )
 
 
 def _share(value: float) -> str:
@@ -128,35 +134,42 @@ def _share(value: float) -> str:
 
 
 def _nrmse(finding: Finding) -> tuple[str, str]:
-    text = f"free-run NRMSE of q of {finding.subject} is {percent(finding.value('value'))} on the {finding.log}"
-    return text, "look where residuals grow: at one switch (friction, delay) or throughout (alpha, centres)"
+    return (
+        f"free-run NRMSE of q of {finding.subject} is {percent(finding.value('value'))} on the {finding.log}",
+        "look where residuals grow: at one switch (friction, delay) or throughout (alpha, centres)",
+    )
 
 
 def _switch_accuracy(finding: Finding) -> tuple[str, str]:
     share = finding.value("value")
-    text = f"{percent(share) if share < 1.0 else 'all'} of the pulses end in the well that was measured"
-    return text, "near the switching voltage the outcome is sensitive: train on pulses of that size"
+    return (
+        f"{percent(share) if share < 1.0 else 'all'} of the pulses end in the well that was measured",
+        "near the switching voltage the outcome is sensitive: train on pulses of that size",
+    )
 
 
 def _wells(finding: Finding) -> tuple[str, str]:
     share = percent(finding.value("value"))
-    text = f"modelled and measured rests differ by up to {share} of the distance of the wells"
-    return text, "longer rests at zero voltage in both wells, for training"
+    return (
+        f"modelled and measured rests differ by up to {share} of the distance of the wells",
+        "longer rests at zero voltage in both wells, for training",
+    )
 
 
 def _validation(finding: Finding) -> tuple[str, str]:
-    advice = f"add a log under [logs] validation: an error on the training data does not hold for new {finding.subject}"
-    return "no validation log: errors are those of training", advice
+    return (
+        "no validation log: errors are those of training",
+        f"add a log under [logs] validation: an error on the training data does not hold for new {finding.subject}",
+    )
 
 
 def _constant(finding: Finding) -> tuple[str, str]:
     text = f"a constant, its mean, predicts the {finding.log} better than {finding.subject}: "
     text += f"{percent(finding.value('constant'))} for {percent(finding.value('own'))}"
-    advice = (
+    return text, (
         "do not use this model; see whether the inputs act linearly or by their squares ([plant] inputs), and whether "
         "a controller held the device where it is unstable: free runs of such a log part from it whatever the model"
     )
-    return text, advice
 
 
 def _rival(finding: Finding) -> tuple[str, str]:
@@ -179,8 +192,10 @@ def _rival(finding: Finding) -> tuple[str, str]:
 
 def _divergence(finding: Finding) -> tuple[str, str]:
     places = ", ".join(f"{log} at t = {moment(number.value)}" for log, number in finding.numbers.items())
-    advice = "see its last second under “Measured against models”; train on data that reach as far"
-    return f"the free run of {finding.subject} diverged: {places}", advice
+    return (
+        f"the free run of {finding.subject} diverged: {places}",
+        "see its last second under “Measured against models”; train on data that reach as far",
+    )
 
 
 def not_converged(model: str) -> tuple[str, str]:
@@ -189,14 +204,18 @@ def not_converged(model: str) -> tuple[str, str]:
 
 
 def _converged(finding: Finding) -> tuple[str, str]:
-    text = f"the fit of {finding.subject} had not converged when it ended, so its error may be chance"
-    return text, "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
+    return (
+        f"the fit of {finding.subject} had not converged when it ended, so its error may be chance",
+        "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)",
+    )
 
 
 def _ambiguous(finding: Finding) -> tuple[str, str]:
     count = f"{finding.value('open'):.0f}" if finding.value("open") else "none"
-    text = f"{count} of {finding.value('outcomes'):.0f} outcomes after pulses are too close for the model to call"
-    return text, "do not trust the well after these pulses; train on pulses of that size and length"
+    return (
+        f"{count} of {finding.value('outcomes'):.0f} outcomes after pulses are too close for the model to call",
+        "do not trust the well after these pulses; train on pulses of that size and length",
+    )
 
 
 def _rails(finding: Finding) -> tuple[str, str]:
@@ -207,20 +226,26 @@ def _rails(finding: Finding) -> tuple[str, str]:
 
 
 def _no_wells(finding: Finding) -> tuple[str, str]:
-    advice = "if the device is bistable, pulse both sides with rests of 1 s between"
-    return f"no two wells in the data: {finding.subject}", advice
+    return (
+        f"no two wells in the data: {finding.subject}",
+        "if the device is bistable, pulse both sides with rests of 1 s between",
+    )
 
 
 def _switches(finding: Finding) -> tuple[str, str]:
     design = "; `debist rig excite` designs a sequence" if finding.subject == "joint" else ""
-    text = f"the training logs switch wells {finding.value('value'):.0f} times"
-    return text, f"record more pulses that snap it both ways{design}"
+    return (
+        f"the training logs switch wells {finding.value('value'):.0f} times",
+        f"record more pulses that snap it both ways{design}",
+    )
 
 
 def _outside_range(finding: Finding) -> tuple[str, str]:
     share = _share(finding.value("value"))
-    text = f"{share} of the validation samples lie outside the range of the training data"
-    return text, "train on a log with the larger strokes and inputs"
+    return (
+        f"{share} of the validation samples lie outside the range of the training data",
+        "train on a log with the larger strokes and inputs",
+    )
 
 
 def _coverage(finding: Finding) -> tuple[str, str]:
@@ -228,8 +253,10 @@ def _coverage(finding: Finding) -> tuple[str, str]:
     samples = f"{visits} training sample{'s' if visits != 1 else ''}"
     centres = f"{finding.value('centres'):.0f} basis centres inside the range"
     fills = ", `debist rig excite` fills them" if finding.subject == "joint" else ""
-    advice = f"excite the thin places (`debist inspect` names them{fills}); or fewer centres"
-    return f"the least visited of {centres} has {samples} around it", advice
+    return (
+        f"the least visited of {centres} has {samples} around it",
+        f"excite the thin places (`debist inspect` names them{fills}); or fewer centres",
+    )
 
 
 def _noise(finding: Finding) -> tuple[str, str]:
@@ -268,8 +295,10 @@ def _measured_facts(finding: Finding) -> tuple[str, str]:
     own = quantity(modelled.value, modelled.unit, modelled.error, like)
     where = "in the model's free runs" if source == "free_run" else "by the model"
     seen = quantity(measured.value, measured.unit, measured.error, like)
-    text = f"{finding.subject} is {own} {where}, but was measured as {seen} ({finding.value('events'):.0f} times)"
-    return text, "train on longer rests without voltage, and trust the measured value until then"
+    return (
+        f"{finding.subject} is {own} {where}, but was measured as {seen} ({finding.value('events'):.0f} times)",
+        "train on longer rests without voltage, and trust the measured value until then",
+    )
 
 
 CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {

@@ -15,8 +15,8 @@ from ..numerics.arrays import FloatArray
 from ..settings.prototype import Gate
 from ..units.quantity import stamped
 from .missing import Missing
+from .noise import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
 from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
-from .spectrum import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
 from .timebase import TimeQuality
 
 Severity = Literal["unseen", "good", "fair", "poor"]

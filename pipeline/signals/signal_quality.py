@@ -16,8 +16,20 @@ import numpy as np
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..numerics.metrics import NORMAL_MEDIAN
 from .columns import BLOCKS, CHUNK, chunks, column, finite, select
-from .noise import CHANCE, REACH, below_resolution, is_idle, is_stepped, noise_level, resolution
-from .spectrum import MAINS, Bandwidth, Hum, bandwidth, hum
+from .noise import (
+    CHANCE,
+    MAINS,
+    REACH,
+    Bandwidth,
+    Hum,
+    bandwidth,
+    below_resolution,
+    hum,
+    is_idle,
+    is_stepped,
+    noise_level,
+    resolution,
+)
 from .timebase import LOCATED
 
 _APPROACH = 15.0

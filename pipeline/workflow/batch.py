@@ -15,8 +15,7 @@ from ..errors import DebistError, RunLockedError
 from ..reporting.fleet_report import Summary, fleet_report, summary
 from ..reporting.tables import disarmed
 from ..store import layout, schemas, tables
-from ..store.atomic import make_folder, write_text
-from ..store.lock import run_lock
+from ..store.atomic import make_folder, run_lock, write_text
 from ..store.manifest import MANIFEST
 from ..store.outputs import note_written
 from ..store.run_folder import RunFolder

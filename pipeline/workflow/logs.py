@@ -39,8 +39,7 @@ def load_motion(run: RunFolder, prototype: Prototype, role: Role, log: str) -> L
         Its name in the run.
     """
     kinematics, fine = (run.read_table(artifact(role, log)) for artifact in (layout.kinematics, layout.record))
-    unknown = run.record(layout.record(role, log)).notes.get(UNKNOWN, ())
-    return motion(kinematics, fine, prototype, unknown)
+    return motion(kinematics, fine, prototype, run.record(layout.record(role, log)).notes.get(UNKNOWN, ()))
 
 
 def load_logs(run: RunFolder, prototype: Prototype, *roles: Role) -> list[Log]:

@@ -114,8 +114,7 @@ def _settings(base: Mapping[str, Any], name: str, values: Mapping[str, Any], fol
     """The base with the values of a row, whose paths are relative to `folder`."""
     typed = {key: _logs(cell) if key.startswith("logs.") else _value(cell) for key, cell in values.items()}
     row = anchored(with_values({}, typed), folder)
-    changed = {key: _at(row, key) for key in typed}
-    return {"name": name} | with_values({**base, "name": name}, changed)
+    return {"name": name} | with_values({**base, "name": name}, {key: _at(row, key) for key in typed})
 
 
 def _at(document: Any, key: str) -> Any:

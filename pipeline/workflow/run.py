@@ -11,8 +11,7 @@ from ..device.parameters import JointParameters, parameter_set
 from ..errors import DebistError
 from ..settings.prototype import Prototype, load_prototype
 from ..store import layout
-from ..store.atomic import sweep
-from ..store.lock import run_lock
+from ..store.atomic import run_lock, sweep
 from ..store.manifest import MANIFEST, load_manifest
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import Typeface

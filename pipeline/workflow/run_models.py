@@ -133,8 +133,7 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
     model = load_run_model(run, prototype, chosen)
     check = _check_log(run, prototype)
     logs = load_logs(run, prototype, "train")
-    origin = run.record(artifact).content_hash
-    return subject_on(check, model, prototype, logs, chosen, origin)
+    return subject_on(check, model, prototype, logs, chosen, run.record(artifact).content_hash)
 
 
 def subject_on(

@@ -70,8 +70,7 @@ def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | 
         """Its parts, so that a long log does not lie in memory."""
         return (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
 
-    q = time, column(phi.size, displacement(), np.float64)
-    return replace(log, q=q, velocity=velocity)
+    return replace(log, q=(time, column(phi.size, displacement(), np.float64)), velocity=velocity)
 
 
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
@@ -384,8 +383,7 @@ def _contradicted_rates(recording: Recording, channel: str, time: FloatArray, pr
         return [f"in the log {stated}, but by its time it has {own:.6g} samples per second: is the unit of time right?"]
     numbers = {name: Number(rate, "Hz") for name, rate in rates.items()}
     numbers["settings"] = Number(prototype.ingest.sample_rate, "Hz")
-    finding = refusal("rate", "other_rate", numbers)
-    return judge(f"{recording.path}", [finding], prototype.quality)
+    return judge(f"{recording.path}", [refusal("rate", "other_rate", numbers)], prototype.quality)
 
 
 def _rate_of_column(column: RecordedChannel, wanted: float) -> dict[str, float]:

@@ -60,8 +60,7 @@ def virtual_joint(where: str) -> VirtualJoint:
         return VirtualJoint(kind, _NAMED[kind](), Bench())
     if kind in get_args(Family) and seed.isdigit():
         rng = np.random.default_rng(int(seed))
-        joint = random_joint(rng, cast(Family, kind))
-        return VirtualJoint(f"{kind}-{seed}", joint, random_bench(rng))
+        return VirtualJoint(f"{kind}-{seed}", random_joint(rng, cast(Family, kind)), random_bench(rng))
     given = Path(where)
     folder = given if given.is_dir() else given.parent
     path = folder / "truth" / "truth.json"

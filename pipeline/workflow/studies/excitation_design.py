@@ -260,8 +260,7 @@ def assess(
     mean = float(np.mean([log_information(matrix) for matrix in information]))
     covered = float(np.mean([_covered(coverage) for coverage in coverages]))
     crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
-    judged = conditioning(information[0])
-    return Assessment(mean + covered, mean, covered, coverages[0], judged, crossings)
+    return Assessment(mean + covered, mean, covered, coverages[0], conditioning(information[0]), crossings)
 
 
 def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
@@ -312,8 +311,7 @@ def _coverage(weights: ScaledRegressor, run: tuple[FloatArray, FloatArray, Float
 
 def _covered(visits: Coverage) -> float:
     """Share of the centres, and of the pairs (input, centre), with at least `FEW` visits."""
-    cells = np.concatenate((visits.visits[None], visits.driven))
-    return float(np.mean(cells >= FEW))
+    return float(np.mean(np.concatenate((visits.visits[None], visits.driven)) >= FEW))
 
 
 def probed_wells(simulate: Simulator, voltage: float) -> Wells:

@@ -29,7 +29,7 @@ from ...settings.models import CENTRES, SMOOTHING
 from ...settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
 from ...signals.differentiate import AlphaStudy, alpha_study
 from ...store import layout, schemas
-from ...store.lock import run_lock
+from ...store.atomic import run_lock
 from ...store.run_folder import RunFolder, Written
 from ...units.units import ALPHA_UNIT
 from .. import stage_validate as validate

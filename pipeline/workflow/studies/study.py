@@ -19,9 +19,8 @@ from ...settings.prototype import Prototype
 from ...signals.differentiate import alpha_study, differentiate
 from ...signals.log import Log, operating_range
 from ...store import layout, schemas
-from ...store.atomic import refuse_link, write_bytes
+from ...store.atomic import refuse_link, run_lock, write_bytes
 from ...store.columns import StudyName, Sweep
-from ...store.lock import run_lock
 from ...store.outputs import new_outputs
 from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
