@@ -8,7 +8,7 @@ import numpy as np
 from scipy.linalg import expm, solve_discrete_are
 
 from ..errors import InputError
-from ..generated.condensed_joint import STATES
+from ..generated.condensed_joint import SHAPE_RATES, STATES
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled, copy_into
 from .controller import move
@@ -65,7 +65,7 @@ def target_table(
 def moments_per_square(plant: ControlledJoint, x: FloatArray, u: FloatArray) -> FloatArray:
     """Moment of each side on the slope in its own direction [N·m/V²] at a state under squared voltages, shape (2,)."""
     _, b = jacobian(x, u, plant.constants)
-    left, right = inertia(x, plant.constants.p)[1] @ b[[1, 3, 5]]
+    left, right = inertia(x, plant.constants.p)[1] @ b[SHAPE_RATES]
     return np.asarray(np.maximum(np.array([left, -right]), 1e-12))
 
 

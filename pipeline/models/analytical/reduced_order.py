@@ -28,7 +28,7 @@ from ...numerics.linear_filters import first_order_lag
 from ...numerics.metrics import nrmse
 from ...numerics.stiff import INTERNAL, RITZ
 from .full_order import FullOrderMotion, rest_state, simulate
-from .statics import StaticPath, equilibria, static_path
+from .statics import FULL_VOLTAGE, StaticPath, equilibria, static_path
 
 CURVES = ("m_q", "d", "f", "lambda3_1", "lambda3_2", "C_1", "C_2")
 """Order of the curves: m_q [kg], d [N·s/m], f [N], λ_{3,i} [1], C_i [F]."""
@@ -344,7 +344,7 @@ def friction_state(q: FloatArray, s_c: float) -> FloatArray:
 
 
 def pulse_sequence(
-    voltage: float = 3000.0, *, pulse: float = 0.5, pause: float = 1.0, count: int = 4, dt: float = 1e-3
+    voltage: float = FULL_VOLTAGE, *, pulse: float = 0.5, pause: float = 1.0, count: int = 4, dt: float = 1e-3
 ) -> tuple[FloatArray, FloatArray]:
     """Times [s] and voltages (N, 2) [V]: left, right, left … pulses of `pulse` [s] with pauses, as in figure 7.
 
