@@ -207,7 +207,7 @@ def rates(s: CondensedSymbols, friction: Expression) -> Expression:
 def _tip(
     s: CondensedSymbols, element: TipElement
 ) -> tuple[Expression, Expression, list[Expression], dict[str, Expression]]:
-    """Arguments of the laws of an element on q."""
+    """Arguments of the terms of an element on q."""
     names = [name for name, _ in ELEMENT_STATES]
     states = [s.x[FIRST_ELEMENT + names.index(state.name)] for state in element.states]
     return s.x[0], s.x[1], states, {c.name: s.constant(c.name) for c in element.constants}

@@ -150,7 +150,7 @@ def _terms() -> str:
         | data_driven_joint.lagged_kernels()
         | full_joint.reduced_kernels()
     )
-    summary = "Terms of the models of which each run has as many as it needs: see the laws of the same names."
+    summary = "Terms of the models of which each run has as many as it needs: see the functions of the same names."
     return _module(summary, {name: graph(inputs, outputs) for name, (inputs, outputs) in kernels.items()})
 
 
