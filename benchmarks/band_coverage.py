@@ -1,7 +1,8 @@
 """Whether the 90 % bands of curves and facts hold the truth: `python benchmarks/band_coverage.py wells 10`.
 
-`wells N` draws N double wells of each kind (plain, with dry friction, with a relaxing spring), of any stiffness,
-damping, excitation, noise, and rate from 400 Hz to 2 kHz. It identifies `rbf` from one log of 24 s of each.
+`wells N KIND…` draws N double wells of each kind, of any stiffness, damping, noise (1 to 100 µm), and rate from 400 Hz
+to 2 kHz. It identifies `rbf` from one log of 8 to 24 s of each. Kinds are three families of plain wells ("quartic",
+"asymmetric", "sextic or cosine"), each with excitations of its own, "friction" and "relaxation"; all by default.
 
 `joints FLEET RUNS` compares `hybrid` and `rbf` with simulated joints. FLEET is a folder of `debist rig fleet`, RUNS
 what `debist batch FLEET -o RUNS` made of it. The true restoring force F(q) and slopes ∂C/∂q come from the joint
@@ -16,7 +17,7 @@ have to be widened to hold 90 % of them.
 import argparse
 import json
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -45,6 +46,9 @@ JUMP = 5.0
 """Times the usual move of the coordinates between neighbouring places that is a jump."""
 UNIT = 1e-9
 """Distance [kg] of a model's mass from 1 kg that says that no mass was given."""
+NEAR = 1.5
+"""Times its interval within which a stiffness is near it."""
+LARGEST_VOLTAGE = 3000.0
 CURVES = ("F", "d", "dC1_dq", "dC2_dq")
 
 
@@ -99,77 +103,150 @@ def joint_of(path: Path) -> RigParameters:
 
 @dataclass(frozen=True)
 class Well:
-    """ẍ = −k ((x/a)² − 1 + s x/a) x − (d + D (x/a)²) ẋ − f z − h e + c (v₁² − v₂²), per unit mass.
+    """ẍ = −k a p(x/a) − (d + D (x/a)²) ẋ − f z − h e + c₁ v₁² − c₂ v₂², per unit mass.
 
-    z is a state of Dahl, and ė = ẋ − r e. Wells are at about ± a [m]; `period` [s] of small vibrations there.
+    p is of x, x², x³, x⁵ and sin πx. z is a state of Dahl, and ė = ẋ − r e. Wells are at about ± a [m].
     """
 
     k: float
     a: float
-    skew: float
+    potential: tuple[float, float, float, float, float]
     damping: float
     growth: float
-    gain: float
+    gains: tuple[float, float]
     friction: float
     spring: float
     rate: float
 
     @property
     def period(self) -> float:
+        """Period [s] of small vibrations about a well."""
         return float(2.0 * np.pi / np.sqrt(2.0 * self.k))
+
+    @property
+    def numbers(self) -> FloatArray:
+        """Numbers of the equation in the order of the fields."""
+        loose = (self.damping, self.growth, *self.gains, self.friction, self.spring, self.rate)
+        return np.array((self.k, self.a, *self.potential, *loose))
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Planted F, d and slopes at q [m]."""
         x, one = q / self.a, np.ones_like(q)
-        force = self.k * (x * x - 1.0 + self.skew * x) * q
-        slope = 2.0 * self.gain * one
-        return {"F": force, "d": self.damping + self.growth * x * x, "dC1_dq": slope, "dC2_dq": -slope}
-
-
-def drawn_well(kind: str, rng: np.random.Generator) -> Well:
-    """A double well of a kind."""
-    k, a = 10.0 ** rng.uniform(1.8, 2.95), 10.0 ** rng.uniform(-2.5, -1.7)
-    damping = 2.0 * 10.0 ** rng.uniform(-1.5, -0.4) * np.sqrt(2.0 * k)
-    largest = 2.0 * k * a / 3.0**1.5
-    friction = largest * rng.uniform(0.03, 0.15) * (kind == "friction")
-    spring = 2.0 * k * rng.uniform(0.1, 0.3) * (kind == "relaxation")
-    rate = np.sqrt(2.0 * k) * 10.0 ** rng.uniform(-1.2, 0.0)
-    skew, growth = rng.choice([0.0, 0.1]), damping * rng.choice([0.0, 0.5])
-    return Well(k, a, skew, damping, growth, largest * rng.uniform(1.3, 3.0) / 3000.0**2, friction, spring, rate)
+        force = self.k * self.a * np.array([_shape(each, np.array(self.potential)) for each in x])
+        slopes = {"dC1_dq": 2.0 * self.gains[0] * one, "dC2_dq": -2.0 * self.gains[1] * one}
+        return {"F": force, "d": self.damping + self.growth * x * x} | slopes
 
 
 @compiled
-def _moved(u: FloatArray, h: float, w: FloatArray) -> FloatArray:
-    """Displacements under v₁² − v₂² at every half step, shape (2 N − 1,); w: fields of a `Well`."""
-    k, a, skew, damping, growth, gain, friction, spring, rate = w
-    q, state, slopes = np.empty(len(u) // 2 + 1), np.array([-a, 0.0, 0.0, 0.0]), np.zeros((5, 4))
+def _shape(x: float, p: FloatArray) -> float:
+    """Force of a double well over k a."""
+    return float(p[0] * x + p[1] * x * x + p[2] * x**3 + p[3] * x**5 + p[4] * np.sin(np.pi * x))
+
+
+POTENTIALS = {
+    "quartic": (-1.0, 0.0, 1.0, 0.0, 0.0),
+    "asymmetric": (-1.0, 0.4, 1.0, 0.0, 0.0),
+    "sextic": (-0.5, 0.0, 0.0, 0.5, 0.0),
+    "cosine": (-0.23, 0.0, 0.23, 0.0, -0.49),
+}
+"""Forces with wells at about ±1, and a slope of about 2 there."""
+
+EXCITATIONS = ("pulses", "steps", "holds", "both")
+FAMILIES = {
+    "quartic": (("quartic",), ("pulses",)),
+    "asymmetric": (("asymmetric",), ("holds", "steps")),
+    "sextic or cosine": (("sextic", "cosine"), ("both",)),
+}
+"""Potentials and excitations of the plain wells."""
+
+KINDS = (*FAMILIES, "friction", "relaxation")
+
+
+def drawn_well(kind: str, rng: np.random.Generator) -> tuple[Well, str]:
+    """A double well of a kind, and its excitation."""
+    potentials, excitations = FAMILIES.get(kind, (tuple(POTENTIALS), EXCITATIONS))
+    potential = POTENTIALS[str(rng.choice(potentials))]
+    k, a = 10.0 ** rng.uniform(1.8, 2.95), 10.0 ** rng.uniform(-2.5, -1.7)
+    damping = 2.0 * 10.0 ** rng.uniform(-1.5, -0.4) * np.sqrt(2.0 * k)
+    largest = k * a * max(abs(_shape(x, np.array(potential))) for x in np.linspace(-1.0, 1.0, GRID))
+    friction = largest * rng.uniform(0.03, 0.15) * (kind == "friction")
+    spring = 2.0 * k * rng.uniform(0.1, 0.3) * (kind == "relaxation")
+    rate = np.sqrt(2.0 * k) * 10.0 ** rng.uniform(-1.2, 0.0)
+    first, second = largest * rng.uniform(1.3, 3.0, 2) / LARGEST_VOLTAGE**2
+    growth = damping * rng.choice([0.0, 0.5])
+    return Well(k, a, potential, damping, growth, (first, second), friction, spring, rate), str(rng.choice(excitations))
+
+
+@compiled
+def _moved(v1: FloatArray, v2: FloatArray, h: float, w: FloatArray) -> FloatArray:
+    """Displacements under voltages at every half step, shape (2 N − 1,); w: `Well.numbers`."""
+    k, a = w[:2]
+    damping, growth, first, second, friction, spring, rate = w[7:]
+    q, state, slopes = np.empty(len(v1) // 2 + 1), np.array([-a, 0.0, 0.0, 0.0]), np.zeros((5, 4))
     for n in range(len(q)):
         q[n] = state[0]
         for stage in range(4):
             part = (0.0, 0.5, 0.5, 1.0)[stage]
             x, p, z, e = state + part * h * slopes[stage]
-            force = -k * ((x / a) ** 2 - 1.0 + skew * x / a) * x - (damping + growth * (x / a) ** 2) * p
-            push = gain * u[min(2 * n + int(2.0 * part), len(u) - 1)]
+            at = min(2 * n + int(2.0 * part), len(v1) - 1)
+            force = -k * a * _shape(x / a, w[2:7]) - (damping + growth * (x / a) ** 2) * p
+            push = first * v1[at] ** 2 - second * v2[at] ** 2
             slopes[stage + 1] = p, force + push - friction * z - spring * e, (p - abs(p) * z) / (0.01 * a), p - rate * e
         state += h / 6.0 * (slopes[1] + 2.0 * slopes[2] + 2.0 * slopes[3] + slopes[4])
     return q
 
 
-def well_log(well: Well, rng: np.random.Generator) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Times, noisy displacements and voltages (N, 2) of a raw log: pulses, steps or long holds with edges of 2 ms."""
-    h, count = 1.0 / 8000.0, 24 * 8000
+def _voltages(well: Well, excitation: str, count: int, h: float, rng: np.random.Generator) -> FloatArray:
+    """Voltages (2, N) with edges of 2 ms: on one side after the other with rests between, or levels of both at once."""
     v, at, side = np.zeros((2, count)), 0.3, 0
-    low, high = ((0.4, 0.8), (0.5, 3.5), (2.0, 6.0))[rng.integers(3)]
-    while at < 24.0 - 1.5 * well.period:
-        width = well.period * rng.uniform(low, high)
-        v[side, int(at / h) : int((at + width) / h)] = 3000.0 * rng.uniform(0.5, 1.0)
-        at, side = at + width + well.period * rng.uniform(2.0, 4.0), side ^ (rng.random() < 0.8)
-    v = np.array([np.convolve(each, np.ones(16) / 16.0, "same") for each in v])
-    u = np.interp(np.arange(2 * count - 1) / 2.0, np.arange(count), v[0] ** 2 - v[1] ** 2)
+    while at < count * h - 1.5 * well.period:
+        if excitation == "both":
+            width = well.period * rng.uniform(0.5, 3.0)
+            each = slice(int(at / h), int((at + width) / h))
+            v[:, each] = LARGEST_VOLTAGE * (rng.uniform(0.2, 1.0, 2) * (rng.random(2) < 0.6))[:, None]
+            at += width
+        else:
+            low, high = {"pulses": (0.4, 0.8), "steps": (0.5, 3.5), "holds": (2.0, 6.0)}[excitation]
+            width = well.period * rng.uniform(low, high)
+            v[side, int(at / h) : int((at + width) / h)] = LARGEST_VOLTAGE * rng.uniform(0.5, 1.0)
+            at, side = at + width + well.period * rng.uniform(2.0, 4.0), side ^ (rng.random() < 0.8)
+    return np.array([np.convolve(each, np.ones(16) / 16.0, "same") for each in v])
+
+
+def well_log(well: Well, excitation: str, rng: np.random.Generator) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Times, noisy displacements and voltages (N, 2) of a raw log of 8 to 24 s."""
+    h = 1.0 / 8000.0
+    count = 8000 * int(rng.integers(8, 25))
+    v = _voltages(well, excitation, count, h, rng)
+    v1, v2 = (np.interp(np.arange(2 * count - 1) / 2.0, np.arange(count), each) for each in v)
     kept = slice(None, None, 8000 // int(rng.choice([400, 1000, 2000])))
-    q = _moved(u, h, np.array(list(vars(well).values())))[kept]
-    noisy: FloatArray = q + well.a * rng.choice([2e-4, 5e-4, 2e-3]) * rng.standard_normal(len(q))
+    q = _moved(v1, v2, h, well.numbers)[kept]
+    noisy: FloatArray = q + 10.0 ** rng.uniform(-6.0, -4.0) * rng.standard_normal(len(q))
     return np.asarray(h * np.arange(count)[kept], dtype=np.float64), noisy, v[:, kept].T
+
+
+@dataclass(frozen=True)
+class Compared:
+    """A model beside the truth.
+
+    Attributes
+    ----------
+    kind : str
+        Kind of device.
+    model : model with curves
+    q : FloatArray, shape (GRID,)
+        Places [m].
+    truth : dict of str to FloatArray
+        True curves.
+    unit : float
+        Unit of the model's curves in theirs.
+    """
+
+    kind: str
+    model: Any
+    q: FloatArray
+    truth: dict[str, FloatArray]
+    unit: float = 1.0
 
 
 class Tally:
@@ -181,24 +258,39 @@ class Tally:
         self.sizes: dict[str, list[float]] = defaultdict(list)
         self.facts: dict[str, list[bool]] = defaultdict(list)
 
-    def add(self, kind: str, model: Any, q: FloatArray, truth: dict[str, FloatArray], unit: float) -> None:
-        """Compare a model's curves at q [m], shape (`GRID`,), with the truth divided by `unit`."""
-        found, drawn = model.curves(q), model.curve_ensemble(q, DRAWS)
-        truth = {name: values / unit for name, values in truth.items()}
+    def add(self, device: Compared) -> None:
+        """Compare a model's curves and facts with the truth."""
+        found, drawn = device.model.curves(device.q), device.model.curve_ensemble(device.q, DRAWS)
+        truth = {name: values / device.unit for name, values in device.truth.items()}
         coarse = slice(None, None, GRID // POINTS)
         for name in set(CURVES) & truth.keys() & drawn.keys():
             low, high = np.percentile(drawn[name], LEVEL, axis=0)
-            self.errors[f"{kind} {name}"].append(np.abs(0.5 * (low + high) - truth[name])[coarse])
-            self.halves[f"{kind} {name}"].append((0.5 * (high - low))[coarse])
-            self.sizes[f"{kind} {name}"].append(float(np.nanmax(np.abs(truth[name]))))
+            key = f"{device.kind} {name}"
+            self.errors[key].append(np.abs(0.5 * (low + high) - truth[name])[coarse])
+            self.halves[key].append((0.5 * (high - low))[coarse])
+            self.sizes[key].append(float(np.nanmax(np.abs(truth[name]))))
+        if "d" in truth:
+            apart = np.abs(np.log(np.maximum(found["d"], np.finfo(float).tiny) / truth["d"]))
+            self.facts[f"{device.kind} : damping within a factor of two"].append(bool(apart.max() < np.log(2.0)))
         if all(np.isfinite(values).all() for values in truth.values()):
-            true, own = (device_facts(_curves(values, q), plant=JOINT) for values in (truth, found))
-            rows = [{name: drawn[name][i] for name in drawn} for i in range(DRAWS)]
-            limits = intervals(own, [device_facts(_curves(row, q), plant=JOINT) for row in rows])
-            for name, value in true.items():
-                if name in limits and value is not None:
-                    group = f"{kind} {name.split('_')[0]}"
-                    self.facts[group].append(limits[name][0] <= value <= limits[name][1])
+            self._add_facts(device, truth, found, [{name: drawn[name][i] for name in drawn} for i in range(DRAWS)])
+
+    def _add_facts(
+        self, device: Compared, truth: dict[str, FloatArray], found: dict[str, FloatArray],
+        draws: list[dict[str, FloatArray]],
+    ) -> None:  # fmt: skip
+        """Which of the true facts lie within their intervals."""
+        true, own = (device_facts(_curves(values, device.q), plant=JOINT) for values in (truth, found))
+        limits = intervals(own, [device_facts(_curves(row, device.q), plant=JOINT) for row in draws])
+        near = []
+        for name, value in true.items():
+            if name in limits and value is not None:
+                low, high = limits[name]
+                self.facts[f"{device.kind} {name.split('_')[0]}"].append(low <= value <= high)
+                if name.startswith("stiffness"):
+                    near.append(abs(value - 0.5 * (low + high)) < NEAR * 0.5 * (high - low))
+        if near:
+            self.facts[f"{device.kind} : stiffness near its interval"].append(all(near))
 
     def show(self) -> None:
         """Print the table."""
@@ -214,10 +306,6 @@ class Tally:
 
 def _curves(named: dict[str, FloatArray], q: FloatArray) -> Curves:
     return curves_from({name: named.get(name, np.zeros_like(q)) for name in CURVES}, q)
-
-
-Compared = tuple[str, Any, FloatArray, dict[str, FloatArray], float]
-"""Kind of device, model, places, true curves, and the unit of the model's curves in theirs."""
 
 
 def joints(fleet: Path, runs: Path) -> Iterator[Compared]:
@@ -239,21 +327,21 @@ def joints(fleet: Path, runs: Path) -> Iterator[Compared]:
         }
         for model in (run.model(each).core for each in ("hybrid", "rbf") if each in run.models):
             unit = moving_mass(joint) if abs(getattr(model, "mass", 1.0) - 1.0) < UNIT else 1.0
-            yield f"{name.partition('-')[0]} {model.name}", model, q, truth, unit
+            yield Compared(f"{name.partition('-')[0]} {model.name}", model, q, truth, unit)
 
 
-def wells(count: int) -> Iterator[Compared]:
+def wells(count: int, kinds: Sequence[str]) -> Iterator[Compared]:
     """Double wells, identified one after the other."""
-    for kind in ("plain", "friction", "relaxation"):
-        for seed in range(count):
-            rng = np.random.default_rng([ord(kind[0]), seed])
-            well = drawn_well(kind, rng)
-            t, q, v = well_log(well, rng)
+    for kind in kinds or KINDS:
+        for number in range(count):
+            rng = np.random.default_rng([*kind.encode(), number])
+            well, excitation = drawn_well(kind, rng)
+            t, q, v = well_log(well, excitation, rng)
             model = debist.identify(t, q, v[:, 0], v[:, 1], model="rbf").core
             least, most = np.percentile(q, [1.0, 99.0])
             places = np.linspace(least, most, GRID)
-            print(f"{kind} {seed}: {model.describe()['chosen']}", flush=True)
-            yield kind, model, places, well.curves(places), 1.0
+            print(f"{kind} {number}, {excitation} of {t[-1]:.0f} s: {model.describe()['chosen']}", flush=True)
+            yield Compared(kind, model, places, well.curves(places))
 
 
 def main() -> None:
@@ -261,9 +349,10 @@ def main() -> None:
     parser.add_argument("what", choices=["wells", "joints"])
     parser.add_argument("source", nargs="+")
     given, tally = parser.parse_args(), Tally()
-    compared = wells(int(given.source[0])) if given.what == "wells" else joints(*map(Path, given.source))
-    for kind, model, q, truth, unit in compared:
-        tally.add(kind, model, q, truth, unit)
+    first, *others = given.source
+    compared = wells(int(first), others) if given.what == "wells" else joints(Path(first), *map(Path, others))
+    for device in compared:
+        tally.add(device)
     tally.show()
 
 

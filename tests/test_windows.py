@@ -84,3 +84,11 @@ def test_processes_of_a_run_give_its_error(folder):
     (folder / "short.toml").write_text(settings(name="short", train="short.csv"), encoding="utf-8")
     code, _, messages = _debist(folder, "run", "short.toml", "--jobs", "2", "-q")
     assert code == 2 and "short.csv" in messages and "Traceback" not in messages, messages
+
+
+def test_the_demo_runs_to_its_end_with_stages_side_by_side(folder):
+    code, printed, messages = _debist(folder, "demo", "-o", "Vorführung 1")
+    assert code == 0 and "assessment: data good, model good" in printed, printed + messages
+    assert (folder / "Vorführung 1/report.html").is_file()
+    code, printed, messages = _debist(folder, "verify", "Vorführung 1")
+    assert code == 0 and "all intact" in printed, messages

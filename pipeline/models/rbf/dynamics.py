@@ -52,10 +52,10 @@ LOAD, PULL, RATE_NOW, OWN_SLOPE = range(4)
 class ObservedJoint(NamedTuple):
     """A joint in a run. The state is x, p and L relaxing elements, then their P sensitivities, row by row.
 
-    c, wrt, u, du, held as in `observed_run` · measured (N,) · observer (N,): its gain of each interval [1/s] · parts:
-    half steps in an interval · now (2,): half step at which the step began, its observer gain · began (1 + P,): x
-    there and its sensitivities · slip, sliding (D, 1 + P): friction states there, and as they act · basis, slopes
-    (4 + M,), curvatures (M,), values, changes (C,): basis and the C curves, and their slopes · by_curve
+    c, wrt, u, du, held as in `observed_run` · measured (n,): x at every half step · observer (N,): its gain of each
+    interval [1/s] · parts: half steps in an interval · now (2,): half step at which the step began, its observer gain ·
+    began (1 + P,): x there and its sensitivities · slip, sliding (D, 1 + P): friction states there, and as they act ·
+    basis, slopes (4 + M,), curvatures (M,), values, changes (C,): basis and the C curves, and their slopes · by_curve
     (C,), by (13,): derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag, stops; of F by F (`INSIDE`) ·
     relaxing (4, L): of each element its load, the inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its
     own curves make · states, sensitivity: at the samples, filled.

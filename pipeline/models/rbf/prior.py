@@ -95,7 +95,8 @@ def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
     blocks = ["force", "damping", "inertia_centre"]
     blocks += [f"{name}{i}" for i in range(p.structure.shape_elements) for name in ("relaxation", "coupling")]
     if p.signs in ((1, -1), (-1, 1)):
-        blocks += ["input0", *(f"pull{i}_0" for i in range(p.structure.shape_elements))]
+        blocks += [f"pull{i}_0" for i in range(p.structure.shape_elements)]
+        _gains_alike(rows, p, symmetry)
     for name in blocks:
         spread = symmetry * UNLIKENESS.get(name, 1.0)
         for i in range(p.slices[name].start, p.slices[name].stop):
@@ -104,6 +105,15 @@ def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
                 rows.add([i, j], [1.0, -image[i, j]], 0.0, spread * scale[i])
             elif i == j and image[i, i] < 0.0:
                 rows.add([i], [1.0], 0.0, spread * scale[i])
+
+
+def _gains_alike(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
+    """The two gains have mirrored courses; one side may be stronger than the other everywhere."""
+    left, right = (np.arange(p.count)[p.slices[f"input{k}"]] for k in (0, 1))
+    same = np.full(len(left), 1.0 / len(left))
+    for i in range(len(left)):
+        apart = np.eye(len(left))[i] - same
+        rows.add([*left, *right[::-1]], [*apart, *-apart], 0.0, symmetry)
 
 
 def _shapes(rows: "_PriorRows", p: ParameterLayout, start: FloatArray) -> None:

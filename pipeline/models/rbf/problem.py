@@ -15,6 +15,7 @@ from scipy.interpolate import CubicSpline
 
 from ...errors import InputError
 from ...numerics.arrays import BoolArray, FloatArray, bridged
+from ...signals.decimation_kernel import sharpened
 from ...signals.log import Log
 from ...signals.noise import noise_std
 from .coefficients import basis_rows, no_sensitivities
@@ -62,7 +63,7 @@ class Effort:
 
 
 STEP = 0.2
-"""Longest integration step, in units of the inverse frequency scale: at least 30 per period."""
+"""Longest integration step, in units of the inverse pace of the joint: at least 30 per period."""
 
 COARSE_STEP = 0.4
 """Longest step where candidates are only compared."""
@@ -89,7 +90,7 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
     theta : FloatArray, shape (P,)
         Its parameters.
     step : float
-        Longest step [1/frequency scale].
+        Longest step [1/pace].
     """
     c = p.coefficients(theta)
     decays = ["damping", *(f"relaxation{i}" for i in range(p.structure.shape_elements))]
@@ -101,7 +102,7 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
         touching = float(np.sqrt(stiffness)) / COARSE_STEP
         fastest = max(fastest, float(resistance))
     fastest = min(fastest, FASTEST / interval) / STABLE
-    rate = max(p.scales.frequency / step, min(touching, FASTEST / interval), fastest)
+    rate = max(p.scales.pace / step, min(touching, FASTEST / interval), fastest)
     if interval * rate > MOST_STEPS:
         raise InputError(
             f"the model moves {interval * rate:.3g} steps in a sample interval of {interval:g} s; resample"
@@ -119,7 +120,7 @@ _PARTED = 1e-2
 class _Log:
     """A log as it is simulated: every so-many-th sample.
 
-    measured, followed, observe (N,): x, what the observer follows, and the share of it that acts · start: velocity
+    measured, observe (N,): x, and the share of it that an observer follows · start: velocity
     [1/s] · interval [s] · split: samples in the residual · travel (N − 1,), weight: mean measured velocity [1/s] of
     each interval, NaN where it is not known, and the time [s] that makes it a displacement; no travel without such a
     channel · inputs: those of `past` intervals before included for a lag · every: their samples per interval ·
@@ -127,7 +128,6 @@ class _Log:
     """
 
     measured: FloatArray
-    followed: FloatArray
     observe: FloatArray
     start: float
     interval: float
@@ -305,7 +305,7 @@ class JointProblem:
         wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
         self.effort.spend(stop * steps, len(wrt.kind))
         drive = Drive(u, du, p.at_rest(u, theta, begins=log.past == 0), p.held and log.every == 1)
-        coupling = Coupling(log.followed[:stop], seen[:stop], gain * p.scales.frequency)
+        coupling = Coupling(log.measured[:stop], seen[:stop], gain * p.scales.frequency)
         start = (float(log.measured[0]), log.start)
         return observed_run(p.coefficients(theta), drive, coupling, start, log.interval, steps, wrt)
 
@@ -314,9 +314,12 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
     s = p.scales
     hold = p.structure.hold
     past = 0
-    every = min(thinning, max(1, int(step / (s.frequency * record.interval))))
+    every = min(thinning, max(1, int(step / (s.pace * record.interval))))
     observe = record.valid[::every].astype(np.float64)
-    measured = bridged((record.q - s.middle) / s.half, record.valid)[::every]
+    measured = bridged((record.q - s.middle) / s.half, record.valid)
+    if record.fine is not None:  # then the samples have been low-pass filtered, and runs are not
+        measured = sharpened(measured, record.valid)
+    measured = measured[::every]
     inputs = record.drive if hold == "record" else record.v
     if record.past is not None and (p.structure.input_lag or p.structure.input_delay):
         before = record.past if hold == "record" or record.past.ndim == 2 else record.past[:, 0]
@@ -326,12 +329,7 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
     start = float(record.qdot[0] / s.half)
     interval = every * record.interval
     travel, weight = _travel(p, record, every)
-    # The observer follows lines between samples, whose mean is that of the motion if each corner is cut by a twelfth.
-    followed = measured.copy()
-    followed[1:-1] -= np.diff(measured, 2) / 12.0
-    return _Log(
-        measured, followed, observe, start, interval, split, travel, weight, inputs, past, every, record.interval, {}
-    )
+    return _Log(measured, observe, start, interval, split, travel, weight, inputs, past, every, record.interval, {})
 
 
 def _travel(p: ParameterLayout, record: Log, every: int) -> tuple[FloatArray | None, float]:

@@ -1,0 +1,67 @@
+"""A log that was low-pass filtered to its samples is followed as it was before, and sides may differ in strength."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pipeline.models.rbf.prior import joint_prior
+from pipeline.models.rbf.problem import JointProblem
+from pipeline.models.rbf.structure import JointScales
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import rms
+from pipeline.signals.decimation_kernel import filtered_samples
+from pipeline.signals.log import Log
+from tests.models.rbf.test_evidence_search import double_well
+
+RATIO = 20
+INTERVAL = 0.04
+"""Sample interval [s]: a thirteenth of a period in the wells."""
+
+
+def driven(t: FloatArray) -> FloatArray:
+    """Voltages (N, 2): pulses on either side in turn."""
+    v = np.zeros((len(t), 2))
+    for number, at in enumerate(np.arange(0.4, t[-1] - 1.0, 1.3)):
+        v[(t >= at) & (t < at + 0.35), number % 2] = 2900.0
+    return v
+
+
+@pytest.mark.parametrize("gain", [3.0, 1.0])
+def test_the_truth_leaves_little_of_what_the_filter_changed(gain):
+    truth = double_well("viscous")
+    count = 400
+    t = INTERVAL / RATIO * np.arange(RATIO * count + 1)
+    run = truth.simulate(t, driven(t), -0.012, 0.0)
+    filtered = filtered_samples(np.column_stack((run.q, run.qdot, run.qddot)), RATIO)[:count]
+    rows = slice(None, RATIO * count, RATIO)
+    fine = driven(t)[:-1].reshape(count, RATIO, 2)
+    log = Log(INTERVAL * np.arange(count), *filtered.T, fine[:, 0], fine=fine)
+    p = replace(truth.parameters, structure=replace(truth.parameters.structure, hold="record"))
+    left = JointProblem(p, [log], step=0.1).residual(truth.theta, gain)
+    assert rms(left) < 0.25 * rms(log.q - run.q[rows]) / p.scales.half
+
+
+def test_a_vibration_has_its_own_frequency_as_pace_however_long_it_rests():
+    frequency, t = 30.0, np.linspace(0.0, 10.0, 20_001)
+    x = np.where(t < 1.0, np.sin(frequency * t), 0.0)
+    speed, acceleration = np.gradient(x, t), np.gradient(np.gradient(x, t), t)
+    moving = t < 0.9
+    scales = JointScales(0.0, 1.0, 1.0, rms(acceleration * moving), rms(speed * moving))
+    assert scales.pace == pytest.approx(frequency, rel=0.02)
+    assert scales.frequency < 0.75 * frequency
+
+
+def test_one_side_may_be_stronger_than_the_other():
+    p = double_well("viscous").parameters
+    start = np.zeros(p.count)
+    free, alike = (joint_prior(p, start, symmetry) for symmetry in (None, 0.03))
+    stronger, bent = start.copy(), start.copy()
+    stronger[p.slices["input0"]] += 0.5
+    bent[p.slices["input0"]] += np.linspace(-0.5, 0.5, p.structure.basis_functions)
+
+    def cost(prior, theta):
+        return np.sum(prior.residual(theta) ** 2) - np.sum(prior.residual(start) ** 2)
+
+    assert cost(alike, stronger) == pytest.approx(cost(free, stronger))
+    assert cost(alike, bent) > cost(free, bent) + 100.0
