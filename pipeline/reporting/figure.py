@@ -150,7 +150,21 @@ class Panel:
 
 
 def rows_panel(names: Sequence[str], bars: Line, usual: str, within: FloatArray, points: Sequence[Points]) -> Panel:
-    """A panel with a named row for each quantity, and behind the rows what is `usual`, `within` two limits."""
+    """A panel with a row for each quantity, and behind the rows what is usual.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the quantities, from below.
+    bars : Line
+        From :func:`error_bars`.
+    usual : str
+        What the area behind the rows is.
+    within : FloatArray, shape (2,)
+        Its limits.
+    points : sequence of Points
+        Marks on the rows.
+    """
     edges = np.full(2, -0.5), np.full(2, len(names) - 0.5)
     band = Band(usual, "reference", within, *edges)
     ends = (-0.5 - _ROOM, len(names) - 0.5 + _ROOM)
