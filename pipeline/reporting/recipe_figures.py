@@ -73,8 +73,8 @@ def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
     chosen = np.isclose(study.alphas, recipe)
     order = np.argsort(chosen, kind="stable")  # the chosen one over the others
     velocities = tuple(
-        Line(f"α = {study.alphas[i]:g} mm·s", "v2" if chosen[i] else _OTHERS[k % len(_OTHERS)], t, study.qdot[i], "solid",
-             wide=bool(chosen[i]))
+        Line(f"α = {study.alphas[i]:g} mm·s", "v2" if chosen[i] else _OTHERS[k % len(_OTHERS)], t, study.qdot[i],
+             "solid", wide=bool(chosen[i]))
         for k, i in enumerate(order)
     )  # fmt: skip
     panels = [Panel("q̇", "m/s", velocities, x=("t", "s"))]
