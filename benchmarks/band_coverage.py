@@ -29,7 +29,7 @@ from scipy.optimize import minimize, root
 import debist
 from debist import open_run
 from pipeline.device.device import JOINT
-from pipeline.diagnostics.facts.characteristics import Curves, curves_from, device_facts, intervals
+from pipeline.diagnostics.characteristics import Curves, curves_from, device_facts, intervals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.compiled import compiled
 from pipeline.rig.fleet import Experiment, draw, moving_mass

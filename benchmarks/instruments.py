@@ -30,13 +30,12 @@ from pipeline.signals.log import Log
 from pipeline.signals.noise import noise_std
 from pipeline.store import layout
 from pipeline.store.run_folder import RunFolder
-from pipeline.workflow.engine import Unheard
+from pipeline.workflow.engine import Unheard, bring_up_to_date
 from pipeline.workflow.logs import load_motion
 from pipeline.workflow.report_data import load_instruments
+from pipeline.workflow.run import Planned, of_stages, plan
 from pipeline.workflow.run_models import load_run_model
-from pipeline.workflow.schedule import bring_up_to_date
 from pipeline.workflow.stage_instruments import instrument_rows
-from pipeline.workflow.stages import Planned, of_stages, plan
 
 KINDS = ("same", "foreign", "worn")
 STAGES = ("ingest", "differentiate", "identify", "instruments")

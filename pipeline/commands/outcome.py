@@ -17,10 +17,10 @@ if TYPE_CHECKING:
     from typing import Literal
 
     from ..reporting.tables import Format
+    from ..workflow.batch import Outcome
     from ..workflow.engine import TaskStatus
     from ..workflow.members import Member
     from ..workflow.progress import MemberState
-    from ..workflow.worker import Outcome
 
 
 def emit_scores(
@@ -36,7 +36,7 @@ def emit_scores(
     With a report, the JSON document holds its assessment and its path too.
     """
     from ..workflow.report_data import load_datasheet, load_scores
-    from ..workflow.stage_scores import score_text, shown_scores
+    from ..workflow.stage_validate import score_text, shown_scores
 
     if as_json:
         page = {"verdict": load_datasheet(run)["verdict"], "report": run / "report.html"} if with_report else {}
@@ -58,7 +58,7 @@ def emit_scores(
 def _emit_details(run: Path) -> None:
     """Print every number of every log, a table for each log, and what they mean."""
     from ..reporting.tables import lines
-    from ..workflow.stage_scores import score_tables
+    from ..workflow.stage_validate import score_tables
 
     tables = score_tables(run)
     for table in tables:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ..signals.findings import Finding
 from ..signals.noise import below_resolution
 from ..units.quantity import quantity, scale, short, significant
-from . import limits
+from .log_facts import FIELD
 
 _SIDES = ("right (+)", "left (−)")
 _ON_CHANGE = "; an input ({}) that was recorded only when it changed takes `on_change = true` in [channels]"
@@ -228,7 +228,7 @@ def _field(finding: Finding) -> ShownRow:
     advice = f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
     if finding.code == "field_units":
         advice = f"check the units of plant.film_thickness ({film}) and plant.field_limit ({quantity(limit, 'V/m')})"
-    most = f"≤ {significant(1e-6 * limit)} (+{100.0 * (limits.FIELD - 1.0):.0f} %) V/µm"
+    most = f"≤ {significant(1e-6 * limit)} (+{100.0 * (FIELD - 1.0):.0f} %) V/µm"
     return ShownRow("largest field", f"{significant(1e-6 * _value(finding, 'field'))} V/µm", most, advice)
 
 

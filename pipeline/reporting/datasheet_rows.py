@@ -5,9 +5,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..diagnostics.facts.calibrated import Calibrated, calibrated
-from ..diagnostics.facts.datasheet import Datasheet, DatasheetFact, is_refused
-from ..diagnostics.facts.run_data import RunData
+from ..diagnostics.calibrated import Calibrated, calibrated
+from ..diagnostics.datasheet import Datasheet, DatasheetFact, is_refused
+from ..diagnostics.run_data import RunData
 from ..store.columns import FACT_COLUMNS, STABLE, FactColumn
 from ..units.quantity import interval, percent, power, quantity, scale, significant
 

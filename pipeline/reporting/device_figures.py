@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..diagnostics.facts.calibrated import AmongSiblings, places_among
-from ..diagnostics.facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
-from ..diagnostics.facts.data_quality import centre_visits
-from ..diagnostics.facts.datasheet import Datasheet
-from ..diagnostics.facts.phase_plane import (
+from ..diagnostics.calibrated import AmongSiblings, places_among
+from ..diagnostics.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
+from ..diagnostics.data_quality import centre_visits
+from ..diagnostics.datasheet import Datasheet
+from ..diagnostics.phase_plane import (
     BASIN_TIME,
     OUTCOMES,
     basin_map,
@@ -19,7 +19,7 @@ from ..diagnostics.facts.phase_plane import (
     unforced,
     visited_range,
 )
-from ..diagnostics.facts.run_data import Columns, RunData, Study
+from ..diagnostics.run_data import Columns, RunData, Study
 from ..numerics.arrays import BoolArray, FloatArray
 from ..numerics.metrics import NORMAL_95
 from ..signals.log import voltages

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics.facts.series import READINGS
 from ..diagnostics.instruments import SIGNIFICANCE
 from ..diagnostics.sentences import correction_text
+from ..diagnostics.series import READINGS
 from ..settings.logs import LogPart
 from ..system.names import log_title
 from ..units.quantity import quantity

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from ..device.parameters import QUANTITIES, JointParameters
-from ..diagnostics.facts.run_data import RunData
+from ..diagnostics.run_data import RunData
 from ..units.quantity import prefixed
 from ..units.units import SIGNALS, to_si
 from .page import render

@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from ..diagnostics.facts.run_data import LogData
+from ..diagnostics.run_data import LogData
 from ..numerics.arrays import FloatArray
 from ..signals.differentiate import AlphaStudy
 from ..store.columns import StudyName

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..diagnostics.facts.series import Series, SeriesFact
+from ..diagnostics.series import Series, SeriesFact
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_95
 from ..units.quantity import quantity

@@ -25,7 +25,6 @@ from numpy.typing import NDArray
 from ..errors import disk_failure
 from ..system.isolation import Send, limit
 from ..system.package import module_at
-from .clocks import with_starts
 from .recording import for_any_variable, missing_channel
 from .source import (
     CsvOptions,
@@ -36,6 +35,7 @@ from .source import (
     UnreadableLogError,
     left_out,
     read_start,
+    with_starts,
 )
 
 _LONGEST_ERROR = _LONGEST_TEXT = 2000

@@ -13,6 +13,7 @@ from .csv_cells import (
     NUMBER,
     STAMP,
     SWITCH,
+    Clock,
     is_behind,
     is_stamp,
     is_value,
@@ -22,7 +23,6 @@ from .csv_cells import (
     plain_row,
     unclear_mark,
 )
-from .csv_clock import Clock
 from .csv_dialect import SAMPLE_BYTES, find_dialect
 from .csv_text import as_utf8, text_of, whole_rows, written
 from .source import (

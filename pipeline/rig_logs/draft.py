@@ -4,12 +4,13 @@ import re
 from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
 from ..errors import InputError
 from ..settings.prototype import Ingest
-from ..signals.quality_gates import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
+from ..signals.findings import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
 from ..signals.signal_quality import BOTH_SIGNS, takes_both_signs
 from ..signals.spectrum import LEAST_PER_PERIOD, advised_interval
 from ..signals.timebase import seldom
@@ -18,9 +19,34 @@ from ..units.units import DISPLACEMENT, FILL_IN, SECONDS, to_si
 from .attributes import monitor_ratio
 from .channel_roles import Role, Suggestion, suggested_unit
 from .inspection import NO_CHANNEL, InspectedChannel, Inspection
-from .purposes import Purpose, purpose_of, purposes
 from .recording import as_other_logs
 from .source import rates_beside
+
+Purpose = Literal["train", "validation", "test", ""]
+
+_BETWEEN_WORDS = re.compile(r"[\W\d_]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
+_OF_DATA = "(data|daten|set|log|logs|run|lauf)?"
+_WORDS: dict[Purpose, re.Pattern[str]] = {
+    "validation": re.compile(rf"val{_OF_DATA}|valid\w*", re.IGNORECASE),
+    "test": re.compile(rf"test{_OF_DATA}|tests|testing|prüf\w*|pruef\w*|check|holdout|unseen", re.IGNORECASE),
+    "train": re.compile(r"train\w*|ident|identif\w*|fit|lern\w*", re.IGNORECASE),
+}
+
+
+def words(name: str) -> list[str]:
+    """The words of a name: what stands between other characters, and between ``trainData``'s small and large letter."""
+    return [word for word in _BETWEEN_WORDS.split(name) if word]
+
+
+def purpose_of(word: str) -> Purpose:
+    """What a word says its data are for, "" for any other word."""
+    return next((purpose for purpose, pattern in _WORDS.items() if pattern.fullmatch(word)), "")
+
+
+def purposes(name: str) -> set[Purpose]:
+    """What the words of a name say its data are for."""
+    return {purpose_of(word) for word in words(name)} - {""}
+
 
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
 _MOST_LISTED = 100

@@ -9,10 +9,9 @@ import numpy as np
 from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import FloatArray
 from ..signals.columns import Signal, sparse
+from ..signals.findings import MOST_REPEATED, Clock, Context, counted, remarks_on
 from ..signals.missing import code_remarks, codes_in, masked
 from ..signals.outliers import NONE, Dropouts, dropout_remarks, dropouts
-from ..signals.quality_gates import MOST_REPEATED
-from ..signals.remarks import Clock, Context, counted, remarks_on
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import SignalQuality, examine_signal
 from ..signals.timebase import TimeQuality, examine

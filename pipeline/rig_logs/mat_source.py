@@ -10,16 +10,20 @@ from numpy.typing import NDArray
 from ..units.units import SECONDS, time_unit
 from .attributes import is_unit, scales_among, starts_among
 from .channel_roles import is_called
-from .mat_recorders import is_recorder, is_simulink_log, recorder_channels, simulink_channels
-from .mat_tables import TABLES, table_channels
-from .mat_values import (
+from .mat_recorders import (
+    TABLES,
     MatArray,
     MatChannel,
     MatObject,
     MatStruct,
     MatValue,
+    is_recorder,
+    is_simulink_log,
     is_struct,
+    recorder_channels,
     scalar_of,
+    simulink_channels,
+    table_channels,
     text_of,
 )
 from .source import (

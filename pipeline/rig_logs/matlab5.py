@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .mat_recorders import MatArray, MatObject, MatValue
 from .mat_source import MatSource
-from .mat_values import MatArray, MatObject, MatValue
 from .source import CsvOptions, Limits, UnreadableLogError
 
 _HEADER = 128

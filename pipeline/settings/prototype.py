@@ -12,8 +12,7 @@ from pydantic import Field, ValidationError, field_validator, model_validator
 
 from ..errors import SeveralMistakesError
 from ..system.names import check_log_name, check_name, log_name, slug
-from .file import mistakes, read_document
-from .former import GATES
+from .file import GATES, mistakes, read_document
 from .logs import ROLES, Channels, Logs, Number, SettingsTable, Whole, log_label
 from .models import AUTO, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
 

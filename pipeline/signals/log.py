@@ -1,4 +1,4 @@
-"""A log on a uniform time base: what fits, checks, scores, the Python interface and reports take.
+"""A log, raw with a time base for each signal, then on a uniform one: what all of the program takes.
 
 A log has parts between which its inputs were not recorded, so that nobody knows what the device did there. A short hole
 is bridged by a straight line; behind a longer one fits and free runs start anew, as at the beginning of a log.
@@ -12,6 +12,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval
+from .columns import Signal
 
 SHORTEST = 5
 """Samples of a segment: a shorter one carries no dynamics worth a row in a fit."""
@@ -276,3 +277,31 @@ def unknown_rows(t: FloatArray, spans: Sequence[Sequence[float]]) -> BoolArray:
     for start, stop in spans:
         inside[np.searchsorted(t, start, side="right") : np.searchsorted(t, stop)] = True
     return inside
+
+
+@dataclass(frozen=True)
+class RawLog:
+    """A log in SI units before it has a uniform time base; signals with one time base hold the same object.
+
+    Attributes
+    ----------
+    q : Signal
+        Displacement [m or rad].
+    inputs : tuple of Signal
+        Voltages [V], or what the inputs measure.
+    velocity : Signal or None
+        Measured velocity [m/s or rad/s].
+    notes : tuple of str
+        What was masked or interpolated, by the names in a record.
+    """
+
+    q: Signal
+    inputs: tuple[Signal, ...]
+    velocity: Signal | None = None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def beside(self) -> dict[str, Signal]:
+        """All but q, by their names in a record."""
+        named = {f"v{i}": signal for i, signal in enumerate(self.inputs, start=1)}
+        return named if self.velocity is None else {**named, "velocity": self.velocity}

@@ -13,13 +13,15 @@ import numpy as np
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from .columns import BLOCK, Signal, chunks, column, finite, select
 from .noise import CHANCE, REACH, SELDOM, noise_level
-from .rails import IN_A_ROW, in_a_row, runs_between
 from .signal_quality import (
     BESIDE_SPIKE,
+    IN_A_ROW,
     OF_BESIDE,
     SignalQuality,
     bridged,
     examine_signal,
+    in_a_row,
+    runs_between,
     single_spikes,
     spikes_in,
 )

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from ..errors import DataRefusedError
 from ..numerics.arrays import FloatArray, IntArray
 from .columns import CHUNK
-from .decimation_kernel import REACH
-from .resampling import LEAST_RATIO, uniform_grid
+from .resampling import LEAST_RATIO, REACH, uniform_grid
 from .stretches import (
     NO_CUTS,
     Stream,

@@ -23,7 +23,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, TypeAdapter, ValidationError
 
 from ..errors import CorruptArtifactError, InputError
-from ..settings.former import translated
+from ..settings.file import translated
 from ..system.names import shell_word
 from ..system.package import program_version
 from ..system.plain_files import read_plain

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from ..errors import CorruptArtifactError, InputError, SupersededError, warn_user
-from ..settings.former import translated
+from ..settings.file import translated
 from ..settings.prototype import Prototype, parse_prototype
 from ..system.names import shell_word
 from ..system.plain_files import open_plain

@@ -163,8 +163,7 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
 
 def _recorded_parameters(run: RunFolder, name: str) -> str:
     """A file of the parameter set that the run was made with, from its recipes: of the set's file they hold no hash."""
-    from ..device.parameter_sets import parameter_file
-    from ..device.parameters import NOMINAL, VECTOR_NAMES
+    from ..device.parameters import NOMINAL, VECTOR_NAMES, parameter_file
 
     recipes = (record.recipe.settings for record in run.manifest.artifacts.values())
     values = next((recipe["parameters"] for recipe in recipes if recipe.get("parameters")), None)

@@ -10,8 +10,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from ..device.device import Device, device
-from ..device.parameter_sets import parameter_set
-from ..device.parameters import JointParameters
+from ..device.parameters import JointParameters, parameter_set
 from ..errors import DebistError, InputError
 from ..fitting.excitation import Excitation, examine_excitation
 from ..fitting.information import FEW
@@ -25,9 +24,8 @@ from ..store.run_folder import RunFolder
 from ..system.names import shell_word
 from ..units.quantity import scale
 from . import stage_ingest as ingest
-from .engine import Observer
+from .engine import Observer, bring_up_to_date
 from .place import load_settings
-from .schedule import bring_up_to_date
 from .si_log import read_si
 from .stage_check import examine
 

@@ -15,7 +15,7 @@ from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import Typeface
 from .run_models import made_control
 from .stage_report import made_studies, prepare
-from .stage_scores import scored_models
+from .stage_validate import scored_models
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -26,7 +26,7 @@ from ..store.trees import read_tree
 from ..system.plain_files import LARGEST_SETTINGS, read_plain
 from ..units.units import curve_units, to_si
 from .engine import Task
-from .steps.training import PriorKnowledge
+from .steps.identify import PriorKnowledge
 
 ALGORITHM = "1"
 MOST_ROWS = 100_000

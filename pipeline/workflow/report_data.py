@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..device.device import Device, device
-from ..diagnostics.facts.run_data import WHY, LogData, RunData, Study
+from ..diagnostics.run_data import WHY, LogData, RunData, Study
 from ..errors import DebistError
 from ..models.base import DynamicModel
 from ..models.model_type import model_from_tree

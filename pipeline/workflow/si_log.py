@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,7 +11,7 @@ import numpy as np
 
 from ..device.device import Device, device
 from ..device.parameters import JointParameters
-from ..diagnostics.gates import judge
+from ..diagnostics.sentences import judge
 from ..errors import InputError
 from ..numerics.arrays import BoolArray, FloatArray, runs_of
 from ..rig_logs.channel_roles import clocks_beside, is_called, suggested_unit
@@ -20,18 +20,62 @@ from ..settings.logs import Channel, LogColumn
 from ..settings.prototype import Prototype
 from ..signals.columns import Signal, chunks, column, equal, finite, held, one_sign, scaled, select, sparse
 from ..signals.findings import Number, refusal
+from ..signals.log import RawLog
 from ..signals.missing import code_remarks, codes_in, masked
-from ..signals.raw_log import RawLog
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import span
 from ..signals.timebase import nominal_step, unwrapped
 from ..units.quantity import quantity
 from ..units.units import DISPLACEMENT, INPUT, SECONDS, TIME, VELOCITY, SiUnit, to_si
-from .steps.joint_angle import with_displacement
 
 if TYPE_CHECKING:
     from ..rig_logs import Recording
     from ..rig_logs.recording import RecordedChannel
+
+
+def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | None) -> RawLog:
+    """The log with the displacement of the joint [m] in place of its angle [rad]; one of a length as it is.
+
+    Parameters
+    ----------
+    log : RawLog
+        Its q, and a measured velocity, are those of the angle φ.
+    plant : Device
+        Says what was logged.
+    parameters : JointParameters or None
+        Geometry of the joint; `device` grants that a set is named where an angle is converted.
+
+    Raises
+    ------
+    InputError
+        Most of the angles lie beyond those of the joint, so that their unit, zero or sign is another.
+    """
+    if plant.angle is None or parameters is None:
+        return log
+    from ..models.analytical.statics import displacement_of_rotation, rotation_nodes
+
+    time, phi = log.q
+    low, high = rotation_nodes(parameters)[[0, -1], 1]
+    middle = float(np.nanmedian(phi))
+    if not low <= middle <= high:
+        raise InputError(
+            f"q: the angle is about {np.degrees(middle):.3g}°, but the joint turns from {np.degrees(low):.3g}° to "
+            f"{np.degrees(high):.3g}°; correct unit, offset or scale of q in [channels], or leave plant.parameters out "
+            "for another device"
+        )
+    velocity = log.velocity
+    if velocity is not None:
+        known = np.isfinite(time) & np.isfinite(phi)
+        at = np.interp(velocity[0], time[known], phi[known])
+        velocity = velocity[0], velocity[1] * displacement_of_rotation(at, parameters)[1]
+
+    def displacement() -> Iterator[FloatArray]:
+        """Its parts, so that a long log does not lie in memory."""
+        return (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
+
+    q = time, column(phi.size, displacement(), np.float64)
+    return replace(log, q=q, velocity=velocity)
+
 
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
 

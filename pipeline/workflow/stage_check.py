@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from ..device.device import device
-from ..diagnostics.gates import accepted_settings, judge
+from ..diagnostics.sentences import accepted_settings, judge
 from ..errors import InputError
 from ..settings.prototype import CheckGate, Prototype
 from ..signals.log import voltages
@@ -50,7 +50,7 @@ def tasks(prototype: Prototype) -> list[Task]:
 
 
 def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
-    from ..diagnostics.rows import check_rows, remarks
+    from ..diagnostics.check import check_rows, remarks
 
     findings = examine(run, prototype)
     accepted = assess(findings, prototype)

@@ -6,8 +6,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from ..device.parameter_sets import parameter_values
-from ..device.parameters import JointParameters
+from ..device.parameters import JointParameters, parameter_values
 from ..settings.prototype import Prototype
 from ..store import layout, schemas
 from ..store.columns import StudyName
@@ -17,8 +16,8 @@ from .engine import Task
 from .run_models import control_documents
 
 if TYPE_CHECKING:
-    from ..diagnostics.facts.datasheet import Datasheet
-    from ..diagnostics.facts.run_data import RunData
+    from ..diagnostics.datasheet import Datasheet
+    from ..diagnostics.run_data import RunData
     from ..reporting.figure import Figure
     from ..reporting.plotted import Format
 
@@ -141,7 +140,7 @@ def prepare(
     control : sequence of str
         Titles of the control documents that are shown.
     """
-    from ..diagnostics.facts.datasheet import make_datasheet
+    from ..diagnostics.datasheet import make_datasheet
     from ..reporting.run_report import figures_of
     from .report_data import read_run
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from pipeline.device.parameters import NOMINAL
-from pipeline.diagnostics.facts.series import RunFact, instrument_facts
 from pipeline.diagnostics.instruments import SIGNIFICANCE, InstrumentTest, Reading
+from pipeline.diagnostics.series import RunFact, instrument_facts
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS as PARAMETERS
 from pipeline.models.hybrid.parameters import NAMES as DEVIATIONS

@@ -10,8 +10,7 @@ from pipeline.errors import CorruptArtifactError, InputError, RunLockedError
 from pipeline.store.lock import run_lock
 from pipeline.store.manifest import MANIFEST
 from pipeline.store.run_folder import RunFolder, Written
-from pipeline.workflow.engine import Task, status
-from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.engine import Task, bring_up_to_date, status
 from tests.prototypes import Silent
 
 

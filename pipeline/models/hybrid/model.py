@@ -16,8 +16,8 @@ from scipy.interpolate import CubicSpline
 from ...fitting.posterior import first_order_curves, posterior_draws
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
-from ...signals.decimation_kernel import filtered_samples
 from ...signals.log import Log
+from ...signals.resampling import filtered_samples
 from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, Unit, tree_of
 from . import parameters as condensed_parameters

@@ -14,8 +14,8 @@ from ...device.parameters import JointParameters
 from ...fitting.descent import PARAMETER_STEP
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import BoolArray, FloatArray, samples_of
-from ...signals.decimation_kernel import sharpened
 from ...signals.log import Log
+from ...signals.resampling import sharpened
 from . import parameters as condensed_parameters
 from .angle_reading import AngleReading
 from .columns import INSTRUMENTS

@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...device.device import device
-from ...diagnostics.gates import judge
+from ...diagnostics.sentences import judge
 from ...errors import DataRefusedError
 from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
-from ...signals.log import LONGEST_BRIDGE, UNKNOWN
-from ...signals.raw_log import RawLog
+from ...signals.log import LONGEST_BRIDGE, UNKNOWN, RawLog
 from ...units.quantity import stamped
 
 if TYPE_CHECKING:
@@ -47,7 +46,7 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
     from ...diagnostics.sentences import sentences
-    from ...signals.quality_gates import log_findings, rate_findings, rate_remarks
+    from ...signals.findings import log_findings, rate_findings, rate_remarks
     from ...signals.timebase import examine, nominal_step
     from ...signals.uniform_record import Resampling, inputs_unknown, survey
 
@@ -93,8 +92,8 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
 
 def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
     """The log with its inputs' single-sample spikes bridged, and noted."""
+    from ...signals.findings import counted
     from ...signals.outliers import without_spikes
-    from ...signals.remarks import counted
     from ...signals.timebase import nominal_step
 
     texts = list[str]()
@@ -121,7 +120,7 @@ def _few_samples(signals: RawLog, interval: float) -> tuple[list[str], "list[Fin
     """Inputs with stamps of their own that may have been recorded on change only, and those with too long steps for a
     sample interval [s].
     """
-    from ...signals.quality_gates import coarse_inputs
+    from ...signals.findings import coarse_inputs
     from ...signals.timebase import nominal_step, seldom
 
     own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q[0]}
@@ -147,7 +146,7 @@ def _refuse_no_record(where: str, span: tuple[float, float], interval: float, co
 
 def _refuse_other_clock(where: str, clock: "TimeQuality", quality: "SignalQuality", prototype: Prototype) -> None:
     """Refuse stamps that are no seconds, before a record is made of them."""
-    from ...signals.quality_gates import rate_findings
+    from ...signals.findings import rate_findings
 
     interval = prototype.ingest.sample_interval
     if clock.written_as_minutes:
@@ -164,8 +163,7 @@ def _sensor(signals: RawLog, quality: "SignalQuality") -> dict[str, Any]:
     samples each value is held, and a sketch of the samples by which a copy is recognised.
     """
     from ...diagnostics.copies import sketch
-    from ...diagnostics.held_values import held_samples
-    from ...signals.noise import resolution
+    from ...signals.noise import held_samples, resolution
 
     lines = [line.frequency for line in quality.hum if line.stands_out]
     step = resolution(signals.q[1])
@@ -183,9 +181,8 @@ def _lacking(signals: RawLog, interval: float) -> tuple[list[str], "list[Finding
     """What to say of samples that signals beside q lack, and of more than an interval [s] at which only q is known; and
     what of it speaks against the log.
     """
+    from ...signals.findings import counted, missing_findings
     from ...signals.missing import missing
-    from ...signals.quality_gates import missing_findings
-    from ...signals.remarks import counted
 
     beside = missing(signals.q, signals.beside)
     texts = []
@@ -203,7 +200,7 @@ def _discarded(rows: "TimeRows") -> list[str]:
     """What to say of rows that are left out where time steps back."""
     if not rows.turns.size:
         return []
-    from ...signals.remarks import counted
+    from ...signals.findings import counted
 
     share = rows.backward / rows.time.size
     places = counted(int(rows.turns.size), "place")
@@ -216,7 +213,7 @@ def _discarded(rows: "TimeRows") -> list[str]:
 
 def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[str]:
     """What to say of gaps in time, and of spans [s] in which the inputs are not known."""
-    from ...signals.remarks import counted
+    from ...signals.findings import counted
 
     kinds = [
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
@@ -245,8 +242,8 @@ def _with_cuts(
 
 def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
+    from ...signals.findings import counted
     from ...signals.outliers import dropout_remarks
-    from ...signals.remarks import counted
 
     rails, lost, spikes = trusted.left_out
     plant = device(prototype)
@@ -294,8 +291,7 @@ def _hum_against_rate(signals: RawLog, rate: float | None) -> list[str]:
 
 def _warnings(signals: RawLog, prototype: Prototype, trusted: "Trusted") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
-    from ...signals.quality_gates import saturation, scale_suspicion
-    from ...signals.remarks import remarks_on
+    from ...signals.findings import remarks_on, saturation, scale_suspicion
     from ...signals.signal_quality import span
     from ...signals.timebase import nominal_step
 

@@ -9,8 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from ...device.device import device
-from ...device.parameter_sets import joint_parameters
-from ...device.parameters import JointParameters
+from ...device.parameters import JointParameters, joint_parameters
 from ...errors import InputError
 from ...export.subject import Subject
 from ...models.analytical.reduced_order import reduce_joint, simulate_reduced
@@ -24,8 +23,7 @@ from ...settings.prototype import FIELD_LIMIT, Prototype
 from ...store.outputs import check_places, new_outputs, rebased
 from ...store.run_folder import RunFolder
 from ..run_models import subject
-from .excitation_design import Assessment, Design, Requirements, Simulator, design_excitation
-from .next_log import NextLog, design_next_log
+from .excitation_design import Assessment, Design, NextLog, Requirements, Simulator, design_excitation, design_next_log
 
 _COMMAND = "rig excite"
 

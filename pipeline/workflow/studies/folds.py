@@ -10,9 +10,8 @@ from typing import Any, Literal
 import numpy as np
 
 from ...device.device import device
-from ...device.parameter_sets import parameter_set, parameter_values
-from ...device.parameters import JointParameters
-from ...diagnostics.facts.characteristics import believed_wells, stable_rests
+from ...device.parameters import JointParameters, parameter_set, parameter_values
+from ...diagnostics.characteristics import believed_wells, stable_rests
 from ...errors import DataRefusedError, DebistError, InputError
 from ...models.model_type import model_type
 from ...numerics.arrays import BoolArray
@@ -35,14 +34,12 @@ from ...store.manifest import TIMES
 from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
 from ...system.worker_pool import in_processes
-from .. import stage_compare as compare
 from .. import stage_identify as identify
-from ..engine import Observer, Task
+from ..engine import Observer, Task, bring_up_to_date
 from ..logs import load_logs, sources
 from ..prior_knowledge import known_inputs, prior_knowledge_of
 from ..run_models import identified_models
-from ..schedule import bring_up_to_date
-from ..steps.training import PriorKnowledge, training
+from ..steps.identify import PriorKnowledge, training
 from .study import StudyResult, study_result
 
 ALGORITHM = "5"
@@ -129,7 +126,7 @@ def _task(prototype: Prototype, parameters: JointParameters | None, split: Folds
         "model": model,
         "identify": {"algorithm": identify.ALGORITHM, **prototype.identify.model_dump(mode="json", exclude={"models"})},
         "compare": {
-            "algorithm": compare.ALGORITHM,
+            "algorithm": identify.BASELINE_ALGORITHM,
             **prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
         },
         "plant": prototype.plant.model_dump(mode="json", exclude=FILM),

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 
 from ...device.device import device
-from ...device.parameter_sets import parameter_set
-from ...device.parameters import JointParameters
-from ...diagnostics.facts.run_data import RunData, wells_of_run
+from ...device.parameters import JointParameters, parameter_set
+from ...diagnostics.run_data import RunData, wells_of_run
 from ...errors import InputError
 from ...fitting.regression import basis_values
 from ...models.analytical.bifurcation import characteristics
@@ -33,11 +32,10 @@ from ...store import layout, schemas
 from ...store.lock import run_lock
 from ...store.run_folder import RunFolder, Written
 from ...units.units import ALPHA_UNIT
-from .. import stage_scores as scores
-from ..engine import Observer, Task, TaskStatus, tasks_of
+from .. import stage_validate as validate
+from ..engine import Observer, Task, TaskStatus, bring_up_to_date, tasks_of
 from ..report_data import read_run
-from ..schedule import bring_up_to_date
-from ..stages import STAGE_NAMES, Planned, of_stages, plan
+from ..run import STAGE_NAMES, Planned, of_stages, plan
 from .study import study_task
 
 ALGORITHM = "4"
@@ -168,7 +166,7 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
 def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> Mapping[str, Written]:
     from ...reporting.joint_figures import COLOURED
 
-    data = read_run(run, prototype, scores.scored_models(run, prototype))
+    data = read_run(run, prototype, validate.scored_models(run, prototype))
     figures: dict[str, tuple[Figure, Sequence[str]]] = {
         name: (figure, COLOURED) for name, figure in joint_figures(parameters).items()
     }

@@ -143,7 +143,7 @@ def calibrate(
 
 def write_parameters(fit: "Calibration", target: Path) -> None:
     """Write a calibrated set as TOML with its standard errors as comments; errors as for `new_outputs`."""
-    from ...device.parameter_sets import parameter_file
+    from ...device.parameters import parameter_file
     from ...store.outputs import new_outputs
 
     errors = {name: f"± {error:.2g}" for name, error in zip(fit.names, fit.standard_errors, strict=True)}

@@ -27,10 +27,9 @@ from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
 from ...system.worker_pool import in_processes
 from ...units.units import ALPHA_UNIT
-from ..engine import Observer, Task
+from ..engine import Observer, Task, bring_up_to_date
 from ..logs import load_logs, sources
 from ..report_data import read_study
-from ..schedule import bring_up_to_date
 from ..steps.differentiate import differentiator
 
 ALGORITHM = "2"

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...device.device import Device
-from ...numerics.arrays import FloatArray, runs_of, sample_interval
-from ...scoring.wells import NoWells, Wells, end_of_rest, places_of_rest, rests
-from ...signals.spectrum import aliased
+from ..device.device import Device
+from ..numerics.arrays import FloatArray, runs_of, sample_interval
+from ..scoring.wells import NoWells, Wells, end_of_rest, places_of_rest, rests
+from ..signals.spectrum import aliased
 
 SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
 STEP, LEVEL_MOVES = 0.1, 0.02  # of an input's range: least height of a step, and what moves between two levels

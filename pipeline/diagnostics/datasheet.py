@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from ...models.base import DynamicModel
-from ...numerics.arrays import FloatArray
-from ...numerics.metrics import NORMAL_90
-from ...scoring.wells import NoWells, Wells
-from ...signals.findings import Finding, Number
-from ...signals.log import voltages
-from ...store.columns import FACT_COLUMNS, STABLE
+from ..models.base import DynamicModel
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import NORMAL_90
+from ..scoring.wells import NoWells, Wells
+from ..signals.findings import Finding, Number
+from ..signals.log import voltages
+from ..store.columns import FACT_COLUMNS, STABLE
 from .characteristics import (
     COVERAGE,
     Curves,

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...device.device import Device
-from ...errors import InputError
-from ...models.base import DynamicModel, HasCurveDraws, HasCurves
-from ...numerics.arrays import BoolArray, FloatArray
-from ...numerics.continuation import outermost_pair
-from ...scoring.wells import NoWells, Wells
-from ...store.columns import STABLE
+from ..device.device import Device
+from ..errors import InputError
+from ..models.base import DynamicModel, HasCurveDraws, HasCurves
+from ..numerics.arrays import BoolArray, FloatArray
+from ..numerics.continuation import outermost_pair
+from ..scoring.wells import NoWells, Wells
+from ..store.columns import STABLE
 from .run_data import RunData
 
 COVERAGE = 0.9  # share of the draws inside a band or an interval

@@ -6,15 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from ...device.device import Device
-from ...fitting.population import NormalPopulation
-from ...models.base import DynamicModel
-from ...numerics.arrays import sample_interval
-from ...scoring.wells import NoWells, Wells, wells_of
-from ...settings.prototype import Prototype
-from ...signals.log import log_of
-from ...store.columns import StudyName
-from ...system.names import log_title, true_name
+from ..device.device import Device
+from ..fitting.population import NormalPopulation
+from ..models.base import DynamicModel
+from ..numerics.arrays import sample_interval
+from ..scoring.wells import NoWells, Wells, wells_of
+from ..settings.prototype import Prototype
+from ..signals.log import log_of
+from ..store.columns import StudyName
+from ..system.names import log_title, true_name
 
 Columns = Mapping[str, Any]
 WHY = "chosen because"

@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from ...fitting.trends import Trend, smoothed, trend
-from ...models.base import DynamicModel, HasCurveDraws, HasCurves
-from ...numerics.arrays import FloatArray
-from ...numerics.metrics import NORMAL_90
-from ...signals.log import Log
-from ..instruments import InstrumentTest
+from ..fitting.trends import Trend, smoothed, trend
+from ..models.base import DynamicModel, HasCurveDraws, HasCurves
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import NORMAL_90
+from ..signals.log import Log
 from .calibrated import calibrated
+from .instruments import InstrumentTest
 
 ALARM = 0.05
 """Probability with which a series of an unchanged device has any change claimed."""

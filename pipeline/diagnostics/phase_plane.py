@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from ...models.base import DynamicModel, SimulatesMany
-from ...numerics.arrays import FloatArray, runs_of
-from ...signals.log import voltages
+from ..models.base import DynamicModel, SimulatesMany
+from ..numerics.arrays import FloatArray, runs_of
+from ..signals.log import voltages
 from .run_data import LogData, RunData
 
 BASIN_COLUMNS = 81
