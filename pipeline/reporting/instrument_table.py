@@ -20,7 +20,7 @@ Parts = Mapping[tuple[str, str], LogPart]
 
 RELATIVE = "Errors are relative to the training logs: where one of those is wrong, correct it instead."
 
-ONE_OF_TWO = "Two training logs differ: correct one of them, not both."
+ONE_OF_THEM = "Training logs differ: correct one of them, the farthest off, and run again."
 
 
 @dataclass(frozen=True)
@@ -71,8 +71,8 @@ def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> In
     if not lines:
         limits = ", ".join(f"{_name(r)} {_shown(r, 'limit', displacement)}" for r in rows[: _count(rows)])
         return InstrumentTable((), f"Instruments: no reading is off by more than its limit ({limits}).")
-    pair = [row["log"] for row in rows if row["role"] == "train" and row["beyond"]]
-    explanation = f"{RELATIVE} {ONE_OF_TWO}" if len(set(pair)) == 2 else RELATIVE
+    differing = {row["log"] for row in rows if row["role"] == "train" and row["beyond"]}
+    explanation = f"{RELATIVE} {ONE_OF_THEM}" if len(differing) > 1 else RELATIVE
     return InstrumentTable(tuple(lines), explanation, tuple(entries))
 
 
