@@ -68,7 +68,7 @@ def _hybrid() -> None:
 
 
 def _without_parameter_set() -> None:
-    from ..models.narx.model import NarxModel
+    from ..models.narx import NarxModel
     from ..models.paper.model import LaggedLaw, lagged_rbf_run
     from ..models.polynomial_dynamics import PolynomialDynamics, free_run
 

@@ -72,8 +72,8 @@ def test_a_log_as_it_was_wired_has_its_line_of_settings(other: dict[str, str], a
     assert list(table.entries) == advised
 
 
-def test_of_two_training_logs_that_differ_one_is_to_be_corrected() -> None:
+def test_of_training_logs_that_differ_one_is_to_be_corrected() -> None:
     logs = [_rows("clock", role="train", log=log) for log in ("first", "second")]
     parts = {("train", log): LogPart(file=f"{log}.mat") for log in ("first", "second")}
     table = instrument_table([*logs[0], *logs[1]], parts, "m")
-    assert "one of them, not both" in table.explanation
+    assert "correct one of them" in table.explanation
