@@ -139,7 +139,7 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
         ("channel", "unit", "samples", "smallest", "largest", "time base", "remarks"),
         [_channel_row(channel) for channel in inspection.channels],
-        numeric_from=7,
+        numeric_from=None,
     )
     if inspection.time_bases:
         emit_table(
@@ -172,7 +172,7 @@ def _emit_excitation(coverage: "LogExcitation") -> None:
         emit_text("the channels were chosen by name and unit; --settings PROTOTYPE.toml names them")
     rows = [(shortfall.finding, shortfall.add) for shortfall in coverage.shortfalls]
     if rows:
-        emit_table("Not excited", ("finding", "add"), rows, numeric_from=2)
+        emit_table("Not excited", ("finding", "add"), rows, numeric_from=None)
         if coverage.plant.joint:
             emit_text("`debist rig excite` designs a sequence for a joint with two membranes")
     else:
@@ -222,7 +222,7 @@ def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
     from ..diagnostics.check import beside
 
     header, table = beside(rows)
-    emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=len(header))
+    emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=None)
     for row in rows:
         if row.state == "note":
             emit_text(f"note: {row.remark}", indent="  ")

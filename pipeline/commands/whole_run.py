@@ -68,7 +68,7 @@ def plot(
         if as_json:
             emit_json({"figures": [{"name": name, "title": title} for name, title in names]})
         else:
-            emit_table(f"figures of {run}", ("figure", "shows"), names, numeric_from=2)
+            emit_table(f"figures of {run}", ("figure", "shows"), names, numeric_from=None)
         return
     excerpt = Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface)
     written = plot_figure(run, figure, output, excerpt, force=force)
@@ -100,7 +100,7 @@ def show(run: Run, as_json: Json = False) -> None:
         emit_table("what acts along the training logs", heading, shown.elements)
     outcome.emit_instruments(run)
     emit_table(
-        f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4
+        f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=None
     )
 
 

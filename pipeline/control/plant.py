@@ -9,7 +9,7 @@ import numpy as np
 
 from ..codegen.numba_writer import formula, kernel
 from ..errors import InputError
-from ..generated.condensed_joint import BRANCHES, DRY_LEVELS, ELEMENT_STATES, STATES, STOPS
+from ..generated.condensed_joint import BRANCHES, DRY_LEVELS, ELEMENT_STATES, SHAPE, STATES, STOPS
 from ..generated.condensed_joint_jacobian import JACOBIAN, PREPARE
 from ..generated.terms import BELL_SHAPE
 from ..models.hybrid.kernels import CURVES, INDEX, VALUES, corrections_at, mass_matrix, prepare, rest_forces
@@ -344,7 +344,7 @@ def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArra
     """The equilibrium near a state under the squared voltages `u`, shape (2,) [V²]; None if Newton's method fails."""
     c = plant.constants
     steps = np.array([1e-7, 1e-6, 1e-6])  # m, 1, 1
-    found = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], c)), near[[0, 2, 4]], steps)
+    found = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], c)), near[SHAPE], steps)
     return None if found is None or abs(found[0]) > plant.wall else still(*found)
 
 

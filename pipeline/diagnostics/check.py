@@ -305,13 +305,12 @@ def _wrapped(fact: LogFacts, plant: Device) -> list[Finding]:
 
 
 def _rests(fact: LogFacts, plant: Device) -> Finding:
-    name = fact.signals.name
     unit = plant.displacement.symbol
     if not isinstance(fact.wells, Wells):
-        return Finding("no_rests", "unseen", name, fact.wells.reason.partition(":")[0])
+        return Finding("no_rests", "unseen", fact.signals.name, fact.wells.reason.partition(":")[0])
     numbers = {"left": Number(fact.wells.left, unit), "right": Number(fact.wells.right, unit)}
     about_zero = not plant.joint or fact.wells.left < 0.0 < fact.wells.right
-    return Finding("rests", "good" if about_zero else "fair", name, "q", numbers)
+    return Finding("rests", "good" if about_zero else "fair", fact.signals.name, "q", numbers)
 
 
 def check_logs(logs: Sequence[LogSignals], plant: Device, sample_interval: float) -> list[Finding]:

@@ -354,8 +354,7 @@ def _listed(values: Mapping[str, float | None]) -> Iterator[tuple[str, str, str]
 def _scattered(places: FloatArray, motions: Sequence[FloatArray]) -> bool:
     """Whether places of rest are too far apart for one: of a drive that stays anywhere, or of a log without rests."""
     low = min(float(np.nanmin(q)) for q in motions)
-    high = max(float(np.nanmax(q)) for q in motions)
-    return bool(np.std(places) > SCATTERED * (high - low))
+    return bool(np.std(places) > SCATTERED * (max(float(np.nanmax(q)) for q in motions) - low))
 
 
 def _measured(rests: RestFacts, wells: Wells | NoWells) -> dict[str, FloatArray]:

@@ -81,17 +81,15 @@ def undriven_starts(t: FloatArray, q: FloatArray, v: FloatArray) -> tuple[float,
     rows = rest + _ANSWER
     if q.size <= rows:
         return ()
-    view = np.lib.stride_tricks.sliding_window_view
     reach = float(np.nanmax(q) - np.nanmin(q))
-    whole = view(q, rows)
+    whole = np.lib.stride_tricks.sliding_window_view(q, rows)
     still = np.ptp(whole[:, :rest], axis=1) < _STILL * reach
     moved = np.abs(whole[:, -1] - whole[:, rest - 1]) > 3.0 * _STILL * reach
     steady = np.ones(whole.shape[0], dtype=np.bool_)
     for column in v.T:
-        steady &= np.ptp(view(column, rows), axis=1) < _STILL * np.ptp(column)
+        steady &= np.ptp(np.lib.stride_tricks.sliding_window_view(column, rows), axis=1) < _STILL * np.ptp(column)
     begins = np.flatnonzero(still & moved & steady)
-    first = begins[np.diff(begins, prepend=-rows) > _ANSWER]
-    return tuple(t[first + rest].tolist())
+    return tuple(t[begins[np.diff(begins, prepend=-rows) > _ANSWER] + rest].tolist())
 
 
 def rest_drift(
@@ -183,8 +181,6 @@ class LogFacts:
         The same where the inputs act by their other law (in proportion for by their squares).
     as_signed_monitor : float or None
         The same where the one input is the signed monitor of two membranes; None unless it takes both signs.
-    both_signs : bool
-        Whether an input takes both signs.
     starts : tuple of float
         Times [s] at which q leaves a rest though no input changes.
     drift : float or None
@@ -201,7 +197,6 @@ class LogFacts:
     unexplained: float | None
     under_other_law: float | None
     as_signed_monitor: float | None
-    both_signs: bool
     starts: tuple[float, ...]
     drift: float | None
 
@@ -242,7 +237,6 @@ def log_facts(log: LogSignals, sample_interval: float, plant: Device) -> LogFact
         unexplained=None if terms is None else unexplained(terms),
         under_other_law=other_law,
         as_signed_monitor=signed_monitor,
-        both_signs=both_signs,
         starts=undriven_starts(t, q, v),
         drift=rest_drift(t, q, v, every * log.interval, wells, plant=plant),
     )

@@ -165,8 +165,7 @@ def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatA
 def _span(data: RunData, name: str, count: int) -> FloatArray:
     """Grid lines over all that was measured of a signal, and a little more."""
     low, high = _ends(data, name)
-    grid: FloatArray = np.linspace(low - MARGIN * (high - low), high + MARGIN * (high - low), count)
-    return grid
+    return np.asarray(np.linspace(low - MARGIN * (high - low), high + MARGIN * (high - low), count))
 
 
 def _ends(data: RunData, name: str) -> tuple[float, float]:

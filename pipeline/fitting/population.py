@@ -148,7 +148,7 @@ def _variance_within(cut: float) -> float:
 
 
 def without_each(
-    members: Sequence[Information], prior: NormalPopulation, whole: NormalPopulation, shrinkage: Shrinkage | None = None
+    members: Sequence[Information], prior: NormalPopulation, whole: NormalPopulation
 ) -> Iterator[NormalPopulation]:
     """For each member the population of all the others; `whole` is that of all. Cost: `MORE_ROUNDS` steps for each.
 
@@ -160,12 +160,10 @@ def without_each(
         What is believed without them.
     whole : NormalPopulation
         The population of all: where the estimation starts.
-    shrinkage : Shrinkage, optional
-        How far the prior counts.
     """
     for i in range(len(members)):
         others = [*members[:i], *members[i + 1 :]]
-        yield estimate_population(others, prior, shrinkage, start=whole, rounds=MORE_ROUNDS)
+        yield estimate_population(others, prior, start=whole, rounds=MORE_ROUNDS)
 
 
 def log_evidence(member: Information, population: NormalPopulation) -> float:

@@ -25,7 +25,7 @@ from ..numerics.metrics import NORMAL_95
 from ..signals.log import voltages
 from ..units.quantity import power, prefixed, quantity
 from .datasheet_rows import NOT_USED
-from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points, error_bars
+from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points, error_bars, rows_panel
 from .instrument_table import instruments_figure
 from .log_figures import residual_figures
 from .recipe_figures import study_figure
@@ -64,11 +64,8 @@ def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
     half = NORMAL_95 * np.array([p.error for p in places])
     bars = error_bars("what its logs leave open (95 %)", at, half, rows)
     usual = np.array([-NORMAL_95, NORMAL_95])
-    band = Band("95 % of siblings", "reference", usual, np.full(2, -0.5), np.full(2, len(at) - 0.5))
-    panel = Panel(
-        "", "1", (bars,), (band,), (Points("this joint", "measured", at, rows),),
-        y_limits=(-0.6, len(at) - 0.4), names=tuple(place.name for place in reversed(places)),
-    )  # fmt: skip
+    points = (Points("this joint", "measured", at, rows),)
+    panel = rows_panel([place.name for place in reversed(places)], bars, "95 % of siblings", usual, points)
     caption = (
         "The quantities that the siblings know best. Where the siblings were the prior of the fit, it has drawn the "
         "joint towards them."

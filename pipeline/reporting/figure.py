@@ -13,6 +13,7 @@ from ..numerics.arrays import FloatArray, IntArray
 from ..units.quantity import power, significant
 
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
+_ROOM = 0.1  # rows, above and below
 MARGIN = 0.04  # of the range of y, above and below
 
 # Origin of a line: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
@@ -146,6 +147,28 @@ class Panel:
     low: bool = False
     whole: bool = False
     names: tuple[str, ...] = ()
+
+
+def rows_panel(names: Sequence[str], bars: Line, usual: str, within: FloatArray, points: Sequence[Points]) -> Panel:
+    """A panel with a row for each quantity, and behind the rows what is usual.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the quantities, from below.
+    bars : Line
+        From :func:`error_bars`.
+    usual : str
+        What the area behind the rows is.
+    within : FloatArray, shape (2,)
+        Its limits.
+    points : sequence of Points
+        Marks on the rows.
+    """
+    edges = np.full(2, -0.5), np.full(2, len(names) - 0.5)
+    band = Band(usual, "reference", within, *edges)
+    ends = (-0.5 - _ROOM, len(names) - 0.5 + _ROOM)
+    return Panel("", "1", (bars,), (band,), tuple(points), y_limits=ends, names=tuple(names))
 
 
 @dataclass(frozen=True)

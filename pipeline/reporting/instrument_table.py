@@ -13,7 +13,7 @@ from ..diagnostics.series import READINGS
 from ..settings.logs import LogPart
 from ..system.names import log_title
 from ..units.quantity import quantity
-from .figure import Band, Figure, Panel, Points, error_bars
+from .figure import Figure, Points, error_bars, rows_panel
 
 Row = Mapping[str, Any]
 Parts = Mapping[tuple[str, str], LogPart]
@@ -156,12 +156,9 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     at = np.array([row["estimate"] for row in measured]) / limits
     half = SIGNIFICANCE * np.array([row["standard_error"] for row in measured]) / limits
     bars = error_bars(f"± {SIGNIFICANCE:g} standard errors", at, half, y)
-    band = Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5))
     points = [Points("a log", "measured", at[~beyond], y[~beyond])]
     points += [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
-    panel = Panel(
-        "", "1", (bars,), (band,), tuple(points), y_limits=(-0.6, len(names) - 0.4), names=tuple(names)
-    )  # fmt: skip
+    panel = rows_panel(names, bars, "limit", np.array([-1.0, 1.0]), points)
     caption = f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}"
     return Figure(
         "instruments", "Instruments of the logs", caption, "error of the reading over its limit", "1", (panel,),

@@ -14,6 +14,7 @@ from .log import LAYOUTS
 
 Shape = Literal["pulse", "chirp", "steps", "multisine"]
 
+DURATION = 37.5  # s, of a log
 MAX_VOLTAGE = 3000.0  # V: 60 V/µm across 50 µm of film (§2)
 STEP_HOLD = 0.12  # s, shortest hold of a random step: the converter settles, the joint does not
 MULTISINE_LINES = 8
@@ -88,14 +89,14 @@ def _swing(burst: Burst, t: FloatArray) -> FloatArray:
     return np.asarray(np.clip(waves / np.sqrt(burst.frequencies.size), -1.0, 1.0))
 
 
-def alternating_pulses(*, duration: float = 37.5, rest: float = REST, voltage: float = MAX_VOLTAGE) -> list[Burst]:
+def alternating_pulses(*, duration: float = DURATION, rest: float = REST, voltage: float = MAX_VOLTAGE) -> list[Burst]:
     """Equal pulses, left and right in turn, with equal pauses: the plain sequence that designs are compared with."""
     starts = np.arange(rest, duration - PULSE, PULSE + PAUSE)
     sides = [(voltage, 0.0), (0.0, voltage)]
     return [Burst("pulse", float(start), PULSE, *sides[i % 2]) for i, start in enumerate(starts)]
 
 
-def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5, top: float = MAX_VOLTAGE) -> list[Burst]:
+def switching_pulses(rng: np.random.Generator, *, duration: float = DURATION, top: float = MAX_VOLTAGE) -> list[Burst]:
     """Full pulses, left and right in turn, of random lengths: the paper's experiment (figures 11 and 15).
 
     Pulses and pauses last 1 to 2 s, in which the joint nearly comes to rest.
@@ -111,7 +112,7 @@ def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5, top: f
 
 
 def random_excitation(
-    rng: np.random.Generator, *, duration: float = 37.5, excitation: str = "training", top: float = MAX_VOLTAGE
+    rng: np.random.Generator, *, duration: float = DURATION, excitation: str = "training", top: float = MAX_VOLTAGE
 ) -> list[Burst]:
     """Draw an experiment up to `top` [V]: a rest, then bursts and pauses until `duration` [s].
 

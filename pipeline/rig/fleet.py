@@ -17,8 +17,8 @@ from ..errors import InputError
 from ..settings.logs import Number, Role, SettingsTable, Whole
 from ..store.atomic import write_text
 from ..store.outputs import new_outputs, rebased
-from .bench import Bench, BenchRecord, Readings, random_bench, record
-from .excitation import EXCITATIONS, Sequence, command, load_sequence, random_excitation
+from .bench import RATE, Bench, BenchRecord, Readings, random_bench, record
+from .excitation import DURATION, EXCITATIONS, Sequence, command, load_sequence, random_excitation
 from .joint import wells
 from .log import LAYOUTS, Fault, FaultKind, inject_faults
 from .parameters import RigParameters, as_json, nominal, sized, table1
@@ -68,9 +68,9 @@ class Experiment(ExperimentFile):
     """same, foreign, worn: drawn (`pipeline.rig.random_joint`); nominal, table1: the drawing itself."""
     format: str = "mat"
     """A name in `pipeline.rig.log.LAYOUTS`."""
-    rate: float = 30_000.0
+    rate: float = RATE
     """Samples per second [Hz]."""
-    duration: float = 37.5
+    duration: float = DURATION
     """Length of each log [s]."""
 
     @model_validator(mode="after")
@@ -237,7 +237,7 @@ def _logs(
 
 def _worth_keeping(measured: BenchRecord, bench: Bench) -> bool:
     """Whether a log visits both wells often, in proportion to its length, and stays within the laser's range."""
-    wanted = _CROSSINGS * min(1.0, float(measured.t[-1]) / 37.5)
+    wanted = _CROSSINGS * min(1.0, float(measured.t[-1]) / DURATION)
     crossings = np.count_nonzero(np.diff(np.sign(measured.true_q)))
     return bool(crossings >= wanted and np.abs(measured.q).max() < bench.laser.rail)
 

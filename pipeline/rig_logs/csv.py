@@ -116,7 +116,8 @@ class CsvSource(Source):
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Several columns, block of rows by block of rows."""
         for name in self._clocks.keys() & set(names):
-            self._note(f"time of {name!r} {self._clocks[name].note}")
+            note = f"time of {name!r} {self._clocks[name].note}"
+            self.notes += [] if note in self.notes else [note]
         rows = Counter[str]()
         while True:
             rewritten = self._rewritten
@@ -292,9 +293,6 @@ class CsvSource(Source):
         length, notes = whole_rows(self._path, self._dialect)
         self.warnings += [note for note in notes if note not in self.warnings]
         return length
-
-    def _note(self, note: str) -> None:
-        self.notes += [] if note in self.notes else [note]
 
 
 def _spellings(text: str) -> set[str]:

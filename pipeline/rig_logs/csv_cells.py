@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..units.units import SECONDS as SECONDS_IN
+
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
 _GROUPED = re.compile(
     r"[-+]?\d{1,3}(?P<mark>[.,'’ \u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<fraction>(?!(?P=mark))[.,]\d+)?"
@@ -155,10 +157,6 @@ def no_number(cell: str, column: str, decimal: str) -> str:
     )
 
 
-_HOUR = 3600.0
-_DAY = 86_400.0
-
-
 class Clock:
     """A column of times of day, or of minutes and seconds, read part by part.
 
@@ -172,7 +170,7 @@ class Clock:
         self._origin = np.nan
         self._last = 0.0
         self._form, match = clock_of(first) or ("", None)
-        self._turn = _DAY if match and match["h"] else _HOUR
+        self._turn = SECONDS_IN["day" if match and match["h"] else "h"]
         begins = min((match.start(part) for part, text in match.groupdict().items() if text), default=0) if match else 0
         self.note = f"counts from {first}" + ("; its date is not used" if begins > 1 else "")
 
@@ -209,7 +207,9 @@ class Clock:
                 doubles(pc.match_substring_regex(half, form).cast(pa.float64())) for form in (".", "[Pp]")
             )
             hours = np.where(of_twelve > 0.0, hours % 12.0 + 12.0 * after_noon, hours)
-        return self._onwards(3600.0 * hours + 60.0 * (part("m") + part("mm")) + part("s") + part("ss"))
+        return self._onwards(
+            SECONDS_IN["h"] * hours + SECONDS_IN["min"] * (part("m") + part("mm")) + part("s") + part("ss")
+        )
 
     def _onwards(self, times: NDArray[Any]) -> NDArray[Any]:
         """Times within a day (or an hour) from the first one on: back by more than half of it is the next one."""

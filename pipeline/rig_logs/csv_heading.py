@@ -199,7 +199,6 @@ def _with_units_behind_strokes(headings: Row) -> bool:
     return len(units) > 1 and all(unit in PLAIN or unit.lower() in _UNITS - {"v", "a", "k"} for unit in units)
 
 
-_VERTICAL = "Vertical Units"
 _HORIZONTAL = "Horizontal Units"
 _UNITS_KEY = re.compile(r"(?i)(y_unit_label|(vertical |[vy]_?)units?)")
 _NAMES_KEY = re.compile(r"(?i)((trace|channel|signal) ?)?names?")

@@ -11,8 +11,8 @@ import numpy as np
 from ..errors import InputError
 from ..settings.prototype import Ingest
 from ..signals.findings import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
+from ..signals.noise import LEAST_PER_PERIOD, advised_interval
 from ..signals.signal_quality import BOTH_SIGNS, takes_both_signs
-from ..signals.spectrum import LEAST_PER_PERIOD, advised_interval
 from ..signals.timebase import seldom
 from ..system.names import check_log_name, check_name, log_name, slug, true_name
 from ..units.units import DISPLACEMENT, FILL_IN, SECONDS, to_si

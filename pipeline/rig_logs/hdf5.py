@@ -125,7 +125,7 @@ def open_hdf5(path: Path) -> Any:
     try:
         return h5py.File(path, "r")
     except OSError as error:
-        reason = _first_sentence(error)
+        reason = str(error).split("(", 1)[-1].rstrip(")") or str(error)
         if "unable to lock" in reason or "already open" in reason:
             raise UnreadableLogError(
                 "its recorder still writes it, or died while it did: end the recording, or after a crash run "
@@ -221,10 +221,6 @@ def rows_at_a_time(dataset: Any, axis: int) -> int:
     """About `PART` rows along an axis, a multiple of the stored chunks, so that none is unpacked twice."""
     chunk = dataset.chunks[axis] if dataset.chunks else 1
     return int(-(-PART // chunk) * chunk)
-
-
-def _first_sentence(error: OSError) -> str:
-    return str(error).split("(", 1)[-1].rstrip(")") or str(error)
 
 
 _Column = int | tuple[str] | tuple[str, int] | None

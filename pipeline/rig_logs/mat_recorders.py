@@ -198,10 +198,9 @@ def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[
     if period is None or not isinstance(data, MatArray):
         return [], []
     step = period * (scalar_of(capture.get(0, "Downsampling")) or 1.0)
-    count = data.size
     notes.append(f"time from SamplingPeriod × Downsampling = {step:g} s; the log has no time axis")
-    entry = Entry("time", "s", "float64", count)
-    return [("time", count)], [MatChannel(entry, lambda first, last: step * np.arange(first, last))]
+    entry = Entry("time", "s", "float64", data.size)
+    return [("time", data.size)], [MatChannel(entry, lambda first, last: step * np.arange(first, last))]
 
 
 def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int]) -> int:

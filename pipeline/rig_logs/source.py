@@ -359,13 +359,12 @@ def with_starts(source: Source) -> Source:
 
 def _stated_beside(source: Source) -> dict[str, tuple[float, float]]:
     """Start and step [s] that numbers beside a channel or its group state: ``q.t0`` and ``q.dt`` those of ``q.Y``."""
-    numbers = source.stated_starts
-    starts = {_PLACE_OF.sub("", name): start for name, start in numbers.items()}
+    starts = {_PLACE_OF.sub("", name): start for name, start in source.stated_starts.items()}
     rates = {_PLACE_OF.sub("", name): rate for name, rate in source.rates.items() if starts}
     clocks = {}
     for entry in source.entries() if starts else ():
         places = (entry.name, _PLACE_OF.sub("", entry.name))
         place = next((place for place in places if place in starts and place in rates), None)
-        if place is not None and entry.time is None and entry.name not in numbers:
+        if place is not None and entry.time is None and entry.name not in source.stated_starts:
             clocks[entry.name] = (starts[place], 1.0 / rates[place])
     return clocks

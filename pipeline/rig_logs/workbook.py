@@ -17,6 +17,7 @@ from typing import Any
 
 from python_calamine import CalamineError, CalamineWorkbook
 
+from ..units.units import SECONDS
 from .csv import CsvSource
 from .source import CsvOptions, UnreadableLogError, View, temporary_path
 
@@ -30,7 +31,7 @@ _DAY_1 = datetime(1899, 12, 31)
 _OPEN_FORMULA = re.compile(rb"(?:</f>|<f[^>]*/>)\s*(?:<v\s*/>|<v></v>)?\s*</c>")
 _START = 100
 """Rows among which a heading stands."""
-_DAY_NS = 86_400 * 10**9
+_DAY_NS = int(SECONDS["day"]) * 10**9
 Rows = list[list[Any]]
 
 

@@ -130,11 +130,9 @@ class LogPart(SettingsTable):
     @property
     def span(self) -> tuple[float, float]:
         """From when to when it lasts [s]."""
-        start = self.start
-        stop = self.stop
         return (
-            -math.inf if start is None else parse_quantity(start, TIME, "start"),
-            math.inf if stop is None else parse_quantity(stop, TIME, "stop"),
+            -math.inf if self.start is None else parse_quantity(self.start, TIME, "start"),
+            math.inf if self.stop is None else parse_quantity(self.stop, TIME, "stop"),
         )
 
     @property

@@ -296,9 +296,8 @@ class Prototype(SettingsTable):
     @model_validator(mode="after")
     def _read(self) -> "Prototype":
         """Nothing is set that nothing reads; the paper's M and σ_n also decide gates and studies."""
-        identify = self.identify
-        set_here = [f"identify.structure.{key}" for key, value in identify.structure if value != AUTO]
-        set_here += ["identify.time_limit"] if identify.time_limit != _default(Identify, "time_limit") else []
+        set_here = [f"identify.structure.{key}" for key, value in self.identify.structure if value != AUTO]
+        set_here += ["identify.time_limit"] if self.identify.time_limit != _default(Identify, "time_limit") else []
         set_here += ["plant.curves"] if self.plant.curves is not None else []
         if set_here and not {AUTO, "rbf"} & set(self.identify.models):
             raise ValueError(f'{set_here[0]}: is for "rbf", which identify.models does not name')

@@ -78,8 +78,7 @@ def _delayed(samples: FloatArray, delay: float) -> FloatArray:
     rows = samples.reshape(-1, samples.shape[-1])
     places = np.arange(len(rows), dtype=np.float64)
     at = np.clip(places - delay * len(rows) / len(samples), 0.0, places[-1])
-    later: FloatArray = CubicSpline(places, rows)(at).reshape(samples.shape)
-    return later
+    return np.asarray(CubicSpline(places, rows)(at).reshape(samples.shape))
 
 
 def mirrored(log: Log) -> Log:

@@ -15,8 +15,8 @@ from ..numerics.arrays import FloatArray
 from ..settings.prototype import Gate
 from ..units.quantity import stamped
 from .missing import Missing
+from .noise import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
 from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
-from .spectrum import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
 from .timebase import TimeQuality
 
 Severity = Literal["unseen", "good", "fair", "poor"]
@@ -58,6 +58,10 @@ class Finding:
     subject: str = ""
     numbers: Mapping[str, Number] = field(default_factory=dict)
     gate: Gate | None = None
+
+    def value(self, name: str) -> float:
+        """A number of the finding, in SI."""
+        return self.numbers[name].value
 
 
 def refusal(gate: Gate, code: str, numbers: Mapping[str, Number] | None = None, subject: str = "") -> Finding:

@@ -125,8 +125,7 @@ class Log:
     def segment(self) -> IntArray:
         """The number of the gap-free segment of each row, −1 where the row is not valid, shape (N,)."""
         begins = np.diff(self.valid.astype(np.int64), prepend=0) > 0
-        numbers: IntArray = np.where(self.valid, np.cumsum(begins) - 1, -1)
-        return numbers
+        return np.asarray(np.where(self.valid, np.cumsum(begins) - 1, -1))
 
     def part(self, start: int, stop: int) -> "Log":
         """The samples from `start` to `stop`; the inputs before them are its past."""
@@ -262,8 +261,7 @@ def log_of(
 def _valid(segment: Any) -> BoolArray:
     """Rows of a segment, shape (N,); where two meet, the first row of the second one parts them."""
     meet = (np.diff(segment, prepend=segment[:1]) != 0) & (segment > 0) & (np.roll(segment, 1) >= 0)
-    valid: BoolArray = (segment >= 0) & ~meet
-    return valid
+    return np.asarray((segment >= 0) & ~meet)
 
 
 def voltages(table: Mapping[str, FloatArray]) -> FloatArray:

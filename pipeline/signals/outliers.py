@@ -69,8 +69,7 @@ def _changed(signal: Signal, times: FloatArray, step: float, least: float) -> Bo
     before = np.searchsorted(signal[0], times - max(GAP_STEPS * step, _ANSWER))
     now = np.searchsorted(signal[0], times + step)
     last = signal[1].size - 1
-    changed: BoolArray = np.abs(signal[1][np.minimum(now, last)] - signal[1][np.minimum(before, last)]) > least
-    return changed
+    return np.asarray(np.abs(signal[1][np.minimum(now, last)] - signal[1][np.minimum(before, last)]) > least)
 
 
 @dataclass(frozen=True)

@@ -372,8 +372,7 @@ def _blocks(time: FloatArray, origin: float, interval: float, points: int) -> It
 
 def _edges(origin: float, interval: float, first: int, last: int) -> FloatArray:
     """Where the bins `first` … `last` − 1 begin [s]."""
-    edges: FloatArray = origin + interval * np.arange(first - 2, last - 2, dtype=np.float64)
-    return edges
+    return np.asarray(origin + interval * np.arange(first - 2, last - 2, dtype=np.float64))
 
 
 def _shares(around: FloatArray, before: int, count: int, at_end: bool) -> FloatArray:
@@ -428,8 +427,7 @@ def interpolate(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smo
         return np.interp(t_out, time, samples)
     from scipy.interpolate import CubicHermiteSpline
 
-    value: FloatArray = CubicHermiteSpline(time, samples, _slopes(time, samples))(t_out)
-    return value
+    return np.asarray(CubicHermiteSpline(time, samples, _slopes(time, samples))(t_out))
 
 
 def _slopes(time: FloatArray, samples: FloatArray) -> FloatArray:
@@ -444,5 +442,4 @@ def _slopes(time: FloatArray, samples: FloatArray) -> FloatArray:
     longer = np.maximum(steps[1:], steps[:-1])
     beside = changes[1:] + changes[:-1]
     limit = _STEEPEST * np.pad(beside / longer, 1, mode="edge")
-    bounded: FloatArray = np.clip(np.gradient(samples, time, edge_order=2), -limit, limit)
-    return bounded
+    return np.asarray(np.clip(np.gradient(samples, time, edge_order=2), -limit, limit))

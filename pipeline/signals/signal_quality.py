@@ -15,9 +15,21 @@ import numpy as np
 
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..numerics.metrics import NORMAL_MEDIAN
-from .columns import BLOCKS, chunks, column, finite, select
-from .noise import CHANCE, REACH, below_resolution, is_idle, is_stepped, noise_level, resolution
-from .spectrum import MAINS, Bandwidth, Hum, bandwidth, hum
+from .columns import BLOCKS, CHUNK, chunks, column, finite, select
+from .noise import (
+    CHANCE,
+    MAINS,
+    REACH,
+    Bandwidth,
+    Hum,
+    bandwidth,
+    below_resolution,
+    hum,
+    is_idle,
+    is_stepped,
+    noise_level,
+    resolution,
+)
 from .timebase import LOCATED
 
 _APPROACH = 15.0
@@ -70,7 +82,7 @@ def rail(values: FloatArray, usual: tuple[float, float], end: int, noise: float)
         return None
     sign = 2.0 * end - 1.0
     level = usual[end]
-    begin = values[: 1 << 17]
+    begin = values[:CHUNK]
     others = begin[np.isfinite(begin) & (begin != level)]
     digit = resolution(others)
     exact = runs_between(values, level, level)
@@ -114,8 +126,7 @@ def in_a_row(inside: BoolArray) -> BoolArray:
     steps = np.zeros(inside.size + 1, dtype=np.int8)
     steps[long[:, 0]] += 1
     steps[long[:, 1]] -= 1
-    marked: BoolArray = np.cumsum(steps[:-1]) > 0
-    return marked
+    return np.asarray(np.cumsum(steps[:-1]) > 0)
 
 
 def _is_exact(
@@ -449,8 +460,7 @@ def _noise_around(part: FloatArray, at: IntArray) -> FloatArray:
     sides = [part[np.clip(at[:, None] + side * beside, 0, part.size - 1)] for side in (-1, 1)]
     with np.errstate(invalid="ignore"):  # infinite samples
         second = np.nan_to_num(np.diff(sides, 2, axis=2), posinf=0.0, neginf=0.0)
-    noise: FloatArray = NORMAL_MEDIAN / np.sqrt(6.0) * np.median(np.abs(second), axis=2).max(axis=0)
-    return noise
+    return np.asarray(NORMAL_MEDIAN / np.sqrt(6.0) * np.median(np.abs(second), axis=2).max(axis=0))
 
 
 def _rests(values: FloatArray, begin: int, end: int) -> bool:

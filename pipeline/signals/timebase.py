@@ -200,8 +200,7 @@ def advancing(time: FloatArray, reached: float = -np.inf) -> BoolArray:
     """
     stamps = np.concatenate(([reached], np.where(np.isfinite(time), time, -np.inf)))
     before = np.maximum.accumulate(stamps)[:-1]
-    later: BoolArray = stamps[1:] > before
-    return later
+    return np.asarray(stamps[1:] > before)
 
 
 def unwrapped(time: FloatArray) -> FloatArray:

@@ -442,10 +442,7 @@ def holds_run(root: Path) -> bool:
     with reading(root):
         if (root / MANIFEST).exists() or (root / NEXT_MANIFEST).exists():
             return True
-        if root.is_dir() and not all(_may_be_there(entry.name) for entry in root.iterdir()):
+        names = [entry.name for entry in root.iterdir()] if root.is_dir() else []
+        if not all(name.startswith(_NO_RUN_YET) or name.endswith(TEMPORARY_MARK) for name in names):
             raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
     return False
-
-
-def _may_be_there(name: str) -> bool:
-    return name.startswith(_NO_RUN_YET) or name.endswith(TEMPORARY_MARK)

@@ -15,8 +15,7 @@ from ..errors import DebistError, RunLockedError
 from ..reporting.fleet_report import Summary, fleet_report, summary
 from ..reporting.tables import disarmed
 from ..store import layout, schemas, tables
-from ..store.atomic import make_folder, write_text
-from ..store.lock import run_lock
+from ..store.atomic import make_folder, run_lock, write_text
 from ..store.manifest import MANIFEST
 from ..store.outputs import note_written
 from ..store.run_folder import RunFolder
@@ -278,7 +277,8 @@ def _run_all(
                 observer.finished(outcomes[-1])
             if execution.fail_fast and outcomes and outcomes[-1].failed:
                 first_failed = first_failed or outcomes[-1].name
-                outcomes += [_not_started(member, first_failed) for member in waiting]
+                reason = f"not started: {first_failed} failed, and --fail-fast was given"
+                outcomes += [Outcome(member.name, member.settings, None, reason) for member in waiting]
                 waiting.clear()
     finally:
         for worker in running:
@@ -295,13 +295,9 @@ def _is_up_to_date(prototype: Path, run: Path, report: bool) -> bool:
     return is_up_to_date(prototype, run, with_report=report)
 
 
-def _not_started(member: Member, first_failed: str) -> Outcome:
-    return Outcome(member.name, member.settings, None, f"not started: {first_failed} failed, and --fail-fast was given")
-
-
 def collect_batch(members: Sequence[Member], output: Path) -> list[Outcome]:
     """Write the fleet tables from the runs that are there, running nothing."""
-    outcomes = existing_outcomes(members, output)
+    outcomes = [_existing(member, output) for member in members]
     make_folder(output)
     write_fleet(output, outcomes)
     return sorted(outcomes, key=lambda outcome: outcome.name)
@@ -334,14 +330,6 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
     writer.writerow(columns)
     writer.writerows([disarmed(value) for value in row] for row in zip(*columns.values(), strict=True))
     write_text(output / FLEET_CSV, text.getvalue())
-
-
-def existing_outcomes(members: Sequence[Member], output: Path) -> list[Outcome]:
-    """What the runs in a folder hold already, without running anything.
-
-    A prototype has failed if its failure is kept there, or if it has no scores.
-    """
-    return [_existing(member, output) for member in members]
 
 
 def _existing(member: Member, output: Path) -> Outcome:

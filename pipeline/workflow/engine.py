@@ -415,12 +415,11 @@ class _Schedule:
                 self._commit(number, step, written)
 
     def _commit(self, number: int, step: _Step, written: Mapping[str, Written]) -> None:
-        task = step.task
         self._run.commit(step.recipe, written)
         seconds = time.perf_counter() - step.began
         warnings = dict.fromkeys(text for made in written.values() for text in made.notes.get("warnings", ()))
-        self._events.add(number, *(partial(_warn, title=task.title, text=text) for text in warnings))
-        self._events.add(number, lambda observer: observer.finished(task, seconds))
+        self._events.add(number, *(partial(_warn, title=step.task.title, text=text) for text in warnings))
+        self._events.add(number, lambda observer: observer.finished(step.task, seconds))
         self._events.end(number)
 
     def raise_failure(self) -> None:

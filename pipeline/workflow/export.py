@@ -11,9 +11,8 @@ from ..settings.file import toml_text
 from ..settings.logs import ROLES, log_label
 from ..settings.prototype import Prototype
 from ..store import layout
-from ..store.atomic import refuse_link
+from ..store.atomic import refuse_link, run_lock
 from ..store.hashing import file_sha256
-from ..store.lock import run_lock
 from ..store.outputs import new_outputs, rebased, written_files
 from ..store.run_folder import RunFolder
 from ..system.names import Target, log_name

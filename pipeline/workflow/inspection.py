@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from pydantic import ValidationError
@@ -20,6 +20,8 @@ from ..rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log
 from ..rig_logs.source import CsvOptions
 from ..scoring.wells import NoWells, Wells
 from ..settings.prototype import Prototype, load_prototype
+from ..signals.findings import Finding
+from ..signals.uniform_record import Resampling, survey
 from ..store.run_folder import RunFolder
 from ..system.names import shell_word
 from ..units.quantity import scale
@@ -28,10 +30,6 @@ from .engine import Observer, bring_up_to_date
 from .place import load_settings
 from .si_log import read_si
 from .stage_check import examine
-
-if TYPE_CHECKING:
-    from ..signals.findings import Finding
-
 
 LEAST_SWITCHES = 5
 """Snaps in either direction: each lasts 0.1 s, and nothing else shows the curves between the wells."""
@@ -217,8 +215,6 @@ def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExc
 
 def _excitation(log: Path, prototype: Prototype, parameters: JointParameters | None) -> LogExcitation:
     """The excitation of a log whose channels the settings name."""
-    from ..signals.uniform_record import Resampling, survey
-
     plant = device(prototype)
     ingest = prototype.ingest
     signals = read_si(log, prototype, parameters)
@@ -251,8 +247,7 @@ def _supposed(inspection: Inspection) -> Prototype:
         raise InputError(NO_CHANNEL)
     units = {channel.name: suggested_unit(channel.name, channel.unit) for channel in inspection.channels}
     channels: dict[str, Any] = {}
-    log = inspection.path
-    name = shell_word(log)
+    name = shell_word(inspection.path)
     settings = f"fill in what `debist init {name} -o P.toml` writes, then `debist inspect {name} --settings P.toml`"
     for role in inspection.suggestions:
         if role.role == "v2" and not role.candidates:
@@ -268,7 +263,7 @@ def _supposed(inspection: Inspection) -> Prototype:
         raise InputError(f"the channels are not clear; {settings}") from error
 
 
-def check(place: Path, observer: Observer) -> "tuple[Prototype, list[Finding]]":
+def check(place: Path, observer: Observer) -> tuple[Prototype, list[Finding]]:
     """Look at the logs of a settings file, or again at those that a run folder holds.
 
     Raises

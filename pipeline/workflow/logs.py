@@ -39,8 +39,7 @@ def load_motion(run: RunFolder, prototype: Prototype, role: Role, log: str) -> L
         Its name in the run.
     """
     kinematics, fine = (run.read_table(artifact(role, log)) for artifact in (layout.kinematics, layout.record))
-    unknown = run.record(layout.record(role, log)).notes.get(UNKNOWN, ())
-    return motion(kinematics, fine, prototype, unknown)
+    return motion(kinematics, fine, prototype, run.record(layout.record(role, log)).notes.get(UNKNOWN, ()))
 
 
 def load_logs(run: RunFolder, prototype: Prototype, *roles: Role) -> list[Log]:
@@ -82,8 +81,7 @@ def between(t: FloatArray, fine: Table) -> FloatArray | None:
     first = int(np.searchsorted(grid, t[0] - 1e-9))
     v = voltages(fine)
     places = np.minimum(first + np.arange(len(t) * refined), len(v) - 1)
-    between: FloatArray = v[places].reshape(len(t), refined, -1)
-    return between
+    return np.asarray(v[places].reshape(len(t), refined, -1))
 
 
 def corrections(prototype: Prototype) -> dict[tuple[Role, str], Corrections]:

@@ -2,6 +2,8 @@
 
 import copy
 import csv
+import hashlib
+import re
 import tomllib
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
@@ -15,7 +17,7 @@ from ..settings.file import read_document, toml_text
 from ..settings.prototype import load_prototype, parse_prototype
 from ..store import layout
 from ..store.atomic import write_text
-from ..system.names import part_holds, part_of, slug
+from ..system.names import slug
 from ..system.plain_files import LARGEST_SETTINGS, read_plain
 from .prior_knowledge import read_siblings
 
@@ -112,8 +114,7 @@ def _settings(base: Mapping[str, Any], name: str, values: Mapping[str, Any], fol
     """The base with the values of a row, whose paths are relative to `folder`."""
     typed = {key: _logs(cell) if key.startswith("logs.") else _value(cell) for key, cell in values.items()}
     row = anchored(with_values({}, typed), folder)
-    changed = {key: _at(row, key) for key in typed}
-    return {"name": name} | with_values({**base, "name": name}, changed)
+    return {"name": name} | with_values({**base, "name": name}, {key: _at(row, key) for key in typed})
 
 
 def _at(document: Any, key: str) -> Any:
@@ -277,13 +278,15 @@ class Shard(NamedTuple):
         InputError
             It names none.
         """
-        if (part := part_of(text)) is None:
+        match = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text)
+        number, count = map(int, match.groups()) if match else (0, 0)
+        if not 1 <= number <= count:
             raise InputError(f"--shard {text}: write number/count such as 3/100; the numbers count from 1")
-        return cls(*part)
+        return cls(number, count)
 
     def holds(self, name: str) -> bool:
         """Whether the shard holds the prototype `name`, which depends on no other name."""
-        return part_holds(self.number, self.of, name)
+        return int.from_bytes(hashlib.sha256(name.encode()).digest()[:8], "big") % self.of == self.number - 1
 
     @property
     def lock(self) -> str:

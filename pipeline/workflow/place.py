@@ -182,15 +182,13 @@ def before_any_work(place: Place, reading_tasks: Sequence[Task], *, replace: boo
     InputError
         The folder holds another prototype's run, a raw file is missing, or a validation log is a training log.
     """
-    prototype = place.prototype
-    prototype_file = place.prototype_file
     root = place.root
     with reading(root):
         continued = holds_run(root) and (root / MANIFEST).is_file() and not replace
     if continued:
-        _refuse_foreign(load_manifest(root), prototype, prototype_file, root)
+        _refuse_foreign(load_manifest(root), place.prototype, place.prototype_file, root)
     require_sources(reading_tasks)
-    refuse_training_as_validation(prototype, prototype_file)
+    refuse_training_as_validation(place.prototype, place.prototype_file)
 
 
 def _refuse_foreign(stored: Manifest, prototype: Prototype, prototype_file: Path, root: Path) -> None:

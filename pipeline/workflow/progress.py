@@ -14,8 +14,7 @@ from typing import Literal, NamedTuple
 
 from ..errors import DebistError, InputError
 from ..store import layout
-from ..store.atomic import reading, write_text
-from ..store.lock import HOLDER, LOCK, is_held
+from ..store.atomic import HOLDER, LOCK, is_held, reading, write_text
 from ..store.manifest import MANIFEST, load_manifest
 from ..system.plain_files import read_plain
 from .members import FAILED

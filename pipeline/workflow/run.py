@@ -11,8 +11,7 @@ from ..device.parameters import JointParameters, parameter_set
 from ..errors import DebistError
 from ..settings.prototype import Prototype, load_prototype
 from ..store import layout
-from ..store.atomic import sweep
-from ..store.lock import run_lock
+from ..store.atomic import run_lock, sweep
 from ..store.manifest import MANIFEST, load_manifest
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import Typeface
@@ -284,10 +283,9 @@ def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
     """
     prototype = place.prototype
     prototype_file = place.prototype_file
-    root = place.root
     before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
-    if (root / MANIFEST).is_file():
-        return in_snapshot(root, lambda run: status(run, plan(Planned(run, prototype, prototype_file))))
+    if (place.root / MANIFEST).is_file():
+        return in_snapshot(place.root, lambda run: status(run, plan(Planned(run, prototype, prototype_file))))
     with TemporaryDirectory(prefix="debist-plan-") as empty:
         run = RunFolder.create(Path(empty) / "run", prototype.model_dump(mode="json"), prototype_file)
         return status(run, plan(Planned(run, prototype, prototype_file)))

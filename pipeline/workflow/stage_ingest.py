@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, get_args
+from typing import get_args
 
 from ..device.device import device
 from ..device.parameters import JointParameters, parameter_set, parameter_values
@@ -15,6 +15,7 @@ from ..settings.logs import Role
 from ..settings.prototype import LogGate, Prototype
 from ..signals.corrections import Corrections
 from ..signals.log import RawLog
+from ..signals.uniform_record import Resampling
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
 from ..system.names import log_title, true_name
@@ -24,9 +25,6 @@ from .logs import corrected_log, corrections
 from .si_log import part_of_log, read_si
 from .steps.differentiate import kinematics
 from .steps.ingest import examined, record_columns, resamplings
-
-if TYPE_CHECKING:
-    from ..signals.uniform_record import Resampling
 
 ALGORITHM = "20"
 
@@ -133,14 +131,13 @@ def _ingest(
 
 
 def _pieces(
-    resampling: "Resampling", names: Sequence[str], on_progress: OnProgress
+    resampling: Resampling, names: Sequence[str], on_progress: OnProgress
 ) -> Iterator[Mapping[str, FloatArray]]:
-    rows = resampling.report.rows
     done = 0
     for piece in resampling.pieces():
         yield record_columns(piece, names)
         done += piece.t.size
-        on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", done / rows)
+        on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", done / resampling.report.rows)
 
 
 DIFFERENTIATE_ALGORITHM = "7"

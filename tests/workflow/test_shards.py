@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
-from pipeline.store.lock import run_lock
+from pipeline.store.atomic import run_lock
 from pipeline.store.manifest import MANIFEST
 from pipeline.workflow.batch import collect_batch
 from pipeline.workflow.members import Member, Shard

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from pipeline.errors import InputError, SupersededError
+from pipeline.store.atomic import run_lock
 from pipeline.store.columns import Column
-from pipeline.store.lock import run_lock
 from pipeline.store.manifest import Recipe
 from pipeline.store.run_folder import RunFolder, in_snapshot
 from pipeline.store.schemas import Schema

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -11,8 +11,10 @@ from ...device.device import device
 from ...device.parameters import JointParameters
 from ...diagnostics.sentences import judge, not_converged
 from ...errors import DataRefusedError
+from ...fitting.excitation import excitation_findings
 from ...fitting.population import NormalPopulation
 from ...models.analytical.statics import rotation_nodes
+from ...models.choose import Choice, choose, main_model
 from ...models.model_type import KnownCurves, StoredModel, Training, model_type
 from ...settings.models import AUTO, ENTRIES
 from ...settings.prototype import Prototype
@@ -21,9 +23,6 @@ from ...signals.log import EDGE, Log
 from ...store.manifest import TIMES
 from ...store.tables import Table
 from ...system.progress import OnProgress, silent
-
-if TYPE_CHECKING:
-    from ...models.choose import Choice
 
 _LEAST_PART = 5 * EDGE
 """Valid samples of a part of a log that is no more than its beginning."""
@@ -182,8 +181,6 @@ def identified(
 
 def _put_first(models: Mapping[str, StoredModel], whole: Training, notes: dict[str, Any]) -> None:
     """The main model first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
-    from ...models.choose import main_model
-
     names = notes[IDENTIFIED]
     best, reason = main_model({name: models[name] for name in names}, whole)
     if best == names[0]:
@@ -220,8 +217,7 @@ def _asked(
         return None
 
 
-def _choose(given: Training, data: list[Log], prototype: Prototype) -> "Choice":
-    from ...models.choose import Choice, choose
+def _choose(given: Training, data: list[Log], prototype: Prototype) -> Choice:
 
     if given.known_curves is not None:
         return Choice(_network(given, data, prototype), "only rbf keeps the measured curves of plant.curves", {})
@@ -236,8 +232,6 @@ def _network(given: Training, data: list[Log], prototype: Prototype) -> StoredMo
 
 def _findings(data: list[Log], prototype: Prototype) -> list[Finding]:
     """What speaks against the training logs, taken together."""
-    from ...fitting.excitation import excitation_findings
-
     numbers = [log.segment for log in data]
     first = np.cumsum([0, *(segment.max() + 1 for segment in numbers[:-1])])
     segments = [np.where(segment < 0, -1, segment + k) for segment, k in zip(numbers, first, strict=True)]

@@ -3,25 +3,32 @@
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...device.device import Device
+from ...fitting.information import share_outside
 from ...models.base import DynamicModel, FreeRun, HasTubes, predictor
 from ...models.free_runs import DRAWS, Tubes, drawn_runs, free_run, tubes_of
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import signal_range
 from ...scoring.intervals import SEED, Interval, excess_over_lowest
-from ...scoring.scores import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
+from ...scoring.scores import (
+    SHORTEST_HORIZON,
+    HorizonError,
+    MeasuredPath,
+    Predict,
+    Score,
+    horizon_errors,
+    response_errors,
+    score_run,
+)
 from ...scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes
 from ...signals.log import Log
 from ...store.columns import NOTED_COLUMNS
 from ...store.manifest import TIMES
 from ...units.units import HORIZONS, SIGNALS, signal_units
-
-if TYPE_CHECKING:
-    from ...scoring.scores import Score
 
 _RESTARTS = 60
 
@@ -67,8 +74,7 @@ def measured_path(log: Log, model: DynamicModel) -> tuple[MeasuredPath, Predict]
 def _horizons(log: Log, model: DynamicModel, horizons: Mapping[str, float], plant: Device) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
     shortest = SHORTEST_HORIZON * log.interval
-    longest = log.duration
-    possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
+    possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= log.duration}
 
     path, predict = measured_path(log, model)
     horizon_scores = horizon_errors(predict, path, list(possible.values()), plant=plant, most_starts=_RESTARTS)
@@ -101,8 +107,6 @@ def trust_notes(
         ``outcomes``: for each rest after a pulse its end ``at_s``, the probability ``right`` of the well at larger q,
         and whether it is ``ambiguous``; None for a model without an ensemble or a device without two wells.
     """
-    from ...fitting.information import share_outside
-
     return {
         "outside_training": share_outside(*_valid([log]), *_valid(trained)),
         "outcomes": _outcomes(log, wells, ensemble, plant=plant),
@@ -190,8 +194,6 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
     wells : Wells or NoWells
         The wells in the data.
     """
-    from ...scoring.scores import response_errors, score_run
-
     units = signal_units(plant.displacement.symbol)
     v = measured.v
     interval = measured.interval
@@ -218,7 +220,7 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
     ]
 
 
-def _score_row(score: "Score") -> dict[str, Any]:
+def _score_row(score: Score) -> dict[str, Any]:
     """A score by the columns of ``scores.parquet``, its intervals as their two ends."""
     row: dict[str, Any] = {}
     for name, value in vars(score).items():

@@ -60,8 +60,7 @@ def virtual_joint(where: str) -> VirtualJoint:
         return VirtualJoint(kind, _NAMED[kind](), Bench())
     if kind in get_args(Family) and seed.isdigit():
         rng = np.random.default_rng(int(seed))
-        joint = random_joint(rng, cast(Family, kind))
-        return VirtualJoint(f"{kind}-{seed}", joint, random_bench(rng))
+        return VirtualJoint(f"{kind}-{seed}", random_joint(rng, cast(Family, kind)), random_bench(rng))
     given = Path(where)
     folder = given if given.is_dir() else given.parent
     path = folder / "truth" / "truth.json"
@@ -91,11 +90,10 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
         if time.samples.size < 1 or np.any(np.diff(time.samples) <= 0.0) or not np.isfinite(target.samples).all():
             raise InputError(f"{path}: a reference needs times that advance and targets that are finite")
         return time.samples - time.samples[0], scale * target.samples
-    places = joint.places
     steps = []
     for part in text.split(","):
         at, colon, value = part.rpartition(":")
-        place = places.get(value.strip())
+        place = joint.places.get(value.strip())
         when = parse_quantity(at, ("s",), "--target") if colon else 0.0
         if place is None and not any(letter.isdigit() for letter in value):
             raise InputError(f"--target: no place is called {value!r}; give left, right, saddle, or a length as 2mm")
@@ -103,7 +101,7 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
     t, target = np.array(steps).T
     if np.any(np.diff(t) <= 0.0) or t[0] < 0.0:
         raise InputError(f"--target {text}: the times must rise from 0 s on")
-    start = places["left"]
+    start = joint.places["left"]
     return (t, target) if t[0] == 0.0 else (np.insert(t, 0, 0.0), np.insert(target, 0, start))
 
 
@@ -171,8 +169,7 @@ def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
 
 def with_side(scenario: Scenario, joint: VirtualJoint) -> Scenario:
     """The scenario from the well that lies nearer to its first target."""
-    places = joint.places
-    near = abs(scenario.target[0] - places["right"]) < abs(scenario.target[0] - places["left"])
+    near = abs(scenario.target[0] - joint.places["right"]) < abs(scenario.target[0] - joint.places["left"])
     return replace(scenario, side=1 if near else -1)
 
 

@@ -20,7 +20,7 @@ from ...scoring.wells import Wells, wells_of
 from ...settings.prototype import Prototype
 from ...signals.log import log_of
 from ...store import layout
-from ...store.lock import run_lock
+from ...store.atomic import run_lock
 from ...store.outputs import new_outputs, rebased, remove_outdated
 from ...store.run_folder import RunFolder, Written
 from ...system.names import shell_word

@@ -113,10 +113,9 @@ Pairs = Mapping[tuple[str, str], str]
 
 def _log_contents(run: RunFolder) -> dict[tuple[str, str], str]:
     """By role and name of each log of a run, the hash of the raw log; empty where nothing was read."""
-    artifacts = run.manifest.artifacts
     contents: dict[tuple[str, str], str] = {}
     for role, name, _ in layout.logs(run.prototype):
-        record = artifacts.get(layout.record(role, name))
+        record = run.manifest.artifacts.get(layout.record(role, name))
         contents[role, name] = ", ".join(record.recipe.inputs.values()) if record else ""
     return contents
 
@@ -213,7 +212,6 @@ def _paired(roots: Sequence[Path]) -> list[dict[tuple[str, str], str]]:
 def _facts(run: RunFolder, *, pairs: Pairs) -> dict[str, dict[str, Any]]:
     """What is compared of a run, by the attributes of `RunDifferences`."""
     manifest = run.manifest
-    prototype = run.prototype
 
     def title(role: str, log: str) -> str:
         """What the log is called beside the first run."""
@@ -222,7 +220,7 @@ def _facts(run: RunFolder, *, pairs: Pairs) -> dict[str, dict[str, Any]]:
     rows = run.read_records(layout.SCORES) if layout.SCORES in manifest.artifacts else []
     sheet = json.loads(run.read_bytes(layout.DATASHEET)) if layout.DATASHEET in manifest.artifacts else {"facts": []}
     return {
-        "settings": dict(flatten(prototype.model_dump(mode="json"), separator=".")),
+        "settings": dict(flatten(run.prototype.model_dump(mode="json"), separator=".")),
         "versions": dict(manifest.versions),
         "sources": {title(*log): content for log, content in _log_contents(run).items() if content},
         "scores": {f"{title(r['role'], r['log'])} · {r['model']} · {r['signal']}": r["nrmse"] for r in rows},

@@ -260,8 +260,7 @@ def assess(
     mean = float(np.mean([log_information(matrix) for matrix in information]))
     covered = float(np.mean([_covered(coverage) for coverage in coverages]))
     crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
-    judged = conditioning(information[0])
-    return Assessment(mean + covered, mean, covered, coverages[0], judged, crossings)
+    return Assessment(mean + covered, mean, covered, coverages[0], conditioning(information[0]), crossings)
 
 
 def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
@@ -287,8 +286,7 @@ def _simulated(simulate: Simulator, bursts: list[Burst], duration: float) -> tup
 
 def behind_converters(u: FloatArray, dt: float) -> FloatArray:
     """Voltages (N, 2) [V] of usual converters under commands every `dt` [s]."""
-    v: FloatArray = np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), dt) for side in (0, 1)], axis=1)
-    return v
+    return np.asarray(np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), dt) for side in (0, 1)], axis=1))
 
 
 def _criterion(
@@ -313,8 +311,7 @@ def _coverage(weights: ScaledRegressor, run: tuple[FloatArray, FloatArray, Float
 
 def _covered(visits: Coverage) -> float:
     """Share of the centres, and of the pairs (input, centre), with at least `FEW` visits."""
-    cells = np.concatenate((visits.visits[None], visits.driven))
-    return float(np.mean(cells >= FEW))
+    return float(np.mean(np.concatenate((visits.visits[None], visits.driven)) >= FEW))
 
 
 def probed_wells(simulate: Simulator, voltage: float) -> Wells:

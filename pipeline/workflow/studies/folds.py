@@ -29,7 +29,7 @@ from ...scoring.wells import NoWells, Wells, wells_of
 from ...settings.prototype import FILM, Prototype
 from ...signals.log import Log
 from ...store import layout, schemas
-from ...store.lock import run_lock
+from ...store.atomic import run_lock
 from ...store.manifest import TIMES
 from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
@@ -232,8 +232,7 @@ def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
         }
 
     settings = {"folds": vars(split), "models": list(models)}
-    inputs = tuple(map(layout.folds, models))
-    return Task("study", "all folds", ALGORITHM, settings, inputs, (name,), work)
+    return Task("study", "all folds", ALGORITHM, settings, tuple(map(layout.folds, models)), (name,), work)
 
 
 def _summary(tables: Mapping[str, Table]) -> list[dict[str, Any]]:

@@ -29,7 +29,7 @@ from ...settings.models import CENTRES, SMOOTHING
 from ...settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
 from ...signals.differentiate import AlphaStudy, alpha_study
 from ...store import layout, schemas
-from ...store.lock import run_lock
+from ...store.atomic import run_lock
 from ...store.run_folder import RunFolder, Written
 from ...units.units import ALPHA_UNIT
 from .. import stage_validate as validate
@@ -204,7 +204,6 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
 
     training = data.role("train")[0]
     network = data.models["rbf-paper"]
-    settings = prototype.identify
     assert isinstance(network, RbfPaperModel)  # noqa: S101 - the recipe identifies it
     wells = wells_of_run(data)
     compared = {
@@ -212,7 +211,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         for role in ROLES
         if (logs := data.role(role))
     }
-    study = schemas.STUDIES["basis"], (settings.basis_functions, settings.smoothing)
+    study = schemas.STUDIES["basis"], (prototype.identify.basis_functions, prototype.identify.smoothing)
     units = {column.key: column.unit for column in schemas.schema_of(study[0], device(prototype)).columns}
     begin = float(training.kinematics["t"][0])
     q = np.linspace(network.centres[0], network.centres[-1], 241)
