@@ -34,8 +34,8 @@ read as V make 10⁶."""
 
 SIDES = 2.5
 """Factor between the couplings of the two sides that is shown. Membranes are cut from one film: 0.65 to 1.4 in 66 logs
-of 15 joints. The square of a wrong probe ratio is in it, 4 for twice the voltage. It is exceeded by `SURE` standard errors
-of the ratio, which chirps of 20 s leave uncertain by an eighth."""
+of 15 joints. The square of a wrong probe ratio is in it, 4 for twice the voltage. Shown is what exceeds it by `SURE`
+standard errors of the ratio, which chirps of 20 s leave uncertain by an eighth."""
 
 FIELD = 1.02
 """Share of the field limit from which on a log is above it: noise and probes make 1.01 of a command of 1."""
