@@ -26,6 +26,7 @@ from .log_facts import (
     RESOLUTION,
     REST_LEVEL,
     SIDES,
+    SURE,
     UNSTATED_RATIO,
     WRAPPED,
     InputForce,
@@ -124,12 +125,13 @@ def _couplings(fact: LogFacts) -> list[float]:
 
 
 def _sides(fact: LogFacts) -> list[Finding]:
-    """Membranes of one joint couple about as strongly."""
+    """Membranes of one joint couple about as strongly, but for what is not sure of either."""
     couplings = _couplings(fact)
     if len(couplings) < 2 or not isinstance(fact.wells, Wells):
         return []
     ratio = couplings[0] / couplings[1]
-    alike = max(ratio, 1.0 / ratio) <= SIDES
+    error = np.linalg.norm([push.error / push.value for push in fact.pushes if push is not None])
+    alike = abs(np.log(ratio)) <= np.log(SIDES) + SURE * error
     numbers = {"ratio": Number(ratio), "most": Number(SIDES)}
     return [Finding("coupling_ratio", "good" if alike else "fair", fact.signals.name, "", numbers)]
 

@@ -34,7 +34,8 @@ read as V make 10⁶."""
 
 SIDES = 2.5
 """Factor between the couplings of the two sides that is shown. Membranes are cut from one film: 0.65 to 1.4 in 66 logs
-of 15 joints. The square of a wrong probe ratio is in it, 4 for twice the voltage."""
+of 15 joints. The square of a wrong probe ratio is in it, 4 for twice the voltage. Shown is what exceeds it by `SURE`
+standard errors of the ratio, which chirps of 20 s leave uncertain by an eighth."""
 
 FIELD = 1.02
 """Share of the field limit from which on a log is above it: noise and probes make 1.01 of a command of 1."""
@@ -145,10 +146,15 @@ _ON = 0.25
 
 @dataclass(frozen=True)
 class InputForce:
-    """Mean acceleration while an input is on, at its largest value [m/s² or rad/s²], and whether its sign is sure."""
+    """Mean acceleration while an input is on, at its largest value [m/s² or rad/s²], and its standard error."""
 
     value: float
-    sure: bool
+    error: float
+
+    @property
+    def sure(self) -> bool:
+        """Whether its sign is sure."""
+        return abs(self.value) > SURE * self.error
 
 
 @dataclass(frozen=True)
@@ -253,10 +259,9 @@ def pushes(terms: WeakTerms) -> tuple[InputForce | None, ...]:
     with np.errstate(invalid="ignore", divide="ignore"):  # of inputs that never change
         correlations = np.nan_to_num(np.atleast_2d(np.corrcoef(acting.T)) - np.eye(whole.size))
     apart = np.sqrt(np.maximum(1.0 - np.max(np.abs(correlations), axis=0) ** 2, np.finfo(float).eps))
-    sure = np.abs(whole) > SURE * errors / apart
     return tuple(
-        InputForce(float(push), bool(certain)) if changes else None
-        for push, certain, changes in zip(whole, sure, moved, strict=True)
+        InputForce(float(push), float(error)) if changes else None
+        for push, error, changes in zip(whole, errors / apart, moved, strict=True)
     )
 
 
