@@ -24,9 +24,9 @@ from ..numerics.metrics import fit_percent
 from ..scoring.wells import wells_of
 from ..settings.models import AUTO, ENTRIES, entry, names
 from ..settings.prototype import Prototype, parse_prototype
+from ..signals.columns import code_remarks, codes_in, masked
 from ..signals.findings import scale_suspicion
 from ..signals.log import UNKNOWN, Log, RawLog, log_of
-from ..signals.missing import code_remarks, codes_in, masked
 from ..store import layout
 from ..store.columns import TUBE_COLUMNS
 from ..store.run_folder import RunFolder

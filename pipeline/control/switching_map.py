@@ -10,7 +10,7 @@ from ..models.hybrid.model import HybridModel
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90
 from ..system.names import Well
-from ..system.progress import OnProgress, silent
+from ..system.worker_pool import OnProgress, silent
 from .ensemble import Converters, Ensemble, ensemble_at
 from .estimator import PERIOD
 

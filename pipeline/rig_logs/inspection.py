@@ -8,9 +8,8 @@ import numpy as np
 
 from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import FloatArray
-from ..signals.columns import CHUNK, Signal, sparse
+from ..signals.columns import CHUNK, Signal, code_remarks, codes_in, masked, sparse
 from ..signals.findings import MOST_REPEATED, Clock, Context, counted, remarks_on
-from ..signals.missing import code_remarks, codes_in, masked
 from ..signals.outliers import NONE, Dropouts, dropout_remarks, dropouts
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import SignalQuality, examine_signal

@@ -14,7 +14,7 @@ import numpy as np
 from ..numerics.arrays import FloatArray
 from ..settings.prototype import Gate
 from ..units.quantity import stamped
-from .missing import Missing
+from .columns import Missing
 from .noise import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
 from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
 from .timebase import TimeQuality

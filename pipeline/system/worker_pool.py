@@ -10,7 +10,14 @@ from typing import Any, Protocol, TypeVar
 
 from ..errors import WARNING, DebistError
 from .isolation import apart, begin, process_context
-from .progress import OnProgress
+
+OnProgress = Callable[[str, float], None]
+"""Called with the present step and the share, 0 to 1, that is done."""
+
+
+def silent(what: str, share: float) -> None:
+    """Report nothing."""
+
 
 Item = TypeVar("Item")
 Made = TypeVar("Made")

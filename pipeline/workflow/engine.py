@@ -14,8 +14,7 @@ from ..errors import InputError
 from ..store.hashing import file_sha256
 from ..store.manifest import Recipe
 from ..store.run_folder import RunFolder, Written
-from ..system.progress import OnProgress
-from ..system.worker_pool import Pool, pool
+from ..system.worker_pool import OnProgress, Pool, pool
 
 _TICK = 2_000_000_000
 """Nanoseconds; the coarsest clock by which a file system notes changes."""

@@ -19,10 +19,23 @@ from ..rig_logs.recording import RecordedChannel
 from ..rig_logs.source import rates_beside, stated_rate
 from ..settings.logs import Channel, LogColumn
 from ..settings.prototype import Prototype
-from ..signals.columns import Signal, chunks, column, equal, finite, held, one_sign, scaled, select, sparse
+from ..signals.columns import (
+    Signal,
+    chunks,
+    code_remarks,
+    codes_in,
+    column,
+    equal,
+    finite,
+    held,
+    masked,
+    one_sign,
+    scaled,
+    select,
+    sparse,
+)
 from ..signals.findings import Number, refusal
 from ..signals.log import RawLog
-from ..signals.missing import code_remarks, codes_in, masked
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import span
 from ..signals.timebase import nominal_step, unwrapped

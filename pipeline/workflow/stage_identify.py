@@ -16,7 +16,7 @@ from ..settings.prototype import FILM, Prototype, TrainingGate
 from ..store import layout
 from ..store.manifest import TIMES
 from ..store.run_folder import RunFolder, Written
-from ..system.progress import OnProgress
+from ..system.worker_pool import OnProgress
 from .engine import Task
 from .logs import load_logs, sources
 from .prior_knowledge import known_inputs, prior_knowledge_of

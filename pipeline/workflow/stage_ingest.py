@@ -19,7 +19,7 @@ from ..signals.uniform_record import Resampling
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
 from ..system.names import log_title, true_name
-from ..system.progress import OnProgress
+from ..system.worker_pool import OnProgress
 from .engine import Task
 from .logs import corrected_log, corrections
 from .si_log import part_of_log, read_si

@@ -20,7 +20,7 @@ from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90, rms
 from ...settings.models import RBF_TIME_LIMIT
 from ...signals.log import Log, operating_range
-from ...system.progress import OnProgress, silent
+from ...system.worker_pool import OnProgress, silent
 from ..free_runs import scale_on
 from ..model_type import KnownCurves, ModelType, Training
 from .candidates import (

@@ -12,7 +12,7 @@ from ...fitting.regression import InputLaw
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import Log
-from ...system.progress import OnProgress, silent
+from ...system.worker_pool import OnProgress, silent
 from ..model_type import KnownCurves
 from .candidates import Candidate, Offer
 from .parameter_layout import ParameterLayout

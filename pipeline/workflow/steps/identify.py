@@ -22,7 +22,7 @@ from ...signals.findings import Finding
 from ...signals.log import EDGE, Log
 from ...store.manifest import TIMES
 from ...store.tables import Table
-from ...system.progress import OnProgress, silent
+from ...system.worker_pool import OnProgress, silent
 
 _LEAST_PART = 5 * EDGE
 """Valid samples of a part of a log that is no more than its beginning."""

@@ -12,7 +12,7 @@ from ...diagnostics.sentences import judge, sentences
 from ...errors import DataRefusedError
 from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
-from ...signals.columns import finite, select
+from ...signals.columns import finite, missing, select
 from ...signals.findings import (
     Finding,
     coarse_inputs,
@@ -26,7 +26,6 @@ from ...signals.findings import (
     scale_suspicion,
 )
 from ...signals.log import LONGEST_BRIDGE, UNKNOWN, RawLog
-from ...signals.missing import missing
 from ...signals.noise import held_samples, mains_at_another_rate, resolution
 from ...signals.outliers import Trusted, dropout_remarks, trusted, without_spikes
 from ...signals.signal_quality import SignalQuality, examine_signal, span

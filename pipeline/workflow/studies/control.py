@@ -23,7 +23,7 @@ from ...numerics.metrics import BAND, step_metrics
 from ...rig.excitation import ENDINGS, Sequence, save_sequence
 from ...store.outputs import new_outputs, rebased
 from ...system.names import Goal, Well
-from ...system.progress import OnProgress
+from ...system.worker_pool import OnProgress
 from ..engine import Observer
 from .controlled_run import ControlRun, ControlSettings, control_run, kept_document
 

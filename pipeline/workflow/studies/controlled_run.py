@@ -24,7 +24,7 @@ from ...store.atomic import run_lock
 from ...store.outputs import new_outputs, rebased, remove_outdated
 from ...store.run_folder import RunFolder, Written
 from ...system.names import shell_word
-from ...system.progress import OnProgress
+from ...system.worker_pool import OnProgress
 from ..engine import Observer, Task, bring_up_to_date
 from ..run_models import WORST, controlled_model, failed_validations, load_run_model
 
