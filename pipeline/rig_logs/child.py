@@ -128,7 +128,7 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
 
 
 def _stated(source: Source) -> dict[str, Any]:
-    """What the log states beside its samples."""
+    """Metadata of the log: rates, descriptions, heading."""
     return {
         "rates": source.rates,
         "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
@@ -273,7 +273,7 @@ def _is_hdf5(start: bytes) -> bool:
 
 
 def _is_matlab4(start: bytes) -> bool:
-    """Whether a file begins with the head of a matrix (type, rows, columns, complex, length of the name) and a name."""
+    """True if a file begins with the head of a matrix (type, rows, columns, complex, length of the name) and a name."""
     for order, types in (("<5i", range(53)), (">5i", range(1000, 1053))):
         kind, _, _, imaginary, length = struct.unpack(order, start[:20].ljust(20, b"\xff"))
         name = start[20:][:length] if 1 < length <= 64 else b""

@@ -84,7 +84,7 @@ class CsvSource(Source):
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
 
     def _noted(self, texts: dict[str, str]) -> list[str]:
-        """How the file is read, and which columns are left out as `texts`."""
+        """Notes on the way the file is read, and on the columns that are left out as `texts`."""
         dialect = self._dialect
         headed = dict(zip(self._columns, dialect.headings, strict=True))
         left = {name: text for name, text in texts.items() if self._firsts[name] or headed[name]}
@@ -92,7 +92,7 @@ class CsvSource(Source):
         return [dialect.describe(), *rates, *dialect.scales, *self.notes, *left_out(left)]
 
     def _left_out(self) -> dict[str, str]:
-        """What stands in the columns that are no numbers."""
+        """Content of the columns that are no numbers, by name."""
         left_out = {}
         for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True):
             if text or not cell or not is_value(cell, self._dialect.decimal):

@@ -1,4 +1,4 @@
-"""What a cell of a CSV file is: a number, a time of day, a switch, or missing; and marks that leave it open."""
+"""Type of a cell of a CSV file: a number, a time of day, a switch, or missing; and ambiguous marks."""
 
 import csv
 import re
@@ -50,14 +50,14 @@ _CLOCKS = [re.compile(re.sub(r"\\x{(\w+)}", lambda code: chr(int(code[1], 16)), 
 
 
 def clock_of(cell: str) -> tuple[str, re.Match[str]] | None:
-    """How a time of day is written, of `CLOCKS`, and its parts; None for any other cell."""
+    """Format of a time of day, of `CLOCKS`, and its parts; None for any other cell."""
     matches = ((form, own.match(cell)) for form, own in zip(CLOCKS, _CLOCKS, strict=True))
     return next(((form, match) for form, match in matches if match), None)
 
 
 @lru_cache(_SAMPLED)
 def is_stamp(cell: str) -> bool:
-    """Whether a cell is a time of day, with or without a date."""
+    """True if a cell is a time of day, with or without a date."""
     if len(cell) < _DIGITS_OF_STAMP and NUMBER.match(cell):
         return False
     return bool(STAMP.fullmatch(cell)) or clock_of(cell) is not None
@@ -70,25 +70,25 @@ def plain_number(cell: str, decimal: str) -> str:
 
 @lru_cache(_SAMPLED)
 def is_value(cell: str, decimal: str) -> bool:
-    """Whether a cell is a number, a switch, missing, or a time stamp."""
+    """True if a cell is a number, a switch, missing, or a time stamp."""
     if cell.lower() in MISSING or cell.lower() in SWITCH or NUMBER.match(plain_number(cell, decimal)):
         return True
     return is_stamp(cell)
 
 
 def is_word(cell: str) -> bool:
-    """Whether a cell is a word in place of a number, as ``OVER``, ``----`` and C's ``1.#INF``."""
+    """True if a cell is a word in place of a number, as ``OVER``, ``----`` and C's ``1.#INF``."""
     return not _BEGINS_AS_NUMBER.match(cell)
 
 
 def plain_row(delimiter: str, width: int) -> re.Pattern[str]:
-    """What a line matches that is `width` numbers and nothing else, each as Arrow reads it, which knows no plus."""
+    """Pattern of a line of `width` numbers and nothing else, each as Arrow reads it, without a plus sign."""
     edge, between = ("[ \t]*", "[ \t]+") if delimiter == " " else (" *", f" *{re.escape(delimiter)} *")
     return re.compile(rf"{edge}-?{_DIGITS}(?:{between}-?{_DIGITS}){{{width - 1}}}{edge}")
 
 
 def is_behind(cell: str, decimal: str) -> bool:
-    """Whether a cell beyond the last column may be left out: it is empty, or a comment."""
+    """True if a cell beyond the last column may be left out: it is empty, or a comment."""
     return not cell or not is_value(cell, decimal)
 
 
@@ -117,12 +117,12 @@ def _unquoted(line: str, delimiter: str) -> list[str]:
 
 
 def is_before_decimals(cell: str, decimal: str) -> bool:
-    """Whether a cell shows that the mark stands before decimals: as in 0.04, there are not three digits behind it."""
+    """True if a cell shows that the mark stands before decimals: as in 0.04, there are not three digits behind it."""
     return decimal in cell and is_value(cell, decimal) and not is_stamp(cell) and not _THOUSANDS.fullmatch(cell)
 
 
 def unclear_mark(cell: str, line: int, column: str, mark: str) -> str:
-    """What to say of a mark of which nothing shows whether it stands before decimals.
+    """Message on an ambiguous mark, which separates either decimals or thousands.
 
     Parameters
     ----------
@@ -143,12 +143,12 @@ def unclear_mark(cell: str, line: int, column: str, mark: str) -> str:
 
 
 def marks_between_thousands(cell: str) -> str:
-    """What to say of a cell in which marks stand between thousands; nothing of any other one."""
+    """Message on a cell in which marks stand between thousands; empty for any other one."""
     return "marks between thousands: export it without them" if _GROUPED.fullmatch(cell) else ""
 
 
 def no_number(cell: str, column: str, decimal: str) -> str:
-    """What to say of a cell that is no number."""
+    """Message on a cell that is no number."""
     if marks := marks_between_thousands(cell):
         return f"{cell!r} in column {column!r} has {marks}"
     return (

@@ -56,12 +56,12 @@ class SampleTable:
     rows: list[list[str]]
     first: int
     numeric: tuple[bool, ...]
-    """Which columns have numbers in the sample."""
+    """Flags of the columns that have numbers in the sample."""
     ragged: bool
 
     @property
     def has_marks(self) -> bool:
-        """Whether a number has the decimal mark."""
+        """True if a number has the decimal mark."""
         body = (row for row in self.rows[self.first :] if len(row) == len(self.numeric))
         return any(
             self.decimal in cell and not is_stamp(cell) and is_value(cell, self.decimal) for row in body for cell in row
@@ -69,7 +69,7 @@ class SampleTable:
 
     @property
     def shows_mark(self) -> bool:
-        """Whether a number shows that the mark stands before decimals. A file has one mark, so that decides for all."""
+        """True if a number shows that the mark stands before decimals. A file has one mark, so that decides for all."""
         body = (row for row in self.rows[self.first :] if len(row) == len(self.numeric))
         numbers = (cell for row in body for cell, numeric in zip(row, self.numeric, strict=True) if numeric)
         return any(is_before_decimals(cell, self.decimal) for cell in numbers if cell.lower() not in MISSING)
@@ -120,7 +120,7 @@ def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) ->
 
 
 def _is_single_column(lines: list[str]) -> bool:
-    """Whether most lines are one number each."""
+    """True if most lines are one number each."""
     cells = [line.strip(' \t"') for line in lines[:_MOST_ROWS] if line.strip()]
     return 2 * sum(is_value(cell, ".") for cell in cells) > len(cells)
 
@@ -178,28 +178,28 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
 
 
 def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:
-    """Whether two rows have time stamps in the same columns, as far as both are filled."""
+    """True if two rows have time stamps in the same columns, as far as both are filled."""
     return all(is_stamp(cell) == is_stamp(lower) for cell, lower in zip(row, below, strict=False) if cell and lower)
 
 
 def _in_place(row: Sequence[str], clocks: Sequence[bool]) -> bool:
-    """Whether time stamps of a row stand in columns of such only."""
+    """True if time stamps of a row stand in columns of time stamps only."""
     return all(clock or not is_stamp(cell) for cell, clock in zip(row, clocks, strict=False))
 
 
 def _fits(row: Sequence[str], width: int, decimal: str) -> bool:
-    """Whether a row has so many cells, or one more that is empty or a comment."""
+    """True if a row has `width` cells, or one more that is empty or a comment."""
     return len(row) == width or (len(row) == width + 1 and is_behind(row[-1], decimal))
 
 
 def _filled(row: Sequence[str], likely: Sequence[bool], decimal: str) -> int:
-    """How many columns of numbers hold one in this row, 0 where one of them holds something else."""
+    """Number of numeric columns that hold a number in this row, 0 where one of them holds something else."""
     cells = [cell for cell, wanted in zip(row, likely, strict=False) if wanted and cell]
     return len(cells) if all(is_value(cell, decimal) for cell in cells) else 0
 
 
 def _mostly_values(cells: Sequence[str], decimal: str) -> bool:
-    """Whether most cells are numbers, and there are such; empty cells leave it open."""
+    """True if most of the cells that are not empty are numbers, and at least one is."""
     values = [is_value(cell, decimal) for cell in cells if cell]
     return 2 * sum(values) > len(values)
 
@@ -215,7 +215,7 @@ _SENTENCE = re.compile(r"[^\W\d_]{2,}\s+[^\W\d_]{2,}")
 
 @dataclass(frozen=True)
 class Dialect:
-    """How a CSV file is written; rows count from 0."""
+    """Format of a CSV file; rows count from 0."""
 
     encoding: str
     delimiter: str
@@ -228,17 +228,17 @@ class Dialect:
     firsts: tuple[str, ...]
     """The first cell of each column that is not empty; "" where all in the sample are: what it holds is open."""
     has_marks: bool
-    """Whether the decimal mark is known: seen, set, or the point beside commas that separate."""
+    """True if the decimal mark is known: seen, set, or the point beside commas that separate."""
     rates: tuple[tuple[str, float, float], ...]
     """Names and numbers in the preamble that state a sample rate, and it [Hz]."""
     scales: tuple[str, ...]
     """Notes on numbers in the preamble that look like a calibration."""
     texts: tuple[str, ...]
-    """What stands in the columns that are no numbers; "" for the others."""
+    """Content of the columns that are no numbers; "" for the others."""
     rewritten: bool
-    """Whether rows need more than to be split at the delimiter, as where some have a comment behind them."""
+    """True if rows need more than to be split at the delimiter, as where some have a comment behind them."""
     starts: tuple[tuple[float, float], ...]
-    """When each column begins, and its step [s], where these differ; see `labview_starts`."""
+    """Start and step [s] of each column, where these differ; see `labview_starts`."""
     above: frozenset[tuple[str, ...]]
     """The rows of names and units, which a logger may write once more where it begins anew."""
     is_labview: bool
@@ -248,7 +248,7 @@ class Dialect:
         return split_row(line, self.delimiter)
 
     def is_remark(self, line: str, cells: Sequence[str]) -> bool:
-        """Whether a line among rows of numbers is none of them: a comment, an event, a statistic, a row from above."""
+        """True if a line among rows of numbers is none of them: a comment, an event, a statistic, a row from above."""
         if COMMENT.match(line) and cells[0].lower() not in MISSING:
             return True
         if tuple(cells) in self.above or (self.numeric[0] and _STATISTIC.fullmatch(cells[0])):
@@ -267,7 +267,7 @@ class Dialect:
             )
 
     def begins_another(self, cells: Sequence[str]) -> bool:
-        """Whether a row of words in place of numbers is the heading of another table."""
+        """True if a row of words in place of numbers is the heading of another table."""
         if not all(is_word(cell) and not is_stamp(cell) for cell in cells):
             return False
         names = len(set(cells)) == len(cells) > 2 and all(cell[:1].isalpha() for cell in cells)

@@ -140,7 +140,7 @@ class _Head(io.RawIOBase):
 
 
 def _is_ascii_and_more(encoding: str) -> bool:
-    """Whether every ASCII character is its own single byte, which means nothing else anywhere."""
+    """True if every ASCII character is its own single byte, which means nothing else anywhere."""
     name = codecs.lookup(encoding).name
     if name in ("utf-8", "utf-8-sig", "ascii"):
         return True

@@ -47,7 +47,7 @@ def unit_of(attributes: Mapping[str, Any], column: int, columns: int) -> tuple[s
 
 
 def why_unread(dataset: Any) -> str:
-    """Why no numbers are read from a dataset; "" where they are."""
+    """Reason why no numbers are read from a dataset; "" where they are."""
     filters = dataset.id.get_create_plist()
     codes = [filters.get_filter(i)[0] for i in range(filters.get_nfilters())]
     if foreign := [code for code in codes if not h5py.h5z.filter_avail(code)]:
@@ -80,7 +80,7 @@ def missing_values(dataset: Any, *, filled: bool = False) -> NDArray[Any] | None
 
 
 def written_chunks(dataset: Any, axis: int) -> NDArray[np.bool_] | None:
-    """Which chunks along an axis hold numbers that were written; None where all do, or there are no chunks."""
+    """Mask of the written chunks along an axis; None where all are written, or there are no chunks."""
     if dataset.chunks is None:
         return None
     counts = [-(-size // chunk) for size, chunk in zip(dataset.shape, dataset.chunks, strict=True)]

@@ -1,4 +1,4 @@
-"""What is in a raw log: channels, units, rates, gaps, rails, hum; and which channel might be what."""
+"""Contents of a raw log: channels, units, rates, gaps, rails, hum, and suggested roles of the channels."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -243,12 +243,12 @@ def _roles(
 
 
 def _counts_samples(samples: FloatArray) -> bool:
-    """Whether a column is the number of each sample."""
+    """True if a column is the number of each sample."""
     return samples.size > 1 and bool(np.all(np.diff(samples[:CHUNK]) == 1.0))
 
 
 def _rises_evenly(samples: FloatArray) -> bool:
-    """Whether nearly all steps of a column are upwards and about as large, as those of a clock."""
+    """True if nearly all steps of a column are upwards and about as large, as those of a clock."""
     steps = np.diff(samples[np.isfinite(samples)][:CHUNK])
     usual = float(np.median(steps)) if steps.size > 1 else 0.0
     return usual > 0.0 and bool(np.mean(np.abs(steps - usual) <= _UNEVEN * usual) >= _MOSTLY)

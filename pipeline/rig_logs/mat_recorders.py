@@ -1,4 +1,4 @@
-"""What a MAT file holds, and the layouts of recorders: ControlDesk's, Simulink's "Structure With Time", and tables.
+"""Contents of a MAT file, and layouts of recorders: ControlDesk's, Simulink's "Structure With Time", and tables.
 
 ControlDesk writes one struct (of any name) with a struct array ``X`` of time axes (Name, Type, Data, Unit,
 Raster), a struct array ``Y`` of channels (the same and Path, XIndex: which axis), and ``Description``; other
@@ -48,7 +48,7 @@ class MatArray:
 
     @property
     def is_vector(self) -> bool:
-        """Whether it is long in one direction only."""
+        """True if the array is long in one direction only."""
         return self.size == max(self.dims, default=0) and self.size > 1
 
     def column(self, j: int) -> Reader:
@@ -98,7 +98,7 @@ class MatChannel:
 
 
 def is_struct(value: MatValue) -> TypeGuard[MatStruct]:
-    """Whether a value is a struct array."""
+    """True if a value is a struct array."""
     return value is not None and not isinstance(value, str | MatArray | MatObject)
 
 
@@ -118,7 +118,7 @@ def bare(name: str) -> str:
 
 
 def is_recorder(value: MatValue) -> bool:
-    """Whether a variable is a recording."""
+    """True if a variable is a recording."""
     return is_struct(value) and value.count == 1 and {"X", "Y"} <= set(value.fields)
 
 
@@ -204,10 +204,10 @@ def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[
 
 
 def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int]) -> int:
-    """Whether XIndex counts from 1 (MATLAB's way, the default) or from 0: as the lengths match."""
+    """First index of XIndex, 1 (MATLAB's way, the default) or 0: as the lengths match."""
 
     def matches(first: int) -> int:
-        """How many signals have the length of their axis if indices count from `first`."""
+        """Number of signals that have the length of their axis if indices count from `first`."""
         positions = [None if index is None else int(index) - first for index in indices]
         return sum(
             p is not None and 0 <= p < len(lengths) and lengths[p] == size
@@ -218,7 +218,7 @@ def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int
 
 
 def is_simulink_log(value: MatValue) -> bool:
-    """Whether a variable is a structure with time and signals."""
+    """True if a variable is a structure with time and signals."""
     return is_struct(value) and value.count == 1 and {"time", "signals"} <= set(value.fields)
 
 

@@ -48,7 +48,7 @@ _WAYS_OUT = {
     "sparse array": "save full(NAME)",
     "cell": "save what it holds as variables of their own, as NAME1 = NAME{1}",
 }
-"""What to do with what is not read, by its class."""
+"""Advice for variables that are not read, by their class."""
 
 
 class MatSource(Source):

@@ -146,12 +146,12 @@ def _leaves(name: str, field: Any, path: tuple[str, ...]) -> Iterator[tuple[str,
 
 
 def _is_time(kind: Any) -> bool:
-    """Whether a column holds time stamps, durations, or times of day, which are read in s."""
+    """True if a column holds time stamps, durations, or times of day, which are read in s."""
     return any(holds(kind) for holds in (pa.types.is_timestamp, pa.types.is_duration, pa.types.is_time))
 
 
 def _is_number(kind: Any) -> bool:
-    """Whether numbers are read from a column; a switch that is on or off is 1 or 0."""
+    """True if numbers are read from a column; a switch that is on or off is 1 or 0."""
     kinds = (pa.types.is_integer, pa.types.is_floating, pa.types.is_decimal, pa.types.is_boolean)
     return any(holds(kind) for holds in kinds)
 

@@ -1,4 +1,4 @@
-"""What every format reader offers to the guarded child, and what reading one raw log may cost."""
+"""Interface of the format readers to the guarded child, and limits for the reading of one raw log."""
 
 import itertools
 import math
@@ -61,7 +61,7 @@ class Limits:
 
 @dataclass(frozen=True)
 class CsvOptions:
-    """How to read a CSV log, where it is not to be found out from the file; None means: find out."""
+    """Stated format of a CSV log; None: detected from the file."""
 
     encoding: str | None = None
     delimiter: str | None = None
@@ -260,7 +260,7 @@ def stated_rate(name: str, number: float) -> float | None:
 
 
 def note_on_rate(name: str, number: float, rate: float) -> str:
-    """What a number that states a sample rate [Hz] is for: a log without a time channel needs it."""
+    """Note on a number that states a sample rate [Hz], which a log without a time channel needs."""
     return f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:.9g}"
 
 
@@ -286,7 +286,7 @@ class UnreadableChannelError(UnreadableLogError):
 
 
 def temporary_path(owner: object) -> Path:
-    """Where a file may be written that vanishes with its `owner`.
+    """Path for a file that is deleted with its `owner`.
 
     Unlike Python's own temporary file it is not open, so that Windows too lets a library open it by its name.
     """

@@ -95,7 +95,7 @@ def _check_formulas(content: bytes) -> None:
 
 
 def _is_time(cell: Any) -> bool:
-    """Whether a cell is a date, which one at midnight is too, a time of day or a duration."""
+    """True if a cell is a date (so is one at midnight), a time of day or a duration."""
     return isinstance(cell, date | time | timedelta)
 
 
@@ -136,7 +136,7 @@ def _heading(rows: Rows) -> Rows | None:
 
 
 def _clocks(rows: Rows) -> list[str]:
-    """How the times of each column are written: "day" where they are times of day alone; "" where there are none."""
+    """Format of the times of each column: "day" for times of day alone, else "stamp"; "" where there are none."""
     body = rows[min(_first_of_numbers(rows), len(rows) - 1) :] if rows else []
     types = [{type(cell) for cell in column if _is_time(cell)} for column in zip(*body, strict=True)]
     return ["" if each in (set(), {date}) else "day" if each == {time} else "stamp" for each in types]

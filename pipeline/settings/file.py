@@ -157,7 +157,7 @@ def _no_toml(path: Path, error: Exception) -> str:
 
 
 def _advice(path: Path, error: str) -> str:
-    """What to write instead, where the line that is no TOML shows a common slip; else nothing."""
+    """Advice where the line that is no TOML shows a common slip; else empty."""
     if "Unescaped" in error:
         return "; write paths with / or between single quotes"
     place = re.search(r"at line (\d+)", error)

@@ -72,7 +72,7 @@ def one_sign(samples: FloatArray, sign: float) -> FloatArray:
 
 
 def held(time: FloatArray, stamps: FloatArray, samples: FloatArray) -> FloatArray:
-    """What was recorded when it changed, at other stamps: its last finite sample, NaN before the first, shape (N,).
+    """Samples of a record made on change, held to other stamps; NaN before the first finite one, shape (N,).
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def held(time: FloatArray, stamps: FloatArray, samples: FloatArray) -> FloatArra
 
 
 def finite(samples: FloatArray) -> BoolArray:
-    """Which samples are neither NaN nor infinite, shape (N,)."""
+    """Mask of the samples that are neither NaN nor infinite, shape (N,)."""
     return column(samples.size, (np.isfinite(samples[rows]) for rows in chunks(samples.size)), np.bool_)
 
 
@@ -118,7 +118,7 @@ def sparse(signal: Signal) -> tuple[Signal, int]:
 
 
 def equal(first: FloatArray, second: FloatArray) -> bool:
-    """Whether two columns hold the same numbers."""
+    """True if two columns hold the same numbers."""
     return first is second or (
         first.size == second.size and all(np.array_equal(first[rows], second[rows]) for rows in chunks(first.size))
     )
@@ -126,7 +126,7 @@ def equal(first: FloatArray, second: FloatArray) -> bool:
 
 @dataclass(frozen=True)
 class Missing:
-    """What is missing.
+    """Missing samples of a signal.
 
     Attributes
     ----------
@@ -155,7 +155,7 @@ class Missing:
 
 
 def missing(q: Signal, beside: Mapping[str, Signal]) -> dict[str, Missing]:
-    """What is missing of each signal beside the displacement `q` while that is known.
+    """Missing samples of each signal beside the displacement `q` while that is known.
 
     Raises
     ------
@@ -268,7 +268,7 @@ def _is_any(part: FloatArray, codes: Iterable[float]) -> BoolArray:
 
 
 def code_remarks(counts: dict[float, int]) -> list[str]:
-    """What to say of the codes in a column."""
+    """Remarks on the codes in a column."""
     return [
         f"{n} sample{'s' * (n > 1)} of {code:.6g} stand{'s' * (n == 1)} for no value: masked (`missing` in [channels])"
         for code, n in counts.items()

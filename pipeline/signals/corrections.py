@@ -11,7 +11,7 @@ from .log import Log
 
 @dataclass(frozen=True)
 class Corrections:
-    """What makes readings true: v → gains·v(t − delay), q → gain_q·q + zero, t → clock·t.
+    """Corrections of readings: v → gains·v(t − delay), q → gain_q·q + zero, t → clock·t.
 
     Attributes
     ----------
@@ -35,7 +35,7 @@ class Corrections:
 
     @property
     def act(self) -> bool:
-        """Whether they change anything."""
+        """True if the corrections change anything."""
         return self != Corrections((1.0,) * len(self.gains))
 
     def then(self, later: "Corrections") -> "Corrections":

@@ -34,12 +34,12 @@ class Number:
 
 @dataclass(frozen=True)
 class Finding:
-    """What was measured, how bad it is, and of which log.
+    """Measured numbers with their severity and their log.
 
     Attributes
     ----------
     code : str
-        Which finding it is, in snake case, as tests and users of the datasheet compare it.
+        Name of the finding in snake case, as tests and users of the datasheet compare it.
     severity : Severity
         Unseen: the data do not show it.
     log : str
@@ -47,7 +47,7 @@ class Finding:
     subject : str
         The channel, model or fact that it is about, for instance ``v1``; may be empty.
     numbers : mapping of str to Number
-        What was measured, by name.
+        Measured numbers by name.
     gate : Gate or None
         The name under which the settings accept it, where it refuses the data.
     """
@@ -94,7 +94,7 @@ UNTOLD_STEP = 1.2
 
 
 def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequence[str] = ()) -> list[Finding]:
-    """What speaks against one log.
+    """Findings against one log.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequen
 
 
 def missing_findings(beside: Mapping[str, Missing]) -> list[Finding]:
-    """Which signals beside the displacement are missing for too much of it."""
+    """Refusals of signals that are missing for too much of the displacement."""
     most = Number(MOST_MISSING)
     return [
         refusal(
@@ -178,13 +178,13 @@ def rate_remarks(time: TimeQuality, q: SignalQuality, sample_interval: float) ->
 
 
 def _unshown(time: TimeQuality, q: SignalQuality, interval: float, frequency: float, least: float) -> bool:
-    """Whether a frequency has fewer samples a period than `least`, and would have more in a finer record of the log."""
+    """True if a frequency has fewer samples a period than `least`, and would have more in a finer record of the log."""
     faster = frequency * interval * least > 1.0  # never of NaN
     return faster and not q.idle and interval > UNTOLD_STEP * time.step
 
 
 def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[Finding]:
-    """Whether log and sample interval go together.
+    """Findings where log and sample interval do not go together.
 
     A log is too coarse where its unit of time is wrong, and too fine where decimation leaves little of its motion.
     """
@@ -281,14 +281,14 @@ Clock = Literal["s", "samples", ""]
 
 @dataclass(frozen=True)
 class Context:
-    """What is known of a channel beside its samples.
+    """Knowledge of a channel beside its samples.
 
     Attributes
     ----------
     clock : {"s", "samples", ""}
         Unit of its places.
     driven : bool
-        Whether it may be an input: one that is held, or stays at a limit, was commanded so.
+        True if it may be an input: one that is held, or stays at a limit, was commanded so.
     alike : float
         Largest range of another channel of its unit; NaN where there is none.
     """
@@ -299,7 +299,7 @@ class Context:
 
 
 def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[str, ...]:
-    """What a person should look at."""
+    """Remarks on a channel for the user."""
     clock = context.clock
     remarks = []
     if quality.not_finite:
@@ -326,7 +326,7 @@ def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[st
 
 
 def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
-    """Where a signal does not move that might."""
+    """Remarks on times in which a signal stands still."""
     remarks = []
     for rail, share, value in (
         ("upper", quality.high_rail, quality.usual[1]),
@@ -346,7 +346,7 @@ def counted(number: int, thing: str) -> str:
 
 
 def _first(places: tuple[float, ...], clock: Clock) -> str:
-    """Where the first one is; nothing where the time itself is not known there."""
+    """Place of the first event, as text; empty where the time itself is not known there."""
     if not places or not np.isfinite(places[0]):
         return ""
     if clock == "s":

@@ -172,7 +172,7 @@ class Log:
 
     @property
     def moves_at_first(self) -> bool:
-        """Whether q moves at the beginning."""
+        """True if q moves at the beginning."""
         first = int(np.argmax(self.valid))
         edge = self.q[first : first + EDGE + 1]
         change = np.nanmax(edge) - np.nanmin(edge)
@@ -180,7 +180,7 @@ class Log:
 
     @property
     def begins_in_motion(self) -> bool:
-        """Whether q moves at the beginning and its velocity is a derivative, which is poor there."""
+        """True if q moves at the beginning and its velocity is a derivative, which is poor there."""
         return self.velocity is None and self.moves_at_first
 
     def to_fit(self) -> "Log":
@@ -201,7 +201,7 @@ class Log:
 
 
 def _farther(whole: Log, later: Log) -> bool:
-    """Whether a log goes farther than its later part by more than `_FARTHER` of its range."""
+    """True if a log goes farther than its later part by more than `_FARTHER` of its range."""
     low = whole.known_q.min()
     high = whole.known_q.max()
     return bool(max(later.known_q.min() - low, high - later.known_q.max()) > _FARTHER * (high - low))

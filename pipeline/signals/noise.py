@@ -74,7 +74,7 @@ def noise_level(samples: FloatArray) -> float:
 
 
 def is_idle(samples: FloatArray) -> bool:
-    """Whether finite samples show only noise: they span what 10⁶ normal ones do or less, and are no command."""
+    """True if finite samples are only noise: they span no more than 10⁶ normal ones, and are no command."""
     return float(np.ptp(samples)) <= 2.0 * REACH * noise_std(samples) and not is_stepped(samples)
 
 
@@ -84,7 +84,7 @@ def rounding(resolution: float | None) -> float:
 
 
 def below_resolution(noise: float, resolution: float | None) -> bool:
-    """Whether a sensor's steps hide its noise, so that its samples say nothing of it."""
+    """True if a sensor's steps hide its noise, so that it cannot be estimated from the samples."""
     return noise < rounding(resolution)
 
 
@@ -109,7 +109,7 @@ def resolution(samples: FloatArray) -> float | None:
 
 
 def is_stepped(samples: FloatArray) -> bool:
-    """Whether a signal stands still between its steps, as a command does: a PRBS, pulses, steps of any height.
+    """True if a signal stands still between its steps, as a command does: a PRBS, pulses, steps of any height.
 
     Three quarters of its values are held for two samples or more; noise and a converter's flicker are not. A signal of
     two values that spends a quarter of the time at either is one too. The first 2¹⁷ samples count.
@@ -177,7 +177,7 @@ class Bandwidth(NamedTuple):
 
 
 def bandwidth(samples: FloatArray, step: float, noise: float) -> Bandwidth:
-    """How fast a signal moves.
+    """Bandwidth of a signal [Hz].
 
     Parameters
     ----------
@@ -235,7 +235,7 @@ class Hum:
 
     @property
     def stands_out(self) -> bool:
-        """Whether the line is clearly over the spectrum beside it."""
+        """True if the line is clearly over the spectrum beside it."""
         return self.above_floor_db > _STANDS_OUT
 
 
@@ -293,7 +293,7 @@ def mains_at_another_rate(samples: FloatArray, step: float) -> tuple[Hum, float]
 
 
 def aliased(frequency: float, step: float) -> float:
-    """Where a line [Hz] appears in samples that are a step [s] apart."""
+    """Frequency [Hz] at which a line [Hz] appears in samples that are a step [s] apart."""
     turns = frequency * step
     return abs(turns - round(turns)) / step
 

@@ -83,7 +83,7 @@ def _weights(ratio: int) -> FloatArray:
 
 
 def sharpened(samples: FloatArray, usable: BoolArray) -> FloatArray:
-    """What a smooth signal was before `decimate`, from its samples, shape (N,).
+    """Smooth signal before `decimate`, restored from its samples, shape (N,).
 
     The kernel's response is 1 + m2/2 D² + m4/24 D⁴ + … in derivatives D per sample interval, m2 and m4 being its
     moments; the inverse is taken to fourth order, in differences of five samples. Where one of them is not `usable` a
@@ -371,7 +371,7 @@ def _blocks(time: FloatArray, origin: float, interval: float, points: int) -> It
 
 
 def _edges(origin: float, interval: float, first: int, last: int) -> FloatArray:
-    """Where the bins `first` … `last` − 1 begin [s]."""
+    """Starts [s] of the bins `first` … `last` − 1."""
     return np.asarray(origin + interval * np.arange(first - 2, last - 2, dtype=np.float64))
 
 

@@ -120,7 +120,7 @@ def runs_between(values: FloatArray, low: float, high: float) -> IntArray:
 
 
 def in_a_row(inside: BoolArray) -> BoolArray:
-    """Which of the samples that are inside lie in a run of three or more of them."""
+    """Mask of the samples inside that lie in a run of three or more of them."""
     edges = np.flatnonzero(np.diff(inside.astype(np.int8), prepend=0, append=0)).reshape(-1, 2)
     long = edges[edges[:, 1] - edges[:, 0] >= IN_A_ROW]
     steps = np.zeros(inside.size + 1, dtype=np.int8)
@@ -132,7 +132,7 @@ def in_a_row(inside: BoolArray) -> BoolArray:
 def _is_exact(
     runs: IntArray, values: FloatArray, others: FloatArray, level: float, digit: float | None, noise: float
 ) -> bool:
-    """Whether the equal samples at a level are more than chance, and where steps hide the noise, cut off."""
+    """True if the equal samples at a level are more than chance, and where steps hide the noise, cut off."""
     longest = int(np.diff(runs, axis=1).max(initial=0))
     if longest < IN_A_ROW:
         return False
@@ -143,8 +143,7 @@ def _is_exact(
 
 
 def _cut_off(values: FloatArray, runs: IntArray, level: float, width: float, *, noisy: bool) -> bool:
-    """Whether the signal comes to its longest stays at a level, of this width to both sides, and leaves them, as a
-    line does.
+    """True if the signal enters and leaves its longest stays at a level, of this width to both sides, along a line.
 
     Beneath noise both sides of a single turning point may look straight, so more than those must be seen.
     """
@@ -197,7 +196,7 @@ def _approach(off: FloatArray, stay: int, width: float, *, noisy: bool) -> tuple
 
 
 def _passed(values: FloatArray, usual: tuple[float, float], end: int, beyond: float) -> bool:
-    """Whether three samples beside others like them lie more than `beyond` outside of the usual end: no spikes."""
+    """True if three samples beside others like them lie more than `beyond` outside of the usual end: no spikes."""
     sign = 2.0 * end - 1.0
     count = 0
     for rows in chunks(values.size, overlap=1):
@@ -218,7 +217,7 @@ BOTH_SIGNS = 0.1
 
 @dataclass(frozen=True)
 class SignalQuality:
-    """What one signal looks like, in its own unit; times in s.
+    """Quality of one signal, in its own unit; times in s.
 
     Attributes
     ----------
@@ -233,23 +232,23 @@ class SignalQuality:
     noise : float
         Standard deviation of the white noise in it, from the medians of its differences.
     idle : bool
-        Whether there is only noise: the span is that of 10⁶ normal samples or less, and it is no command.
+        True if there is only noise: the span is that of 10⁶ normal samples or less, and it is no command.
     low_rail, high_rail : float
         Share of the samples that stay at the lower, at the upper end of the sensor's range.
     rails : tuple of (float, float)
-        Between which values three samples in a row are at such an end.
+        Ranges of values, three samples in a row within which are at such an end.
     stepped : bool
-        Whether it stands still between its steps, as a command does.
+        True if it stands still between its steps, as a command does.
     levels : tuple of float
         The values that it takes, if they are `MOST_LEVELS` at most; else empty.
     longest_frozen : float
         Duration of the longest run of one and the same value [s].
     frozen_samples : int
-        How many samples it has.
+        Number of its samples.
     frozen_at : float
-        Where that run starts [s].
+        Start of that run [s].
     rests : bool
-        Whether that run may be a rest in the steps of a sensor, as it is entered and left by few of them.
+        True if that run may be a rest in the steps of a sensor, as it is entered and left by few of them.
     spikes : int
         Single samples that leave the line between their neighbours by more than noise reaches.
     spikes_at : tuple of float
@@ -257,7 +256,7 @@ class SignalQuality:
     hum : tuple of Hum
         Mains lines, as far as the sampling rate and the duration allow.
     band : Bandwidth
-        How fast it moves.
+        Its bandwidth [Hz].
     """
 
     n: int
@@ -286,7 +285,7 @@ class SignalQuality:
 
     @property
     def constant(self) -> bool:
-        """Whether all finite samples are equal."""
+        """True if all finite samples are equal."""
         return self.smallest == self.largest
 
     @property
@@ -296,7 +295,7 @@ class SignalQuality:
 
     @property
     def ramped(self) -> bool:
-        """Whether it comes to both ends of its range at a slope, beneath its noise, as a command with ramps does."""
+        """True if it comes to both ends of its range at a slope, beneath its noise, as a command with ramps does."""
         return len(self.rails) == 2 and all(high > low for low, high in self.rails)
 
 
@@ -382,7 +381,7 @@ def span(samples: FloatArray) -> tuple[float, float]:
 
 
 def takes_both_signs(smallest: float, largest: float) -> bool:
-    """Whether an input between these values takes both signs, each to a tenth of its largest magnitude at least."""
+    """True if an input between these values takes both signs, each to a tenth of its largest magnitude at least."""
     return min(-smallest, largest) > BOTH_SIGNS * max(-smallest, largest)
 
 
@@ -464,7 +463,7 @@ def _noise_around(part: FloatArray, at: IntArray) -> FloatArray:
 
 
 def _rests(values: FloatArray, begin: int, end: int) -> bool:
-    """Whether a run of equal samples may be a rest that noise within the steps of a sensor does not show."""
+    """True if a run of equal samples may be a rest, as a sensor's steps hide its noise."""
     beside = values[[i for i in (begin - 1, end) if 0 <= i < values.size]]
     step = resolution(values)
     return step is not None and bool(np.all(np.abs(beside - values[begin]) <= 2.0 * step))

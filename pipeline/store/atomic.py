@@ -247,7 +247,7 @@ def run_lock(root: Path, name: str = LOCK) -> Iterator[None]:
 
 
 def is_held(root: Path) -> bool:
-    """Whether a process is writing into a run."""
+    """True if a process is writing into a run."""
     if not (root / LOCK).is_file() or (root / LOCK).is_symlink():
         return False
     try:

@@ -134,7 +134,7 @@ class _Reader:
         self._letters = size
 
     def group(self, group: Any) -> Tree:
-        """What lies below a group."""
+        """Tree below a group."""
         import h5py
 
         tree: Tree = {}

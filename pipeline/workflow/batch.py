@@ -32,7 +32,7 @@ Program = Callable[[list[str]], object]
 
 @dataclass(frozen=True)
 class Outcome:
-    """How one prototype went.
+    """Outcome of one prototype in a batch.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class Outcome:
     exit_code : int or None
         Of its process; negative if a signal ended it, None if it was not started.
     reason : str
-        Why it failed or was not started, one line; empty if it did well.
+        Cause of its failure, or reason why it was not started, one line; empty if it did well.
     seconds : float
         Wall time.
     processor_seconds : float
@@ -62,7 +62,7 @@ class Outcome:
 
     @property
     def failed(self) -> bool:
-        """Whether it was started and did not end well."""
+        """True if it was started and did not end well."""
         return self.exit_code not in (0, None)
 
 
@@ -133,7 +133,7 @@ def _run(send: Send, program: Program, command: list[str]) -> None:
 
 
 def reason_of(exit_code: int, stderr: str) -> str:
-    """Why a process with this exit code and this standard error failed; empty if it did not."""
+    """Cause of the failure of a process with this exit code and standard error; empty if it did not fail."""
     if exit_code == 0:
         return ""
     if exit_code < 0:
@@ -168,7 +168,7 @@ class BatchObserver(Protocol):
 
 @dataclass(frozen=True)
 class Execution:
-    """How the runs of a batch are executed.
+    """Settings for the execution of a batch.
 
     Attributes
     ----------
@@ -287,7 +287,7 @@ def _run_all(
 
 
 def _is_up_to_date(prototype: Path, run: Path, report: bool) -> bool:
-    """Whether a prototype needs no process, which saves its start."""
+    """True if a prototype needs no process, which saves its start."""
     if not (run / MANIFEST).is_file():
         return False
     from .run import is_up_to_date  # a second of imports, which a new fleet does not need here

@@ -71,7 +71,7 @@ class Observer(Protocol):
         """The task is being done, for these reasons."""
 
     def progressed(self, task: Task, what: str, share: float) -> None:
-        """How far a task that reports has come."""
+        """Receive the share done of a task that reports its progress."""
 
     def finished(self, task: Task, seconds: float) -> None:
         """The task is done."""
@@ -107,7 +107,7 @@ class Unheard:
 
 @dataclass(frozen=True)
 class TaskStatus:
-    """Whether a task's outputs are up to date, and if not, why."""
+    """State of a task's outputs: up to date, or the reasons why not."""
 
     stage: str
     title: str
@@ -137,7 +137,7 @@ def tasks_of(plan: Plan) -> Iterator[Task]:
 
 
 def status(run: RunFolder, plan: Plan) -> list[TaskStatus]:
-    """What a run would redo and why, without doing it; what hangs on a stale input is stale too."""
+    """State of each task of a run, with reasons; a task with a stale input is stale too."""
     stale: set[str] = set()
     statuses = []
     for task in tasks_of(plan):
@@ -154,7 +154,7 @@ def status(run: RunFolder, plan: Plan) -> list[TaskStatus]:
 
 
 def recipe_of(run: RunFolder, task: Task) -> Recipe:
-    """What decides the outputs of a task, with the content of its inputs of today."""
+    """Recipe of a task's outputs, with the content hashes of its present inputs."""
     inputs = {name: run.record(name).content_hash for name in task.inputs}
     for name, path in (task.sources or {}).items():
         try:
@@ -225,7 +225,7 @@ def outputs_of(run: RunFolder, task: Task) -> list[str]:
 
 
 def reasons_of(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
-    """Why a task is to be done; empty where its outputs are up to date."""
+    """Reasons why a task is to be done; empty where its outputs are up to date."""
     for name in outputs_of(run, task):
         if name not in run.manifest.artifacts:
             return [FIRST_TIME]
@@ -337,11 +337,11 @@ class _Schedule:
 
     @property
     def statuses(self) -> list[TaskStatus]:
-        """What was done and why, in the order of the plan."""
+        """Tasks done and their reasons, in the order of the plan."""
         return [self._statuses[number] for number in sorted(self._statuses)]
 
     def goes_on(self) -> bool:
-        """Whether a task waits or runs, after the plan was read as far as it is known."""
+        """True if a task waits or runs, after the plan was read as far as it is known."""
         while self._failed is None and not self._must_wait():
             entry = next(self._plan, None)
             if entry is None:
@@ -355,7 +355,7 @@ class _Schedule:
         return bool(self._waiting) or any(number < behind for number in self._running)
 
     def _must_wait(self) -> bool:
-        """Whether the plan is not known beyond this place, or this process alone does what was read."""
+        """True if the plan is not known beyond this place, or this process alone does the tasks read so far."""
         if self._processes.jobs == 1 and self._waiting:
             return True
         return self._mark is not None and self._mark.artifact in self._unfinished(self._read)

@@ -43,7 +43,7 @@ LEAST_LARGEST = 0.8
 
 @dataclass(frozen=True)
 class Shortfall:
-    """What was not excited, and what to add."""
+    """Missing excitation, and advice what to add."""
 
     finding: str
     add: str
@@ -152,7 +152,7 @@ def _places(excitation: Excitation, rows: slice, factor: float, unit: str) -> st
 
 @dataclass(frozen=True)
 class LogExcitation:
-    """What a log excites, and what it lacks.
+    """Excitation of a log, and its shortfalls.
 
     Attributes
     ----------
@@ -161,13 +161,13 @@ class LogExcitation:
     inputs : tuple of str
         Names of the input channels.
     assumed : bool
-        Whether the channels were taken by their names and units, not from settings.
+        True if the channels were taken by their names and units, not from settings.
     shortfalls : list of Shortfall
-        What was not excited and what to add.
+        Missing excitation, each with advice.
     interval : float
         Interval [s] of the samples that were counted.
     factor, unit : float, str
-        In what q is shown: `factor` × SI.
+        Scale and unit in which q is shown: `factor` × SI.
     si : (str, str)
         SI units of q and of the inputs.
     plant : Device

@@ -85,7 +85,7 @@ def between(t: FloatArray, fine: Table) -> FloatArray | None:
 
 
 def corrections(prototype: Prototype) -> dict[tuple[Role, str], Corrections]:
-    """What [logs] states of each log, by its role and its name in the run.
+    """Corrections stated in [logs], by each log's role and its name in the run.
 
     Raises
     ------

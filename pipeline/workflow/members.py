@@ -39,7 +39,7 @@ _PATHS = (
 
 
 def is_table(place: Path) -> bool:
-    """Whether a file lists prototypes in rows."""
+    """True if a file lists prototypes in rows."""
     return place.suffix.lower() in _ENDINGS and place.is_file()
 
 
@@ -285,7 +285,7 @@ class Shard(NamedTuple):
         return cls(number, count)
 
     def holds(self, name: str) -> bool:
-        """Whether the shard holds the prototype `name`, which depends on no other name."""
+        """True if the shard holds the prototype `name`, which depends on no other name."""
         return int.from_bytes(hashlib.sha256(name.encode()).digest()[:8], "big") % self.of == self.number - 1
 
     @property

@@ -1,4 +1,4 @@
-"""Which run folder belongs to which settings file, and the mistakes that can be named before any work."""
+"""Run folder of a settings file, and mistakes that can be named before any work."""
 
 import math
 import stat
@@ -214,7 +214,7 @@ def _digest(log: Path) -> str | None:
 
 
 def edited(run: RunFolder) -> list[str]:
-    """What differs between the settings file of today and what the run was made from; nothing if the file is gone.
+    """Differences between the present settings file and the run's settings; empty if the file is gone.
 
     Raises
     ------

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Excerpt:
-    """What of a figure is drawn, and how.
+    """Part of a figure to draw, and its typography.
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class RunFigures:
         return plotted(figure, self.models, paper_look(figure, part.typeface), make()).axes
 
     def figure(self, name: str, part: Excerpt = WHOLE) -> Figure:
-        """What a figure shows.
+        """Part of a figure, cut to its models and its segment.
 
         Raises
         ------

@@ -49,7 +49,7 @@ def named_curves(prototype: Prototype) -> list[tuple[str, str]]:
 
 
 def column_units(plant: Device) -> dict[str, tuple[str, ...]]:
-    """What each column may be, in SI."""
+    """Allowed units of each column, in SI."""
     displacement = plant.displacement.symbol
     units = curve_units(displacement, "V", squared=True, mass_known=True)
     slope = (units["dC"],)
@@ -135,14 +135,14 @@ def read_siblings(path: Path) -> dict[str, Any]:
 
 
 def shown_siblings(run: RunFolder, prototype: Prototype) -> NormalPopulation | None:
-    """What siblings teach, for the page; None where the settings name none."""
+    """Prior from other joints, for the page; None where the settings name none."""
     from ..models.hybrid.siblings import from_tree
 
     return None if prototype.plant.siblings is None else from_tree(run.read_tree(layout.SIBLINGS))[1]
 
 
 def taught(tree: dict[str, Any], parameters: JointParameters | None) -> NormalPopulation:
-    """What siblings teach, of the tree of their file.
+    """Prior from other joints, from the tree of its file.
 
     Raises
     ------
@@ -164,7 +164,7 @@ def known_inputs(prototype: Prototype) -> tuple[str, ...]:
 
 
 def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: JointParameters | None) -> PriorKnowledge:
-    """What is known beside the logs.
+    """Prior knowledge beside the logs.
 
     Raises
     ------
@@ -179,7 +179,7 @@ def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: JointPa
 
 
 def prior_knowledge_in(settings_file: Path, prototype: Prototype, parameters: JointParameters | None) -> PriorKnowledge:
-    """What is known beside signals in memory: the files that the settings name, as seen from a settings file.
+    """Prior knowledge beside signals in memory: the files that the settings name, relative to a settings file.
 
     Raises
     ------

@@ -29,7 +29,7 @@ from .run_models import identified_models, made_control
 
 @dataclass(frozen=True)
 class Planned:
-    """What the tasks of a run follow from.
+    """Inputs of the plan of a run.
 
     Attributes
     ----------
@@ -227,7 +227,7 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
 
 
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
-    """What other commands made into a run, and is damaged or lost, is struck off: no stage makes it anew."""
+    """Strike off damaged or lost artifacts of other commands: no stage makes them anew."""
     run.recover()
     for name in [name for name in run.manifest.artifacts if layout.command_of(name)]:
         if problem := run.strike(name):
@@ -262,7 +262,7 @@ def missing_settings(root: Path) -> str:
 
 
 def run_status(root: Path) -> list[TaskStatus]:
-    """What is stale in a run and why, by the settings file of today; by the stored settings where that file is gone."""
+    """State of a run's tasks by the present settings file, or by the stored settings where that file is gone."""
 
     def judged(run: RunFolder) -> list[TaskStatus]:
         """Its tasks, by the settings file if there is one."""
@@ -274,12 +274,12 @@ def run_status(root: Path) -> list[TaskStatus]:
 
 
 def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
-    """What `run_prototype` would do and why, without doing it.
+    """List what `run_prototype` would do and why, without doing it.
 
     Raises
     ------
     DebistError
-        What `run_prototype` would raise before any work.
+        As `run_prototype` before any work.
     """
     prototype = place.prototype
     prototype_file = place.prototype_file
@@ -292,7 +292,7 @@ def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
 
 
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
-    """Whether `run_prototype` would find nothing to do; false where only doing it would show that."""
+    """True if `run_prototype` would find nothing to do; false where only doing it would show that."""
     try:
         prototype = load_prototype(prototype_file)
         run = RunFolder.open(root)
@@ -306,7 +306,7 @@ def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True)
 
 
 def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], str]]:
-    """What is stale in each of many runs; where a run cannot be read, why not instead."""
+    """State of the tasks of each of many runs; the reason instead where a run cannot be read."""
     statuses: list[tuple[Path, list[TaskStatus], str]] = []
     for root in roots:
         try:

@@ -181,7 +181,7 @@ def _check_log(run: RunFolder, prototype: Prototype) -> Log:
 
 
 def validity_of(logs: Sequence[Log], prototype: Prototype) -> "Validity":
-    """What training logs span."""
+    """Ranges of the training logs."""
     from ..export.subject import Validity
 
     plant = device(prototype)

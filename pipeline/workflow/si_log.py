@@ -378,7 +378,7 @@ def _own_bases(recording: Recording, channels: list[Channel], rate: float | None
 
 
 def _contradicted_rates(recording: Recording, channel: str, time: FloatArray, prototype: Prototype) -> list[str]:
-    """What to say of sample rates beside a channel that the log states and its time [s] contradicts.
+    """Messages on stated sample rates beside a channel that its time [s] contradicts.
 
     Raises
     ------

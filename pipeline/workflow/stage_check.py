@@ -100,7 +100,7 @@ def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> LogSignals
 
 
 def assess(findings: list[Finding], prototype: Prototype) -> list[str]:
-    """What the settings accept of what would make the model wrong.
+    """Accepted findings among those that would make the model wrong, as texts.
 
     Raises
     ------

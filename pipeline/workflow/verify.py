@@ -15,7 +15,7 @@ from ..store.run_folder import RunFolder, in_snapshot
 
 @dataclass(frozen=True)
 class Verified:
-    """What a look at everything in a run folder gave.
+    """Result of the check of a whole run folder.
 
     Attributes
     ----------

@@ -122,7 +122,7 @@ def _analytical() -> None:
 
 
 def _measured() -> None:
-    """What looks at measured motions: differentiation, and the lag and basis of the paper."""
+    """Compile the kernels for measured motions: differentiation, and the lag and basis of the paper."""
     from ..fitting.regression import basis_values
     from ..numerics.linear_filters import first_order_lag
     from ..signals.differentiate import differentiate

@@ -30,7 +30,7 @@ _LEAST_PART = 5 * EDGE
 
 @dataclass(frozen=True)
 class PriorKnowledge:
-    """What a fit takes beside the logs: measured characteristic curves, and what siblings teach."""
+    """Inputs of a fit beside the logs: measured characteristic curves, and a prior from other joints."""
 
     curves: Table | None = None
     siblings: NormalPopulation | None = None
@@ -231,7 +231,7 @@ def _network(given: Training, data: list[Log], prototype: Prototype) -> StoredMo
 
 
 def _findings(data: list[Log], prototype: Prototype) -> list[Finding]:
-    """What speaks against the training logs, taken together."""
+    """Findings against the training logs, taken together."""
     numbers = [log.segment for log in data]
     first = np.cumsum([0, *(segment.max() + 1 for segment in numbers[:-1])])
     segments = [np.where(segment < 0, -1, segment + k) for segment, k in zip(numbers, first, strict=True)]

@@ -155,8 +155,8 @@ def _refuse_other_clock(where: str, clock: TimeQuality, quality: SignalQuality, 
 
 
 def _sensor(signals: RawLog, quality: SignalQuality) -> dict[str, Any]:
-    """What is known of the sensor of q: its noise and steps [m or rad], the mains lines in it [Hz], for how many
-    samples each value is held, and a sketch of the samples by which a copy is recognised.
+    """Facts of the sensor of q: its noise and steps [m or rad], the mains lines in it [Hz], the number of samples for
+    which each value is held, and a sketch of the samples by which a copy is recognised.
     """
     lines = [line.frequency for line in quality.hum if line.stands_out]
     step = resolution(signals.q[1])
@@ -171,8 +171,8 @@ def _cut_off(usable: Survey, clock: TimeQuality) -> float:
 
 
 def _lacking(signals: RawLog, interval: float) -> tuple[list[str], list[Finding]]:
-    """What to say of samples that signals beside q lack, and of more than an interval [s] at which only q is known; and
-    what of it speaks against the log.
+    """Messages on missing samples beside q, and on more than an interval [s] at which only q is known; and the
+    findings against the log.
     """
     beside = missing(signals.q, signals.beside)
     texts = []
@@ -187,7 +187,7 @@ def _lacking(signals: RawLog, interval: float) -> tuple[list[str], list[Finding]
 
 
 def _discarded(rows: TimeRows) -> list[str]:
-    """What to say of rows that are left out where time steps back."""
+    """Messages on rows that are left out where time steps back."""
     if not rows.turns.size:
         return []
 
@@ -201,7 +201,7 @@ def _discarded(rows: TimeRows) -> list[str]:
 
 
 def _gaps(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> list[str]:
-    """What to say of gaps in time, and of spans [s] in which the inputs are not known."""
+    """Messages on gaps in time, and on spans [s] in which the inputs are not known."""
     kinds = [
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
         (
@@ -221,7 +221,7 @@ def _gaps(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> list[st
 
 
 def _left_out(trusted: Trusted, warnings: list[str], prototype: Prototype) -> dict[str, int]:
-    """How many samples of q were masked as no measurements, with a warning added for each kind."""
+    """Counts of samples of q that were masked as no measurements; adds a warning for each cause."""
     rails, lost, spikes = trusted.left_out
     plant = device(prototype)
     unit = "mm" if plant.angle else prototype.channels.q.unit
@@ -249,7 +249,7 @@ def record_columns(piece: UniformRecord, names: Sequence[str]) -> dict[str, Floa
 
 
 def _hum_against_rate(signals: RawLog, rate: float | None) -> list[str]:
-    """What mains hum on the inputs says against a sample rate [Hz] of the settings, which nothing else confirms."""
+    """Warnings where mains hum on the inputs contradicts the sample rate [Hz] of the settings."""
     texts = []
     for k, (_, samples) in enumerate(signals.inputs if rate else (), start=1):
         found = mains_at_another_rate(select(samples, finite(samples)), 1.0 / (rate or 1.0))
@@ -264,7 +264,7 @@ def _hum_against_rate(signals: RawLog, rate: float | None) -> list[str]:
 
 
 def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> list[str]:
-    """What is suspicious about the signals; nothing is corrected."""
+    """Warnings on suspicious signals; nothing is corrected."""
     warnings = [f"q: {remark}" for remark in remarks_on(trusted.quality)]
     plant = device(prototype)
     warnings += _hum_against_rate(signals, prototype.ingest.sample_rate)

@@ -85,7 +85,7 @@ def _horizons(log: Log, model: DynamicModel, horizons: Mapping[str, float], plan
 def trust_notes(
     log: Log, wells: Wells | NoWells, trained: Sequence[Log], ensemble: FloatArray | None, plant: Device
 ) -> dict[str, Any]:
-    """What is noted beside the free run of a model over a log.
+    """Notes beside the free run of a model over a log.
 
     Parameters
     ----------
@@ -168,7 +168,7 @@ def rows_of_log(
 def _above_lowest(
     runs: Mapping[str, ComparedRun], signal: str, interval: float, plant: Device
 ) -> dict[str, Interval | None]:
-    """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
+    """Excess of each model's error over the lowest, in NRMSE; diverged runs are left out."""
     pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
     errors = {
         model: (calculated - measured) / span

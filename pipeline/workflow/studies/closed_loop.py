@@ -177,11 +177,11 @@ class TipForce(SettingsTable):
     """A force on the tip."""
 
     start_s: Number = Field(ge=0.0)
-    """When it begins."""
+    """Start [s]."""
     force_N: Number
     """Its size, of a hand at its greatest, of a table its amplitude."""
     length_s: Number = Field(gt=0.0)
-    """How long it lasts."""
+    """Length [s]."""
 
 
 class Shake(TipForce):
@@ -195,13 +195,13 @@ class Loss(SettingsTable):
     """A time without readings."""
 
     start_s: Number = Field(ge=0.0)
-    """When it begins."""
+    """Start [s]."""
     length_s: Number = Field(gt=0.0)
-    """How long it lasts."""
+    """Length [s]."""
 
 
 class ScenarioFile(SettingsTable):
-    """What is rare in a closed loop: the TOML file of `debist rig closed-loop --scenario`."""
+    """Rare settings of a closed loop: the TOML file of `debist rig closed-loop --scenario`."""
 
     start: Literal["left", "right"] | None = None
     """Well in which the joint rests at first; left out, the one nearest to the first target."""
@@ -222,9 +222,9 @@ class ScenarioFile(SettingsTable):
     friction: Number = Field(default=1.0, ge=0.0)
     """Factor on the joint's own friction."""
     lost: tuple[Loss, ...] = ()
-    """When the laser gives no value."""
+    """Times at which the laser gives no value."""
     frozen: tuple[Loss, ...] = ()
-    """When the laser gives its last value."""
+    """Times at which the laser gives its last value."""
     barrier_percent: Number = Field(default=0.0, gt=-100.0, lt=1000.0)
     """Change of the energy barrier to the end of the run."""
     noise: Number = Field(default=1.0, ge=0.0)

@@ -44,7 +44,7 @@ _ROUNDED = 1.01
 
 @dataclass(frozen=True)
 class ControlSettings:
-    """What a user may choose.
+    """Choices of the user.
 
     Attributes
     ----------
@@ -198,7 +198,7 @@ def kept_document(
     observer: Observer,
     work: Callable[[ControlRun, OnProgress], dict[str, Any]],
 ) -> dict[str, Any]:
-    """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change.
+    """Result of `work`, kept in the run as ``control/TITLE.json`` until the model or the settings change.
 
     Parameters
     ----------
@@ -207,7 +207,7 @@ def kept_document(
     title : str
         Title of the document.
     settings : mapping
-        What decides it beside the model.
+        Settings that decide it beside the model.
     observer : Observer
         Receives what happens.
     work : callable

@@ -59,7 +59,7 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Change:
-    """What stands under one key in each run; None where a run has no such key."""
+    """Values of one key in each run; None where a run has no such key."""
 
     key: str
     values: tuple[Any, ...]
@@ -90,7 +90,7 @@ class RunDifferences:
 
     @property
     def equal(self) -> bool:
-        """Whether nothing differs by more than rounding but the page and the figures of numbers that do not."""
+        """True if nothing differs by more than rounding, the page and figures of equal numbers apart."""
         changed = self.settings or self.versions or self.sources
         states = {comparison.state for of_run in self.artifacts for comparison in of_run}
         return not changed and states <= {"equal", "close", "drawn"}
@@ -210,11 +210,11 @@ def _paired(roots: Sequence[Path]) -> list[dict[tuple[str, str], str]]:
 
 
 def _facts(run: RunFolder, *, pairs: Pairs) -> dict[str, dict[str, Any]]:
-    """What is compared of a run, by the attributes of `RunDifferences`."""
+    """Compared facts of a run, by the attributes of `RunDifferences`."""
     manifest = run.manifest
 
     def title(role: str, log: str) -> str:
-        """What the log is called beside the first run."""
+        """Title of the log beside the first run."""
         return log_title(role, pairs.get((role, log), log))
 
     rows = run.read_records(layout.SCORES) if layout.SCORES in manifest.artifacts else []
@@ -324,7 +324,7 @@ def _deviation(first: np.ndarray[Any, Any], second: np.ndarray[Any, Any]) -> flo
 
 
 def _within_a_unit(first: np.ndarray[Any, Any], second: np.ndarray[Any, Any]) -> bool:
-    """Whether two columns differ by no more than rounding to `DIGITS` may move a number."""
+    """True if two columns differ by no more than rounding to `DIGITS` may move a number."""
     apart, largest = _apart(first, second)
     largest = max(largest, _apart(second, first)[1])
     return apart <= (10.0 ** (np.floor(np.log10(largest)) + 1 - DIGITS) if largest else 0.0)

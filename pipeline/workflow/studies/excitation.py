@@ -30,7 +30,7 @@ _COMMAND = "rig excite"
 
 @dataclass(frozen=True)
 class ExcitationLimits:
-    """What must not be exceeded: voltage of a converter [V], field in an undeformed film [V/m].
+    """Limits: voltage of a converter [V], field in an undeformed film [V/m].
 
     Without a field that of the run's settings holds, or the paper's.
     """
@@ -45,7 +45,7 @@ class ExcitationLimits:
 
 @dataclass(frozen=True)
 class ExcitationSource:
-    """What the design is simulated with: a parameter set, or a model of a run; the number of joints and the seed.
+    """Model that simulates the design: a parameter set, or a model of a run; the number of joints and the seed.
 
     Attributes
     ----------
@@ -72,10 +72,10 @@ class ExcitationSource:
 
 
 class DesignFile(SettingsTable):
-    """What is rare in a design: the TOML file of `debist rig excite --design`."""
+    """Rare settings of a design: the TOML file of `debist rig excite --design`."""
 
     model: str | None = None
-    """Which model of the run is simulated; left out, the main model."""
+    """Model of the run that is simulated; left out, the main model."""
     joints: Whole = Field(default=4, ge=1, le=20)
     """Joints with workshop tolerances to design for at once."""
     seed: Whole = Field(default=1, ge=0)

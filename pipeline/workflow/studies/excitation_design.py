@@ -50,7 +50,7 @@ _FADE_OUT = 0.2  # s without voltage at the end
 
 @dataclass(frozen=True)
 class Requirements:
-    """What is to be designed.
+    """Requirements on the sequence.
 
     Attributes
     ----------
@@ -85,7 +85,7 @@ class Requirements:
 
 @dataclass(frozen=True)
 class Assessment:
-    """What a sequence does to the simulated joints.
+    """Effect of a sequence on the simulated joints.
 
     Attributes
     ----------

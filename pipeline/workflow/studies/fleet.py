@@ -107,7 +107,7 @@ def _sibling(run: RunFolder) -> tuple[str, str, HybridModel]:
 
 
 def series_of(roots: Sequence[Path], at: str | None) -> Series:
-    """How the facts of one device change from run to run.
+    """Changes of the facts of one device from run to run.
 
     Parameters
     ----------

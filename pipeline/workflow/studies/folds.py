@@ -49,7 +49,7 @@ By = Literal["blocks", "logs"]
 
 @dataclass(frozen=True)
 class Folds:
-    """What is left out.
+    """Parts of the logs that are held out in turn.
 
     Attributes
     ----------

@@ -43,7 +43,7 @@ RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6)
 """§ 5.1: TVRegDiff with α = 0.01 and ε = 1e-6 for q in mm, applied twice, on samples at 10 ms."""
 SAMPLE_INTERVAL = 0.01
 BY_RECIPE = "{} by § 5.1"
-"""How Table 2 calls a model: `debist run` differentiates otherwise, so its errors differ."""
+"""Name of a model in Table 2: `debist run` differentiates otherwise, so its errors differ."""
 ALPHAS = (1e-4, 1e-3, 1e-2, 1e-1, 1.0)
 """Regularisation parameters of figure 11c [mm·s]."""
 PAIR = ("analytical-calibrated", "rbf-paper")
@@ -72,7 +72,7 @@ ENDINGS: tuple[Format, ...] = ("svg", "pdf")
 
 @dataclass(frozen=True)
 class PaperRun:
-    """Where the figures are, and Table 2 with the printed values beside the computed ones."""
+    """Paths of the figures, and Table 2 with the printed values beside the computed ones."""
 
     root: Path
     page: Path

@@ -80,7 +80,7 @@ def simulate(parameters: JointParameters, voltage: float, signals: Path | None =
 
 
 class SearchFile(SettingsTable):
-    """How the calibration searches: the TOML file of `debist physics calibrate --search`."""
+    """Search of the calibration: the TOML file of `debist physics calibrate --search`."""
 
     starts: Whole = Field(default=3, ge=1, le=100)
     """Starts of the search, the first at the given set."""

@@ -125,7 +125,7 @@ def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
 
 
 def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
-    """What a study reads of the settings beside what its inputs were made with."""
+    """Settings that a study reads beside those that its inputs were made with."""
     if name == "alpha":
         return {"order": prototype.differentiate.order}
     plant = {"plant": prototype.plant.model_dump(mode="json", include={"mass", "inputs", "inputs_before"})}
