@@ -88,7 +88,7 @@ def read_log(log: str | Path, settings: str | Path) -> pd.DataFrame:
 
 @one_thread
 def check(place: str | Path) -> pd.DataFrame:
-    """What `debist check` finds in the logs of a settings file, or of a run folder.
+    """Findings of `debist check` in the logs of a settings file, or of a run folder.
 
     Returns
     -------

@@ -28,7 +28,7 @@ _CHECK = "check"
 
 
 class _File(ModelFile):
-    """What travels along beside the model."""
+    """Metadata that are saved beside the model."""
 
     sizes: ClassVar[Sizes] = {"N": (2, 10_000_000), "K": (1, 2)}
     name: str

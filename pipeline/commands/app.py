@@ -73,7 +73,7 @@ def debist(arguments: list[str]) -> None:
 
 @dataclass(frozen=True)
 class BatchOptions:
-    """Which prototypes of a batch run, and how."""
+    """Selection of the prototypes of a batch, and settings of their runs."""
 
     base: Annotated[
         Path | None,

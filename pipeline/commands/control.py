@@ -204,7 +204,7 @@ def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = Fals
 
 
 def _margins(margins: Any) -> str:
-    """What the loop at the unstable equilibrium stands, in a line."""
+    """Stability margins of the loop at the unstable equilibrium, in a line."""
     if margins is None:
         return "margins: none, the unstable equilibrium is not held on the linear model"
     return (

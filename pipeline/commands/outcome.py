@@ -196,7 +196,7 @@ def emit_tasks(
 
 
 def result_line(result: Mapping[str, Any]) -> str:
-    """What a stage came to for one log or model (`pipeline.workflow.report_data`), as a line."""
+    """Line for the result of a stage for one log or model (`pipeline.workflow.report_data`)."""
     from ..units.quantity import quantity
 
     if "rows" in result:
@@ -303,7 +303,7 @@ class BatchProgress:
 
 
 def _up_to_date(outcome: "Outcome") -> bool:
-    """Whether no process had to be started for it."""
+    """True if the outcome needed no process."""
     return outcome.exit_code == 0 and not outcome.processor_seconds
 
 

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Shown:
-    """What of a run a figure shows, and how it is set."""
+    """Contents and typography of a figure of a run."""
 
     start: Annotated[float | None, typer.Option("--from", help="Start of the segment, in s or SI.")] = None
     stop: Annotated[float | None, typer.Option("--to", help="End of the segment, in s or SI.")] = None
@@ -106,7 +106,7 @@ def show(run: Run, as_json: Json = False) -> None:
 
 @dataclass(frozen=True)
 class Making:
-    """How a run is made."""
+    """Options for the execution of a run."""
 
     only_plan: Annotated[bool, typer.Option("--dry-run", help="Only say what would be done, and why.")] = False
     replace: Annotated[
@@ -187,7 +187,7 @@ def status(
     brief_form: Annotated[bool, typer.Option("--brief", help="One line for each run, as always for several.")] = False,
     as_json: Json = False,
 ) -> None:
-    """What is stale in a run, and why; of the folder of a batch: what is done, running, stopped or failed.
+    """List what is stale in a run, and why; for the folder of a batch: what is done, running, stopped or failed.
 
     A run's artifacts are compared with the logs and the settings file of today. Example: debist status runs/P1
     """

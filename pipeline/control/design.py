@@ -383,7 +383,7 @@ NODES = 2
 
 @dataclass(frozen=True)
 class Settings:
-    """What a user may choose.
+    """Choices of the user.
 
     Attributes
     ----------
@@ -467,7 +467,7 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
 
 
 def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> Law:
-    """What motion needs of a plant whose converters have the time constants `lags` [s], without tables."""
+    """Control law for a plant whose converters have the time constants `lags` [s], without feedback tables."""
     k, p, basis, weights = plant.constants
     farthest = 0.9 * plant.wall
     decays = [math.exp(-PERIOD / lag) for lag in lags]

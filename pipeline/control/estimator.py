@@ -239,7 +239,7 @@ def _horner(coefficients: Values, t: Any) -> Any:
 
 
 def _pushed(x: Values, prepared: Values) -> tuple[dict[int, Any], dict[int, Any]]:
-    """What a moment on the slope and a force on q do to q̇ (1), τ̇ (3) and β̇ (5): columns of the inverse mass matrix."""
+    """Columns of the inverse mass matrix for a moment on the slope and a force on q: on q̇ (1), τ̇ (3) and β̇ (5)."""
     qq, qt, tt, qb, tb, bb = inline(INERTIA, x=x, p=prepared)["mass"]
     first = tt * bb - tb * tb
     second = qb * tb - qt * bb

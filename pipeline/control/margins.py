@@ -34,12 +34,12 @@ Matrices = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
 
 @dataclass(frozen=True)
 class Margins:
-    """What may differ from the model, one thing at a time, before the loop at the unstable equilibrium is unstable.
+    """Differences from the model, each alone, at which the loop at the unstable equilibrium becomes unstable.
 
     Attributes
     ----------
     gain_low, gain_high : float
-        Factors on what a change of the voltages does to the reading; held within 1/`FACTOR` and `FACTOR`.
+        Factors on the gain from the voltages to the reading; held within 1/`FACTOR` and `FACTOR`.
     delay_s : float
         Time [s] by which everything may come later.
     friction_high : float

@@ -65,7 +65,7 @@ class CurveEquilibrium:
 
     @property
     def stable(self) -> bool:
-        """Whether the device stays there."""
+        """True if the device stays there."""
         return self.stiffness > 0.0
 
 

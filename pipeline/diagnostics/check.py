@@ -195,7 +195,7 @@ def rest_level(v: FloatArray) -> float | None:
 
 
 def _laws(fact: LogFacts, plant: Device) -> list[Finding]:
-    """Whether the inputs act as the settings say, by what each law leaves of the accelerations."""
+    """Test of the inputs' stated action, squared or linear, by the residuals of the accelerations under both."""
     own = fact.unexplained
     other = fact.under_other_law
     if own is None or other is None:
@@ -329,7 +329,7 @@ def check_logs(logs: Sequence[LogSignals], plant: Device, sample_interval: float
 
 
 def refusing(findings: Sequence[Finding]) -> list[Finding]:
-    """What would make the model wrong: the first finding of each gate."""
+    """Findings that would make the model wrong: the first of each gate."""
     first = {finding.gate: finding for finding in reversed(findings) if finding.gate is not None}
     return [first[gate] for gate in dict.fromkeys(finding.gate for finding in findings if finding.gate is not None)]
 
@@ -401,7 +401,7 @@ def check_rows(findings: Sequence[Finding]) -> list[CheckRow]:
 
 
 def remarks(findings: Sequence[Finding]) -> list[str]:
-    """What deserves a look and does not make the model wrong."""
+    """Sentences for findings that deserve a look and do not make the model wrong."""
     return [": ".join(log_sentences.of_row(finding)) for finding in findings if finding.severity == "fair"]
 
 

@@ -128,7 +128,7 @@ def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class RestFacts:
-    """What the rests of a device show without any model.
+    """Facts from the rests of a device, without any model.
 
     Attributes
     ----------
@@ -190,7 +190,7 @@ def rest_facts(
 
 
 def _is_driven(ring: RingDown, interval: float, hum: Collection[float]) -> bool:
-    """Whether it does not decay, or is a line of the mains [Hz] in samples an interval [s] apart."""
+    """True if it does not decay, or is a line of the mains [Hz] in samples an interval [s] apart."""
     at_line = any(abs(ring.frequency - aliased(line, interval)) < MAINS_WIDTH for line in hum)
     return ring.damping < LEAST_DAMPING or at_line
 

@@ -1,4 +1,4 @@
-"""What one log shows of its device without any model: its inputs, late answers, rests; and the limits of checks."""
+"""Facts from one log without any model: inputs, late responses, rests; and the limits of checks."""
 
 from dataclasses import dataclass
 
@@ -153,7 +153,7 @@ class InputForce:
 
     @property
     def sure(self) -> bool:
-        """Whether its sign is sure."""
+        """True if the sign is sure."""
         return abs(self.value) > SURE * self.error
 
 

@@ -29,7 +29,7 @@ SHARES = {
     ),
     "hum": ("of the range of q is hum of {:g} Hz", "shield the sensor"),
 }
-"""What a log has too much of, by gate, and what to do."""
+"""Defect of a log in excess, and the remedy, by gate."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def _short(finding: Finding, name: str) -> str:
 
 
 def _times(ratio: float) -> str:
-    """How many times as large, in words."""
+    """Ratio in words: ``3 times``, ``1/3``."""
     return f"{significant(ratio, 2)} times" if ratio >= 1.0 else f"1/{significant(1.0 / ratio, 2)}"
 
 

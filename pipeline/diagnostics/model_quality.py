@@ -45,7 +45,7 @@ def instrument_findings(data: RunData, model: str) -> list[Finding]:
 def _disagreements(
     rows: Sequence[Mapping[str, Any]], log: tuple[str, str], other: str, displacement: str
 ) -> list[Finding]:
-    """What one of two training logs reads otherwise than the other one."""
+    """Findings where one of two training logs disagrees with the other in an instrument."""
     own = [row for row in rows if (row["role"], row["log"]) == log]
     if own[0]["exchanged"] != "none":
         return [Finding("unlike_training", "poor", log_title(*log), other)]
@@ -241,7 +241,7 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
 
 
 def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
-    """Where free runs are lost, as on a chaotic device: which model predicts surely better from a measured state."""
+    """Check of models that predict surely better from a measured state, where free runs are lost (a chaotic device)."""
     checks = []
     for own in (score for score in judged if score["nrmse"] is None or score["nrmse"] > WORST):
         others = [s for s in data.scores if all(s[key] == own[key] for key in ("role", "log", "signal"))]

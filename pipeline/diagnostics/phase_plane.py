@@ -138,7 +138,7 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
 
 def moves_unforced(data: RunData) -> bool:
-    """Whether the logs show a motion without input that is visible in the plane."""
+    """True if the logs show a motion without input that is visible in the plane."""
     places = [q[np.isfinite(q)] for q, _ in (unforced(data, log) for log in data.logs)]
     low, high = _ends(data, "q")
     if sum(q.size for q in places) < LEAST_SHARE * sum(len(log.kinematics["q"]) for log in data.logs):
@@ -153,7 +153,7 @@ def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatA
     """
 
     def outcomes(states: FloatArray) -> Classes:
-        """Where the model comes to rest."""
+        """Class of each state: 0 and 1 for rest left and right of the saddle, 2 for none."""
         ends = settled(model, states, BASIN_TIME, BASIN_STEP, len(data.inputs))
         return np.where(np.isnan(ends), 2, ends > saddle).astype(np.int8)
 

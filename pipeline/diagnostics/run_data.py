@@ -56,7 +56,7 @@ class LogData:
 
     @property
     def title(self) -> str:
-        """What people call it, as in tables."""
+        """Name of the log for readers, as in tables."""
         return log_title(self.role, true_name(self.source))
 
     @property
@@ -134,7 +134,7 @@ class RunData:
 
     @property
     def why_chosen(self) -> str:
-        """Why "auto" chose the main model; empty where it had no choice, as the joint has two squared inputs."""
+        """Reason of "auto" for the main model; empty where it had no choice, as the device cannot be the joint."""
         choice = self.choice or {}
         shown = self.prototype.may_be_a_joint or choice.get("held_out_error")
         return str(choice.get("reason") or "") if shown else ""

@@ -10,7 +10,7 @@ from ..units.quantity import moment, percent, quantity, significant
 from . import log_sentences
 
 ADVICE_BY_MODEL = {"rbf-paper": "fewer basis functions ([identify] basis_functions), or richer training logs"}
-"""Where basis functions do act in number, fewer of them are a remedy."""
+"""Remedy for models in which the number of basis functions matters."""
 RAILS = 'widen the sensor\'s range, or where the device does rest there set [ingest] rails = "keep"'
 RICHER = "richer training logs: longer, with pulses of more heights and lengths"
 MASKS = {
@@ -29,11 +29,11 @@ KEYS = {
     "gain_v1": "gain = {{ v1 = {} }}", "gain_v2": "gain = {{ v2 = {} }}", "gain_q": "gain = {{ q = {} }}",
     "zero_q": 'zero = "{}"', "delay": 'delay = "{}"', "clock": "clock = {}",
 }  # fmt: skip
-"""What is written at a log in `[logs]`, by quantity of the instruments."""
+"""Setting of a log in `[logs]` by quantity of the instruments."""
 
 
 def sentences(finding: Finding) -> tuple[str, str]:
-    """What was measured, without a full stop, and what to do.
+    """Measurement, without a full stop, and advice.
 
     Parameters
     ----------
@@ -373,6 +373,6 @@ def judge(
 
 
 def accepted_settings(settings: Quality, gates: Iterable[Gate]) -> dict[str, Any]:
-    """What a recipe holds of the gate: nothing where nothing is accepted there."""
+    """Settings of the gate in a recipe: empty where nothing is accepted there."""
     accepted = sorted(set(settings.accept) & set(gates))
     return {"quality": {"accept": accepted}} if accepted else {}

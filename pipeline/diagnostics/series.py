@@ -124,7 +124,7 @@ def facts_of(
 
 
 def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
-    """What the instruments of a later run read, beside those of the first run, by the first run's model.
+    """Changes of the instruments in a later run against the first run, by the first run's model.
 
     Nothing where the device has changed so that no instrument explains it: that is for the facts to show.
 

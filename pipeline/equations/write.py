@@ -260,7 +260,7 @@ def _sum(builder: Builder, a: int, b: int) -> int:
 
 
 def _constant_operations(builder: Builder, hoisted: str) -> list[bool]:
-    """Whether each operation depends on numbers and the constants alone."""
+    """Flag of each operation: true if it depends on numbers and the constants alone."""
     constant: list[bool] = []
     for operation in builder.operations:
         if operation.name == "input":

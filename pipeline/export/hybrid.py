@@ -105,7 +105,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
 
 
 class _Joint:
-    """How the joint moves between its instruments; `base` is (q, τ, β) where a step started."""
+    """Motion of the joint between its instruments; `base` is (q, τ, β) where a step started."""
 
     def __init__(self, model: HybridModel) -> None:
         self.basis = model.joint.basis
@@ -181,7 +181,7 @@ class _Joint:
 
 
 def stop_operators() -> tuple[Variable, ...]:
-    """What the hysteresis of friction remembers."""
+    """States of the hysteresis of friction."""
     return tuple(Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS))
 
 

@@ -141,7 +141,7 @@ class NarxModel(ModelFile):
     interval_s: Annotated[Positive, Unit("s")]
     """Sample interval of the equation."""
     inputs: Literal["squared", "linear"]
-    """Whether inputs act squared or linear."""
+    """Action of the inputs: squared or linear."""
     bounds: Annotated[Span, Unit("{q}")]
     """Smallest and largest displacement, beyond which a run counts as diverged."""
 

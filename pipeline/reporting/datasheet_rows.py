@@ -124,7 +124,7 @@ def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
 
 
 def structure_summary(data: RunData, sheet: Datasheet) -> str:
-    """Which model the main model is, why, how many basis functions act, and what they change."""
+    """Sentences on the main model: its type, the reason, the count of its basis functions and their effect."""
     description = data.descriptions.get(sheet.main_model, {})
     count = description.get("basis_functions")
     if count is None:

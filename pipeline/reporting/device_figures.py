@@ -90,7 +90,7 @@ def _study(data: RunData, study: Study) -> Figure:
 
 
 def _electrostatic(data: RunData, squared: bool) -> bool:
-    """Whether an input's force is half the slope of a capacitance: that of a squared voltage on a known mass."""
+    """True if the inputs are squared voltages on a known mass: their force is half the slope of a capacitance."""
     return squared and data.device.inputs[0].symbol == "V" and data.device.known_mass is not None
 
 
@@ -171,9 +171,9 @@ def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) ->
 
 
 def _frame(curves: Sequence[_Curve], visited: tuple[float, float], *, widened: bool) -> tuple[float, float]:
-    """What of the vertical axis is drawn: the visited part of the main model's band and a margin.
+    """Limits of the vertical axis: the visited part of the main model's band and a margin.
 
-    It is `widened` by the central part of every other curve that is not too far away for the main model to be read.
+    They are `widened` by the central part of every other curve that is not too far away for the main model to be read.
     """
     inner = curves[0].inner(visited)
     bottom = float(curves[0].low[inner].min())

@@ -260,7 +260,7 @@ def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> F
     """The figure with the lines of the `wanted` ones of all `models`, and with all lines of no model."""
 
     def kept(role: Role) -> bool:
-        """Whether what has this role stays."""
+        """True if lines and areas of this role stay."""
         return role not in models or role in wanted
 
     panels = tuple(
@@ -276,12 +276,12 @@ def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> F
 
 
 def is_path(line: Line) -> bool:
-    """Whether the line is a path in a plane, whose x goes back and forth."""
+    """True if the line is a path in a plane, whose x goes back and forth."""
     return bool(np.any(np.diff(line.x) <= 0.0))
 
 
 def line_kind(line: Line) -> Literal["line", "wide", "trace"]:
-    """How strong a line is drawn; paths in a plane, which cross themselves, are the finest."""
+    """Strength of a line; paths in a plane, which cross themselves, are drawn finest."""
     return "wide" if line.wide else "trace" if is_path(line) else "line"
 
 
@@ -384,7 +384,7 @@ def slot_dashes(name: str) -> tuple[float, ...]:
 
 @dataclass(frozen=True)
 class Style:
-    """What is drawn, and the colour class (`pipeline.reporting.figure.slot`) of whom it shows."""
+    """Look of a line or area, with the colour class (`pipeline.reporting.figure.slot`) of its model or log."""
 
     kind: Kind
     slot: str = ""

@@ -1,4 +1,4 @@
-"""What the instruments of the logs read, for people: a table of what is beyond its limit, and a figure of all."""
+"""Errors of the logs' instruments for readers: a table of those beyond their limit, and a figure of all."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -25,7 +25,7 @@ ONE_OF_THEM = "Training logs differ: correct one of them, the farthest off, and 
 
 @dataclass(frozen=True)
 class InstrumentTable:
-    """What is beyond its limit.
+    """Instruments beyond their limit.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class InstrumentTable:
     explanation : str
         The sentence below them.
     entries : tuple of str
-        What to write in [logs], a line of settings for each log that is off.
+        Lines of settings to write in [logs], one for each log that is off.
     """
 
     rows: tuple[tuple[str, ...], ...]
@@ -118,7 +118,7 @@ def _shown(row: Row, key: str, displacement: str, error: float | None = None) ->
 
 
 def entry(part: LogPart, rows: Sequence[Row], displacement: str) -> str:
-    """What to write in place of the log in [logs]: what stands there, with the corrections of what is beyond."""
+    """Corrected entry of the log for [logs]: the present one, with the corrections of instruments beyond limits."""
     texts = {
         row["quantity"]: correction_text(row["quantity"], row["correction"], displacement)
         for row in rows

@@ -56,7 +56,7 @@ def _timeline(
 
 
 def _unknown(log: LogData, t: FloatArray) -> BoolArray:
-    """Which of the times lie where the inputs of a log are not known."""
+    """Mask of the times at which the inputs of a log are not known."""
     return unknown_rows(t, log.record_notes.get(UNKNOWN, ()))
 
 

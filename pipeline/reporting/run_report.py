@@ -117,7 +117,7 @@ def _subtitle(data: RunData) -> str:
 
 
 def _log_checks(data: RunData) -> dict[str, Any]:
-    """What the check of the logs against the settings found, side by side."""
+    """Findings of the check of the logs against the settings, side by side."""
     rows = [CheckRow(**row) for row in data.log_checks]
     header, table = beside(rows)
     return {"header": header, "rows": table, "remarks": [row.remark for row in rows if row.state == "note"]}

@@ -207,7 +207,7 @@ class Bench:
 
 @dataclass(frozen=True)
 class Readings:
-    """What the instruments show in one experiment, each of shape (N,): t [s], q [m], v1 (left) and v2 (right) [V]."""
+    """Readings of the instruments in one experiment, each of shape (N,): t [s], q [m], v1 (left) and v2 (right) [V]."""
 
     t: FloatArray
     q: FloatArray

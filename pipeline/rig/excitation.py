@@ -27,7 +27,7 @@ SHARES: dict[str, dict[BurstKind, float]] = {
     "training": {"pulse": 0.86, "both": 0.1, "chirp": 0.04},
     "validation": {"pulse": 0.72, "both": 0.16, "chirp": 0.12},
 }
-"""How often each kind of burst stands in three prototypes' logs, as do the shares below: 6 logs of 20 to 27 bursts."""
+"""Share of each type of burst in the logs of three prototypes (6 logs of 20 to 27 bursts), as the shares below."""
 EXCITATIONS = ("pulses", "chirps", "both", "steps", "multisine", "mixed", *SHARES, "alternating")
 """Excitations of a log: half of its bursts pulses and half of one kind, all kinds alike, or as in the logs of
 prototypes; "alternating" is `switching_pulses`."""
@@ -147,7 +147,7 @@ def random_excitation(
 
 
 def _shares(excitation: str) -> list[float]:
-    """How often each of `BURSTS` is drawn."""
+    """Probability of each of `BURSTS`."""
     if excitation == "mixed":
         return [1.0 / len(BURSTS)] * len(BURSTS)
     kind = excitation if excitation in BURSTS else excitation.removesuffix("s")

@@ -19,7 +19,7 @@ _TILT = 0.16  # rad, of the tip in the first guess
 
 @dataclass(frozen=True)
 class Motion:
-    """What the joint did at every sample of the voltages.
+    """Motion of the joint at every sample of the voltages.
 
     Attributes
     ----------

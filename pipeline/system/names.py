@@ -115,6 +115,6 @@ Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 Typeface = Literal["sans", "serif"]
 """Of a figure."""
 Well = Literal["left", "right"]
-"""Where a joint rests."""
+"""Well in which a joint rests."""
 Goal = Literal["time", "energy", "voltage"]
 """Quantity that a pulse minimises."""

@@ -22,7 +22,7 @@ def silent(what: str, share: float) -> None:
 Item = TypeVar("Item")
 Made = TypeVar("Made")
 Call = Callable[[OnProgress], Any]
-"""What is done: it takes a callable (current step, share done) for its progress, and returns its result."""
+"""Task: it takes a callable (current step, share done) for its progress, and returns its result."""
 
 
 class Pool(Protocol):
@@ -129,7 +129,7 @@ class _Processes:
 
 
 class _Ended:
-    """How a call ended: its value, or the error that it raised, and the warnings for the user."""
+    """Outcome of a call: its value, or the error that it raised, and the warnings for the user."""
 
     def __init__(self, value: Any, error: Exception | None, texts: list[str]) -> None:
         self._value = value

@@ -171,7 +171,7 @@ def equilibrium_diagram(family: Family, bounds: tuple[float, float]) -> list[Equ
 
 
 def _lies_on(branch: Branch, qm: FloatArray, value: float, scale: FloatArray, unit: float) -> bool:
-    """Whether (q_m, λ) is within the chord error of a traced curve."""
+    """True if (q_m, λ) is within the chord error of a traced curve."""
     x = np.column_stack([branch.y / scale, branch.parameter / unit])
     along = np.diff(x, axis=0)
     target = np.append(qm / scale, value / unit)

@@ -77,7 +77,7 @@ class HybridModel:
     rotation: Annotated[FloatArray, Table("K 2", -1e3, 1e3), Unit("SI")] = field(
         default_factory=lambda: np.empty((0, 2))
     )
-    """Where the angle of the joint was measured: q and the angle at rest, by which it was made a displacement."""
+    """q [m] and angle [rad] at rest, by which a measured angle was converted to a displacement; else empty."""
     diagnostics: Facts = field(default_factory=dict)
     tube: TubeScale = NO_TUBES
     constants: str = " | ".join(CONSTANTS)

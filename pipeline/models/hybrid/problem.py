@@ -100,7 +100,7 @@ class CondensedJoint:
 
     @property
     def angle(self) -> AngleReading | None:
-        """How the log's displacement is read, where it was made of an angle."""
+        """Reading of the log's displacement from an angle; None where q itself was measured."""
         return AngleReading(self.rotation, self.lead) if len(self.rotation) else None
 
     def reading(self, log: Log) -> Log:

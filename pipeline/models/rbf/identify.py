@@ -146,7 +146,7 @@ def _search_limit(limit: float, records: Sequence[Log]) -> float:
 
 
 def _begins_driven(records: Sequence[Log]) -> bool:
-    """Whether an input of any log is more than next to nothing at its first sample."""
+    """True if an input of any log is not negligible at its first sample."""
     return any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
 
 

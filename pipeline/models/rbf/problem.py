@@ -252,7 +252,7 @@ class JointProblem:
         return seconds
 
     def is_chaotic(self, theta: FloatArray) -> bool:
-        """Whether the free run of any log diverges from one that starts beside it."""
+        """True if the free run of any log diverges from one that starts beside it."""
         for log in self.logs:
             beside = replace(log, start=log.start + _NUDGE * self.parameters.scales.frequency)
             first, second = (
