@@ -6,8 +6,12 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+import pyarrow as pa
+import pyarrow.compute as pc
 from numpy.typing import NDArray
+from pyarrow import csv
 
+from ..store.arrow_columns import doubles
 from .csv_cells import (
     MISSING,
     NUMBER,
@@ -214,9 +218,6 @@ class CsvSource(Source):
                     yield number, line.rstrip("\n")
 
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
-        import pyarrow as pa
-
-        from ..store.arrow_columns import doubles
 
         clocks = {name: Clock(self._firsts[name]) for name in self._clocks}
         looked_at = self._dialect.numeric[0] and not self._rewritten
@@ -234,8 +235,6 @@ class CsvSource(Source):
 
     def _batches(self, names: Sequence[str], kinds: dict[str, Any]) -> Any:
         """The rows of some columns in these types of Arrow, block by block."""
-        from pyarrow import csv
-
         dialect = self._dialect
         plain = self._rewritten
         return csv.open_csv(
@@ -262,8 +261,6 @@ class CsvSource(Source):
 
     def _kind(self, name: str) -> Any:
         """Arrow's type of a column: numbers, switches, or time stamps, with a zone where they state one."""
-        import pyarrow as pa
-
         cell = self._firsts[name]
         if name in self._clocks:
             return pa.string()
@@ -276,11 +273,6 @@ class CsvSource(Source):
 
     def _since_first(self, name: str, stamps: Any) -> NDArray[Any]:
         """Time stamps [s] since the first one of the column."""
-        import pyarrow as pa
-        import pyarrow.compute as pc
-
-        from ..store.arrow_columns import doubles
-
         ticks = stamps.cast(pa.int64())
         if name not in self._origins and len(seen := ticks.drop_null()):
             self._origins[name] = seen[0].as_py()

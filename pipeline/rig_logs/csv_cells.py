@@ -7,8 +7,11 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
 from numpy.typing import NDArray
 
+from ..store.arrow_columns import doubles
 from ..units.units import SECONDS as SECONDS_IN
 
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
@@ -182,11 +185,6 @@ class Clock:
         ValueError
             A cell is no time.
         """
-        import pyarrow as pa
-        import pyarrow.compute as pc
-
-        from ..store.arrow_columns import doubles
-
         matched = pc.extract_regex(cells, self._form)
         if matched.null_count > cells.null_count:
             raise ValueError("a time cannot be read")
