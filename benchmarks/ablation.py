@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.device.parameter_sets import parameter_set
+from pipeline.device.parameters import parameter_set
 from pipeline.models.free_runs import free_run
 from pipeline.models.model_type import model_type
 from pipeline.numerics.metrics import nrmse
@@ -18,7 +18,7 @@ from pipeline.store import layout
 from pipeline.store.run_folder import RunFolder
 from pipeline.system.machine import one_thread
 from pipeline.workflow.logs import load_logs
-from pipeline.workflow.steps.training import training
+from pipeline.workflow.steps.identify import training
 
 VARIANTS = (("hybrid", "none"), ("hybrid", "always"), ("rbf", "auto"))
 """Model, and what the settings say of its corrections."""

@@ -29,8 +29,8 @@ from scipy.optimize import minimize, root
 import debist
 from debist import open_run
 from pipeline.device.device import JOINT
-from pipeline.diagnostics.facts.characteristics import Curves, curves_from, device_facts, intervals
-from pipeline.diagnostics.facts.datasheet import drawn_ring_downs, simulated_ring_downs
+from pipeline.diagnostics.characteristics import Curves, curves_from, device_facts, intervals
+from pipeline.diagnostics.datasheet import drawn_ring_downs, simulated_ring_downs
 from pipeline.models.base import FreeRun
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.compiled import compiled

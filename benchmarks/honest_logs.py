@@ -21,7 +21,7 @@ from pipeline.settings.prototype import Prototype, load_prototype
 from pipeline.signals.findings import Finding
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow import stage_ingest as ingest
-from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.engine import bring_up_to_date
 from pipeline.workflow.stage_check import signals
 
 PAIRS = 40

@@ -1,25 +1,23 @@
-"""Planted errors of instruments that a run finds, and false ones: `python benchmarks/instruments.py FOLDER [OPTIONS]`.
+"""Planted errors of instruments that are found, and false ones: `python benchmarks/instruments.py FOLDER [OPTIONS]`.
 
-Joints of three physics (`debist rig simulate --kind same|foreign|worn`) and random devices that are no joint
-(`simulated_devices.py`) are simulated; each has one validation log as it was recorded and others with planted errors.
-Counted are planted errors that are beyond their limits and right to 4 standard errors or 15 %, and honest quantities
-that are silent and lie within 2.5 standard errors of the truth. About 90 s of processor time a joint;
-runs in the folder are kept. With `--runs RUN...` the errors are planted in the first validation log of finished runs,
-behind ingest, at 20 s a run and model; each run's log is also given to the model of the run before.
+Joints of three physics (`debist rig simulate --kind foreign|same|worn`) and random devices that are no joint
+(`simulated_devices.py`) are simulated and identified; runs in the folder are kept. Errors are planted in the first
+validation log behind ingest, and each model also gets the log of the device before. Counted are planted errors that are
+beyond their limits and right to 4 standard errors or 15 %, and honest quantities that are silent and lie within 2.5
+standard errors of the truth. 90 s of processor time a joint, and 20 s a model of finished runs, which `--runs RUN...`
+takes instead.
 """
 
 import argparse
 import subprocess
 import sys
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyarrow as pa
-import pyarrow.parquet as pq
 
 from pipeline.diagnostics.instruments import SIGNIFICANCE
 from pipeline.rig.fleet import Experiment, simulate_prototype
@@ -30,16 +28,14 @@ from pipeline.signals.log import Log
 from pipeline.signals.noise import noise_std
 from pipeline.store import layout
 from pipeline.store.run_folder import RunFolder
-from pipeline.workflow.engine import Unheard
+from pipeline.workflow.engine import Unheard, bring_up_to_date
 from pipeline.workflow.logs import load_motion
-from pipeline.workflow.report_data import load_instruments
-from pipeline.workflow.run_models import load_run_model
-from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.run import Planned, of_stages, plan
+from pipeline.workflow.run_models import identified_models, load_run_model
 from pipeline.workflow.stage_instruments import instrument_rows
-from pipeline.workflow.stages import Planned, of_stages, plan
 
-KINDS = ("same", "foreign", "worn")
-STAGES = ("ingest", "differentiate", "identify", "instruments")
+KINDS = ("foreign", "same", "worn")
+STAGES = ("ingest", "differentiate", "identify")
 HERE = Path(__file__).resolve().parent
 ALIKE, RIGHT = 2.5, 0.15
 
@@ -53,7 +49,7 @@ class Case:
     v1, v2, q : float
         Reading over truth.
     zero : float
-        Reading less truth, in the unit of the log, or a share of the range where q is no length of a joint.
+        Reading less truth [m].
     delay : float
         Time [s] by which the inputs are recorded later than they acted.
     clock : float
@@ -75,55 +71,25 @@ class Case:
 
     @property
     def truth(self) -> dict[str, float]:
-        """Errors of the readings by quantity, the zero in the unit of the log."""
+        """Errors of the readings by quantity."""
         gains = {"gain_v1": self.v1, "gain_v2": self.v2, "gain_q": self.q, "clock": self.clock}
         errors = {name: gain - 1.0 for name, gain in gains.items()}
         return errors | {"zero_q": self.zero, "delay": self.delay}
 
-    @property
-    def entry(self) -> str:
-        """What stands beside the file in [logs]."""
-        return "" if self.seconds is None else f', stop = "{self.seconds:g} s"'
-
-    def planted_in(self, log: Log, unit: float, rng: np.random.Generator) -> Log:
-        """A log of a run, in SI, with these errors; unit: that of `zero`."""
+    def planted_in(self, log: Log, rng: np.random.Generator) -> Log:
+        """A log with these errors."""
         if self.seconds is not None:
             log = log.part(0, round(self.seconds / log.interval))
         more = noise_std(log.known_q) * np.sqrt(self.noise**2 - 1.0)
         noisy = replace(log, q=log.q + more * rng.standard_normal(len(log.q)))
         gains = (self.v1, self.v2)[: log.v.shape[1]]
-        return corrected(noisy, Corrections(gains, unit * self.zero, self.q, self.delay, self.clock))
-
-    def planted(self, table: pa.Table, rng: np.random.Generator) -> pa.Table:
-        """The log with these errors."""
-        time, q, *inputs = _channels(table)
-        t = table.column(time).to_numpy().astype(np.float64)
-        made = {time: self.clock * t}
-        clean = table.column(q).to_numpy().astype(np.float64)
-        more = noise_std(clean) * np.sqrt(self.noise**2 - 1.0)
-        made[q] = self.q * clean + self.zero + more * rng.standard_normal(len(t))
-        for name, gain in zip(inputs, (self.v1, self.v2), strict=False):
-            made[name] = gain * np.interp(t - self.delay, t, table.column(name).to_numpy().astype(np.float64))
-        return pa.table(made, schema=pa.schema([pa.field(n, pa.float64(), metadata=_metadata(table, n)) for n in made]))
-
-
-def _metadata(table: pa.Table, name: str) -> Mapping[bytes, bytes] | None:
-    metadata: Mapping[bytes, bytes] | None = table.schema.field(name).metadata
-    return metadata
-
-
-def _channels(table: pa.Table) -> list[str]:
-    """Names of time, q and the inputs."""
-    names = table.column_names
-    time = next(name for name in names if name.lower() in ("t", "time"))
-    q = next(name for name in names if name.lower().startswith(("laser", "y")))
-    return [time, q, *(name for name in names if name.startswith(("HV1", "HV2", "u")))]
+        return corrected(noisy, Corrections(gains, self.zero, self.q, self.delay, self.clock))
 
 
 BARS = {
     "as recorded": Case(),
     "v1 +3 %, v2 −2 %": Case(v1=1.03, v2=0.98),
-    "zero 0.1 mm": Case(zero=0.1),
+    "zero 0.1 mm": Case(zero=1e-4),
     "gain of q 2 %": Case(q=1.02),
     "delay 2.5 ms": Case(delay=2.5e-3),
     "clock 1 %": Case(clock=1.01),
@@ -138,7 +104,7 @@ REACH = {
     **{f"{n} s: as recorded": Case(seconds=n) for n in (5, 8, 20)},
     **{f"{n} s: v1 +3 %, 2.5 ms late": Case(v1=1.03, delay=2.5e-3, seconds=n) for n in (5, 8, 20)},
     "ten times the noise: as recorded": Case(noise=10.0),
-    "ten times the noise: v1 +3 %, zero 0.1 mm": Case(v1=1.03, zero=0.1, noise=10.0),
+    "ten times the noise: v1 +3 %, zero 0.1 mm": Case(v1=1.03, zero=1e-4, noise=10.0),
 }
 DEVICE = {
     "as recorded": Case(),
@@ -161,10 +127,10 @@ class Tally:
     ratios: list[float] = field(default_factory=list)
     missed: list[str] = field(default_factory=list)
 
-    def add(self, rows: list[dict[str, Any]], truth: Mapping[str, float], unit: float, where: str) -> None:
+    def add(self, rows: list[dict[str, Any]], truth: Mapping[str, float], where: str) -> None:
         """Rows of one log by one model."""
         for row in rows:
-            wanted = truth[row["quantity"]] * (unit if row["quantity"] == "zero_q" else 1.0)
+            wanted = truth[row["quantity"]]
             measured = row["status"] == "measured"
             off = abs(row["estimate"] - wanted) if measured else np.inf
             if wanted:
@@ -189,79 +155,49 @@ class Tally:
         return f"{found} | {share} | {within} | {ratio}"
 
 
-def joint(folder: Path, kind: str, seed: int, cases: Mapping[str, Case], other: Path | None) -> Path:
-    """A run of a joint with all cases, and the log of another joint; it is kept."""
+def joint(folder: Path, kind: str, seed: int) -> Path:
+    """A run of a joint; it is kept."""
     home = folder / f"{kind}-{seed}"
-    if not (home / "run" / "instruments.parquet").exists():
-        settings = simulate_prototype(home, home.name, Experiment(kind=kind, format="parquet", rate=2000.0), seed=seed)
-        table = pq.read_table(home / "validation.parquet")
-        _, q, *inputs = _channels(table)
-        more = {"mirrored": {q: -table.column(q).to_numpy()}}
-        more["exchanged"] = {a: table.column(b).to_numpy() for a, b in zip(inputs, inputs[::-1], strict=True)}
-        for name, columns in more.items():
-            pq.write_table(_with(table, columns), home / f"{name}.parquet")
-        entries = [*_write(home, table, cases, seed), '"mirrored.parquet"', '"exchanged.parquet"']
-        if other is not None:
-            pq.write_table(pq.read_table(other / "validation.parquet"), home / "other.parquet")
-            entries.append('"other.parquet"')
-        _run(home, settings, entries, '[identify]\nmodels = ["auto", "rbf"]\n[compare]\nmodels = []\n')
-    return home
-
-
-def _with(table: pa.Table, columns: Mapping[str, Any]) -> pa.Table:
-    for name, values in columns.items():
-        at = table.schema.get_field_index(name)
-        table = table.set_column(at, table.schema.field(at), pa.array(values, table.schema.field(at).type))
-    return table
+    if not (home / "run" / layout.MODELS).exists():
+        experiment = Experiment(kind=kind, format="parquet", rate=2000.0, validation_logs=2)
+        settings = simulate_prototype(home, home.name, experiment, seed=seed)
+        _run(home, settings, '[identify]\nmodels = ["auto", "rbf"]\n')
+    return home / "run"
 
 
 def device(folder: Path, seed: int) -> Path:
-    """A run of a device that is no joint."""
+    """A run of a device that is no joint; it is kept."""
     home = folder / f"simulated-{seed}"
-    if not (home / "run" / "instruments.parquet").exists():
+    if not (home / "run" / layout.MODELS).exists():
         subprocess.run([sys.executable, str(HERE / "simulated_devices.py"), str(folder), str(seed)], check=True)
-        from pyarrow import csv
-
-        table = csv.read_csv(home / "same.csv")
-        entries = _write(home, table, DEVICE, seed)
-        train = home / "device.toml"
-        _run(home, train, entries, "[compare]\nmodels = []\n")
-    return home
+        _run(home, home / "device.toml", "")
+    return home / "run"
 
 
-def _write(home: Path, table: pa.Table, cases: Mapping[str, Case], seed: int) -> list[str]:
-    """Write the logs of all cases, and their entries in [logs]."""
-    entries = []
-    for number, case in enumerate(cases.values()):
-        pq.write_table(case.planted(table, np.random.default_rng([seed, number])), home / f"case{number}.parquet")
-        entries.append(f'{{ file = "case{number}.parquet"{case.entry} }}')
-    return entries
-
-
-def _run(home: Path, settings: Path, entries: list[str], more: str) -> None:
-    """Run the settings with other validation logs, up to the instruments."""
-    lines = settings.read_text(encoding="utf-8").splitlines()
-    chosen = [f"validation = [{', '.join(entries)}]" if line.startswith("validation") else line for line in lines]
+def _run(home: Path, settings: Path, more: str) -> None:
+    """Run the settings with more of them, up to the identified models."""
     path = home / "cases.toml"
-    path.write_text("\n".join([*chosen, more]), encoding="utf-8")
+    path.write_text(settings.read_text(encoding="utf-8") + "\n" + more, encoding="utf-8")
     prototype = load_prototype(path)
     run = RunFolder.create(home / "run", prototype.model_dump(mode="json"), path)
     bring_up_to_date(run, of_stages(plan(Planned(run, prototype, path)), STAGES), Unheard())
 
 
-def of_run(run: Path, other: Path | None, cases: Mapping[str, Case], unit: float) -> list[dict[str, Any]]:
+def of_run(run: Path, other: Path | None, cases: Mapping[str, Case]) -> list[dict[str, Any]]:
     """Rows of the cases, planted in the first validation log of a finished run, and of the log of another run."""
     logs = {log: each for log, each in _logs(run).items() if log[0] == "train"}
     clean = _first_validation(run)
     for number, case in enumerate(cases.values()):
-        logs["validation", f"case{number}"] = case.planted_in(clean, unit, np.random.default_rng(number))
+        logs["validation", f"case{number}"] = case.planted_in(clean, np.random.default_rng(number))
     logs["validation", "mirrored"] = mirrored(clean)
-    logs["validation", "exchanged"] = exchanged(clean)
+    if clean.v.shape[1] > 1:
+        logs["validation", "exchanged"] = exchanged(clean)
     if other is not None:
         logs["validation", "other"] = _first_validation(other)
     nothing = dict.fromkeys(logs, Corrections((1.0,) * clean.v.shape[1]))
-    models = dict.fromkeys(row["model"] for row in load_instruments(run))
     folder = RunFolder.open(run)
+    main, *more = identified_models(folder, folder.prototype)
+    models = [main, *(name for name in more if name == "rbf")]
     return [
         row for name in models for row in instrument_rows(load_run_model(folder, folder.prototype, name), logs, nothing)
     ]
@@ -277,9 +213,7 @@ def _first_validation(run: Path) -> Log:
     return next(each for (role, _), each in _logs(run).items() if role == "validation")
 
 
-def tallies(
-    runs: Mapping[str, list[dict[str, Any]]], cases: Mapping[str, Case], unit: float
-) -> Iterator[tuple[str, str, Tally]]:
+def tallies(runs: Mapping[str, list[dict[str, Any]]], cases: Mapping[str, Case]) -> Iterator[tuple[str, str, Tally]]:
     """Main model or rbf, case, and counts over the rows of these runs."""
     counted: dict[tuple[str, str], Tally] = defaultdict(Tally)
     special: dict[tuple[str, str], list[str]] = defaultdict(list)
@@ -290,8 +224,8 @@ def tallies(
             own = [row for row in rows if row["model"] == model and row["role"] == "validation"]
             for role in roles:
                 for number, (name, case) in enumerate(cases.items()):
-                    of_log = [row for row in own if row["log"].partition("-")[0] == f"case{number}"]
-                    counted[role, name].add(of_log, case.truth, unit, f"{run} {model}")
+                    of_log = [row for row in own if row["log"] == f"case{number}"]
+                    counted[role, name].add(of_log, case.truth, f"{run} {model}")
                 for name in ("mirrored", "exchanged", "other"):
                     of_log = [row for row in own if row["log"] == name]
                     if of_log:
@@ -302,51 +236,45 @@ def tallies(
         print(f"{role}: {name}: " + ", ".join(f"{answers.count(a)} {a}" for a in dict.fromkeys(answers)))
 
 
-def show(title: str, runs: Mapping[str, list[dict[str, Any]]], cases: Mapping[str, Case], unit: float) -> None:
+def show(title: str, runs: Mapping[str, list[dict[str, Any]]], cases: Mapping[str, Case]) -> None:
     print(f"\n{title}: {len(runs)}")
     print(
         "| model | log | planted errors found | honest quantities silent | within 2.5 s.e. | largest residual ratio |"
     )
     print("|---|---|---|---|---|---|")
     missed = []
-    for role, name, tally in tallies(runs, cases, unit):
+    for role, name, tally in tallies(runs, cases):
         print(f"| {role} | {name} | {tally.cells} |", flush=True)
         missed += [f"{role}: {name}: {text}" for text in tally.missed]
     print("missed:", *(missed or ["none"]), sep="\n  ")
 
 
-def of_homes(homes: list[Path]) -> dict[str, list[dict[str, Any]]]:
-    """Rows of the runs of these folders."""
-    return {home.name: load_instruments(home / "run") for home in homes}
+def rows_of(runs: Sequence[Path], cases: Mapping[str, Case]) -> dict[str, list[dict[str, Any]]]:
+    """Rows of the cases in each run, which also gets the log of the run before."""
+    rows = {}
+    for run, before in zip(runs, (None, *runs), strict=False):
+        rows[str(run)] = of_run(run, before, cases)
+        print(f"{run} done", file=sys.stderr, flush=True)
+    return rows
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("folder", type=Path, nargs="?")
     parser.add_argument("--runs", type=Path, nargs="*", default=[])
-    parser.add_argument("--joints", type=int, default=4, help="of each physics")
+    parser.add_argument("--joints", type=int, default=5, help="of each physics")
     parser.add_argument("--devices", type=int, default=6)
-    parser.add_argument("--seed", type=int, default=930_000)
+    parser.add_argument("--seed", type=int, default=741_000)
     given = parser.parse_args()
-    cases, last = BARS | REACH, dict[str, Path]()
-    if given.runs:
-        rows = {}
-        for run, before in zip(given.runs, (None, *given.runs), strict=False):
-            rows[str(run)] = of_run(run, before, cases, 1e-3)
-            print(f"{run} done", file=sys.stderr, flush=True)
-        return show("finished runs", rows, cases, 1e-3)
-    homes: dict[str, list[Path]] = {kind: [] for kind in KINDS}
-    for i in range(given.joints):
-        for k, kind in enumerate(KINDS):
-            home = joint(given.folder, kind, given.seed + 10 * i + k, cases, last.get(kind))
-            last[kind] = home
-            homes[kind].append(home)
-            print(f"{home.name} done", file=sys.stderr, flush=True)
-    for kind, runs in homes.items():
-        show(f"joints, {kind}", of_homes(runs), cases, 1e-3)
-    show("all joints", of_homes([run for runs in homes.values() for run in runs]), cases, 1e-3)
-    devices = [device(given.folder, n) for n in range(given.devices)]
-    show("devices that are no joint", of_homes(devices), DEVICE, 1e-3)
+    joints = list(given.runs)
+    devices = list[Path]()
+    if not joints:
+        seeds = [(kind, given.seed + 100 * k + i) for k, kind in enumerate(KINDS) for i in range(given.joints)]
+        joints = [joint(given.folder, kind, seed) for kind, seed in seeds]
+        devices = [device(given.folder, seed) for seed in range(201, 201 + given.devices)]
+    show("joints", rows_of(joints, BARS | REACH), BARS | REACH)
+    if devices:
+        show("devices that are no joint", rows_of(devices, DEVICE), DEVICE)
 
 
 if __name__ == "__main__":

@@ -32,7 +32,7 @@ from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard
 from pipeline.workflow.logs import load_logs
 from pipeline.workflow.run import run_prototype, run_stage
-from pipeline.workflow.steps.training import training
+from pipeline.workflow.steps.identify import training
 
 LIMIT = 60.0
 """Time limit of a fit [s]: two logs."""

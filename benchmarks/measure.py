@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.settings.prototype import load_prototype
-from pipeline.workflow.worker import Outcome
+from pipeline.workflow.batch import Outcome
 
 HOME = Path(__file__).resolve().parents[1]
 

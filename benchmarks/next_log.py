@@ -24,8 +24,7 @@ from pipeline.workflow.engine import Unheard
 from pipeline.workflow.report_data import load_scores
 from pipeline.workflow.run import run_prototype, run_stage
 from pipeline.workflow.run_models import subject
-from pipeline.workflow.studies.excitation_design import Requirements
-from pipeline.workflow.studies.next_log import NextLog, design_next_log
+from pipeline.workflow.studies.excitation_design import NextLog, Requirements, design_next_log
 
 FORM, RATE, ARMS = LAYOUTS["parquet"], 2000.0, ("first", "usual", "designed")
 SETTINGS = """

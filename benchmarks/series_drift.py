@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.diagnostics.facts.series import ALARM
+from pipeline.diagnostics.series import ALARM
 from pipeline.fitting.trends import trend
 from pipeline.rig.joint import barrier
 from pipeline.rig.parameters import from_json

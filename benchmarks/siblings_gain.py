@@ -18,8 +18,7 @@ from debist import open_run
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.workflow.batch import Execution, run_batch
-from pipeline.workflow.members import SETTINGS, members, prototype_files
-from pipeline.workflow.table import with_siblings
+from pipeline.workflow.members import SETTINGS, members, prototype_files, with_siblings
 
 QUICK = '\n[identify]\nmodels = ["hybrid"]\n[compare]\nmodels = []\n'
 SHORT = 8.0

@@ -47,7 +47,7 @@ class SeveralMistakesError(InputError):
         super().__init__(f"{self.lines[0]}: {'; '.join(f'({i}) {text}' for i, text in enumerate(mistakes, 1))}")
 
     def __reduce__(self) -> tuple[type[Self], tuple[str, Sequence[str]]]:
-        """What makes it anew where it comes from another process."""
+        """Pickle the error by the arguments that it was raised with."""
         return type(self), self._given
 
     @classmethod
@@ -69,7 +69,7 @@ class CorruptArtifactError(DebistError):
 
 
 class SupersededError(CorruptArtifactError):
-    """What a run holds was replaced by another process while it was read; to read it again is the remedy."""
+    """Artifact that another process replaced while it was read; to read it again is the remedy."""
 
 
 class RunLockedError(DebistError):
@@ -104,7 +104,7 @@ def disk_failure(error: Exception) -> str | None:
 
 
 def interrupted(error: BaseException | None) -> bool:
-    """Whether this error came of Ctrl-C."""
+    """True if this error came of Ctrl-C."""
     if error is None or isinstance(error, KeyboardInterrupt):
         return error is not None
     cause = error.__cause__
@@ -113,7 +113,7 @@ def interrupted(error: BaseException | None) -> bool:
 
 
 def memory_failure(error: BaseException | None) -> bool:
-    """Whether memory ended, by the text of this error or of one that caused it."""
+    """True if memory ended, by the text of this error or of one that caused it."""
     if interrupted(error):
         return False  # compiled code that a signal stops says what it also says where memory ends
     while error is not None:

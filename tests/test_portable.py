@@ -12,7 +12,8 @@ import sys
 
 import pytest
 
-from pipeline.rig.log import LAYOUTS, RawLog
+from pipeline.rig.bench import Readings
+from pipeline.rig.log import LAYOUTS
 from tests.prototypes import motion, settings, write_csv
 
 TAKEN = """
@@ -108,7 +109,7 @@ def test_every_module_can_be_imported(surroundings):
 def test_a_log_is_read(surroundings, tmp_path, layout):
     t, q, v = motion(10.0, 200.0, 1)
     name = f"log{LAYOUTS[layout].suffix}"
-    LAYOUTS[layout].save(RawLog(t, q, *v.T), tmp_path / name)
+    LAYOUTS[layout].save(Readings(t, q, *v.T), tmp_path / name)
     ended = _debist(surroundings, tmp_path, "inspect", name)
     assert ended.returncode == 0 and "2000" in ended.stdout, ended.stderr
 

@@ -9,11 +9,10 @@ import numpy as np
 import pandas as pd
 
 from ..device.device import Device, device
-from ..device.parameter_sets import parameter_set
-from ..diagnostics.check import check_logs, refusing
+from ..device.parameters import parameter_set
+from ..diagnostics.characteristics import believed_wells, stable_rests
+from ..diagnostics.check import check_logs, refusing, remarks
 from ..diagnostics.copies import shared_findings, shared_recordings
-from ..diagnostics.facts.characteristics import believed_wells, stable_rests
-from ..diagnostics.rows import remarks
 from ..diagnostics.sentences import sentences
 from ..diagnostics.weak_form import LogSignals
 from ..errors import DataRefusedError, InputError, warn_user
@@ -25,23 +24,20 @@ from ..numerics.metrics import fit_percent
 from ..scoring.wells import wells_of
 from ..settings.models import AUTO, ENTRIES, entry, names
 from ..settings.prototype import Prototype, parse_prototype
-from ..signals.log import UNKNOWN, Log, log_of
-from ..signals.missing import code_remarks, codes_in, masked
-from ..signals.quality_gates import scale_suspicion
-from ..signals.raw_log import RawLog
+from ..signals.columns import code_remarks, codes_in, masked
+from ..signals.findings import scale_suspicion
+from ..signals.log import UNKNOWN, Log, RawLog, log_of
 from ..store import layout
 from ..store.columns import TUBE_COLUMNS
 from ..store.run_folder import RunFolder
 from ..workflow.logs import load_motion, motion
 from ..workflow.prior_knowledge import prior_knowledge_in
-from ..workflow.si_log import on_uniform_clocks
+from ..workflow.si_log import on_uniform_clocks, with_displacement
 from ..workflow.stage_check import log_signals
 from ..workflow.steps.differentiate import kinematics
-from ..workflow.steps.identify import identified
+from ..workflow.steps.identify import identified, training
 from ..workflow.steps.ingest import examined, record_columns, resamplings
-from ..workflow.steps.joint_angle import with_displacement
 from ..workflow.steps.score import ComparedRun, score_rows
-from ..workflow.steps.training import training
 
 OF_RUN = "debist_log"
 """Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""

@@ -22,7 +22,7 @@ from ..signals.log import Log
 from ..system.machine import one_thread
 from ..units.quantity import axis_scale, moment
 from ..units.units import column_suffix
-from ..workflow.steps.validate import measured_path
+from ..workflow.steps.score import measured_path
 from .in_memory import (
     Signals,
     arrays_of,

@@ -19,8 +19,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 import pandas as pd
 
-from ..device.parameter_sets import parameter_set
-from ..diagnostics.rows import check_rows
+from ..device.parameters import parameter_set
+from ..diagnostics.check import check_rows
 from ..errors import InputError
 from ..models.base import real_numbers
 from ..models.free_runs import drawn_runs, free_run, wanted_tubes
@@ -88,7 +88,7 @@ def read_log(log: str | Path, settings: str | Path) -> pd.DataFrame:
 
 @one_thread
 def check(place: str | Path) -> pd.DataFrame:
-    """What `debist check` finds in the logs of a settings file, or of a run folder.
+    """Findings of `debist check` in the logs of a settings file, or of a run folder.
 
     Returns
     -------
@@ -331,7 +331,7 @@ class Run:
 
         `LinearModel.state_space` gives one to python-control. Needs the model 'hybrid'. Cost: 20 ms.
         """
-        from ..workflow.studies.linear_models import linear_models
+        from ..workflow.studies.controlled_run import linear_models
 
         return linear_models(self.root, (v1, v2))
 

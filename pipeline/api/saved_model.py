@@ -14,7 +14,7 @@ from ..export.subject import Exported, Subject, Validity
 from ..models.model_file import ModelFile, Sizes, Span, Table, Unit, columns_of
 from ..models.model_type import StoredModel, model_from_tree
 from ..numerics.arrays import FloatArray
-from ..settings.former import translated
+from ..settings.file import translated
 from ..settings.prototype import Prototype, parse_prototype
 from ..signals.log import Log
 from ..store.hashing import tree_hash
@@ -28,7 +28,7 @@ _CHECK = "check"
 
 
 class _File(ModelFile):
-    """What travels along beside the model."""
+    """Metadata that are saved beside the model."""
 
     sizes: ClassVar[Sizes] = {"N": (2, 10_000_000), "K": (1, 2)}
     name: str

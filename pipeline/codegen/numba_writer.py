@@ -20,6 +20,7 @@ from .graph import Graph, GraphSequence, Operation, apply
 _FLAGS = tuple(sorted(FAST))
 _REAL = ir.DoubleType()
 _SINGLE = ir.FloatType()
+_LANE, _PLACE = ir.IntType(32), ir.IntType(64)
 _ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
 _FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs", "floor": "llvm.floor"}
 
@@ -255,7 +256,7 @@ class _Writer:
         if self.width == 1:
             return self.builder.call(function, [a])
         for i in range(self.width):
-            lane = ir.Constant(ir.IntType(32), i)
+            lane = ir.Constant(_LANE, i)
             value = self.builder.call(function, [self.builder.extract_element(a, lane)])
             a = self.builder.insert_element(a, value, lane)
         return a
@@ -264,13 +265,13 @@ class _Writer:
         array, entry = operation.place
         if array not in self.common:
             return self.builder.load(self._place(operation), align=self.bytes)
-        at = self.builder.gep(self.pointers[array], [ir.Constant(ir.IntType(64), entry)], inbounds=True)
+        at = self.builder.gep(self.pointers[array], [ir.Constant(_PLACE, entry)], inbounds=True)
         single = self.builder.insert_element(
             ir.Constant(self.type, ir.Undefined),
             self.builder.load(at, align=self.bytes),
-            ir.Constant(ir.IntType(32), 0),
+            ir.Constant(_LANE, 0),
         )
-        broadcast = ir.Constant(ir.VectorType(ir.IntType(32), self.width), [0] * self.width)
+        broadcast = ir.Constant(ir.VectorType(_LANE, self.width), [0] * self.width)
         return self.builder.shuffle_vector(single, ir.Constant(self.type, ir.Undefined), broadcast)
 
     def _store(self, operation: Operation, value: Any) -> Any:
@@ -281,14 +282,13 @@ class _Writer:
 
     def _place(self, operation: Operation) -> Any:
         array, entry = operation.place
-        at = self.builder.gep(self.pointers[array], [ir.Constant(ir.IntType(64), entry * self.width)], inbounds=True)
+        at = self.builder.gep(self.pointers[array], [ir.Constant(_PLACE, entry * self.width)], inbounds=True)
         return at if self.width == 1 else self.builder.bitcast(at, self.type.as_pointer())
 
     def _fetched(self, operation: Operation, index: Any) -> Any:
         """Address of a table's entry, for one joint."""
         array, entry = operation.place
-        word = ir.IntType(64)
-        at = self.builder.add(self.builder.fptosi(index, word), ir.Constant(word, entry))
+        at = self.builder.add(self.builder.fptosi(index, _PLACE), ir.Constant(_PLACE, entry))
         return self.builder.gep(self.pointers[array], [at], inbounds=True)
 
     def _number(self, value: float) -> Any:

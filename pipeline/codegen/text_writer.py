@@ -173,7 +173,7 @@ def _lines(graph: Graph, language: Language, scalars: frozenset[str]) -> Iterato
 
 
 def _kept(graph: Graph, operation: Operation) -> bool:
-    """Whether it stores what is there already."""
+    """True if the operation stores the value that is there already."""
     return operation.name == "store" and graph.operations[operation.operands[0]].place == operation.place
 
 

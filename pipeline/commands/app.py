@@ -73,7 +73,7 @@ def debist(arguments: list[str]) -> None:
 
 @dataclass(frozen=True)
 class BatchOptions:
-    """Which prototypes of a batch run, and how."""
+    """Selection of the prototypes of a batch, and settings of their runs."""
 
     base: Annotated[
         Path | None,
@@ -119,10 +119,8 @@ def batch(
     Example: debist batch prototypes/ -o runs --jobs 2
     """
     from ..units.units import parse_quantity
-    from ..workflow.batch import Execution, run_batch
-    from ..workflow.fleet import collect_batch
-    from ..workflow.members import SETTINGS, Shard, members, prototype_files
-    from ..workflow.table import with_siblings
+    from ..workflow.batch import Execution, collect_batch, run_batch
+    from ..workflow.members import SETTINGS, Shard, members, prototype_files, with_siblings
 
     limit = parse_quantity(options.time_limit, ("s",), "--time-limit")
     if not 1.0 <= limit <= 1e7:

@@ -298,7 +298,7 @@ class ErrorBoundary(WholeLines):
 
 
 def _of_typer(error: Exception) -> bool:
-    """Whether typer raised it for what the user gave."""
+    """True if typer raised the error for the user's arguments."""
     return type(error).__module__.startswith(("typer", "click"))
 
 
@@ -317,7 +317,7 @@ def _show_every_name() -> None:
 
 
 def _unread() -> typer.Exit:
-    """How a command ends whose reader has gone, as in `debist show RUN | head -1`: as SIGPIPE ends other programs."""
+    """Exit of a command whose reader has gone (`debist show RUN | head -1`), as SIGPIPE ends other programs."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # for what is held back
     return typer.Exit(128 + _SIGPIPE)
 
@@ -326,7 +326,7 @@ _SIGPIPE = 13  # which Windows lacks
 
 
 def _interruption(goes_on: str = "") -> typer.Exit:
-    """How a command ends that Ctrl-C or SIGTERM has stopped."""
+    """Exit of a command that Ctrl-C or SIGTERM has stopped, after a line on stderr."""
     number = _signals[0] if _signals else signal.SIGINT
     what = "interrupted" if number == signal.SIGINT else f"ended by {signal.Signals(number).name}"
     typer.echo(f"debist: {what}; {goes_on or _STOPPED}", err=True)
@@ -353,12 +353,12 @@ def _told(error: Exception) -> str | None:
 
 
 def _reader_has_gone(error: OSError) -> bool:
-    """Whether nobody reads standard output any more, which Windows calls an invalid argument."""
+    """True if nobody reads standard output any more, which Windows calls an invalid argument."""
     return isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL)
 
 
 def _stdout_fails() -> bool:
-    """Whether standard output takes nothing more, as on a full disk."""
+    """True if standard output takes nothing more, as on a full disk."""
     try:
         os.write(1, b"\n")
     except OSError:

@@ -69,19 +69,21 @@ def _width() -> int:
     return shutil.get_terminal_size((_PIPE_COLUMNS, 24)).columns
 
 
-def emit_table(title: str, header: Sequence[str], rows: Iterable[Sequence[str]], *, numeric_from: int = 1) -> None:
-    """Print a table; columns from `numeric_from` on are aligned right.
+def emit_table(
+    title: str, header: Sequence[str], rows: Iterable[Sequence[str]], *, numeric_from: int | None = 1
+) -> None:
+    """Print a table; columns from `numeric_from` on, if any, are aligned right.
 
     Where the terminal is too narrow, sentences are wrapped, and columns of numbers that do not fit follow below with
     the first column beside them; no number is cut or broken.
     """
     from rich.cells import cell_len
 
+    words = len(header) if numeric_from is None else numeric_from
     cells = [[printable(cell) for cell in row] for row in rows]
     widths = [max(cell_len(row[k]) for row in (list(header), *cells)) for k in range(len(header))]
     fitted = [
-        width if k and (k >= numeric_from or width < _SENTENCE) else min(width, _SENTENCE)
-        for k, width in enumerate(widths)
+        width if k and (k >= words or width < _SENTENCE) else min(width, _SENTENCE) for k, width in enumerate(widths)
     ]
     blocks: list[list[int]] = [[0]]
     for k in range(1, len(header)):
@@ -91,7 +93,7 @@ def emit_table(title: str, header: Sequence[str], rows: Iterable[Sequence[str]],
     for number, block in enumerate(blocks):
         _print_table(
             "" if number else printable(title),
-            [(header[k], k >= numeric_from, widths[k] == fitted[k]) for k in block],
+            [(header[k], k >= words, widths[k] == fitted[k]) for k in block],
             [[row[k] for k in block] for row in cells],
         )
 

@@ -70,12 +70,12 @@ def linearise(
     States in SI; writes linear.json, linear.mat and a CSV for each equilibrium. Measured ring-downs stand beside the
     poles. Example: debist control linearise runs/P1 --v1 1kV
     """
-    from ..workflow.studies import linear_models
+    from ..workflow.studies import controlled_run
 
     voltages = (parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2"))
     with Progress(quiet=quiet) as progress:
-        linear = linear_models.linearise(run, voltages, progress)
-    files = linear_models.write_linear(run, linear, output, force=force)
+        linear = controlled_run.linearise(run, voltages, progress)
+    files = controlled_run.write_linear(run, linear, output, force=force)
     if as_json:
         emit_json({"files": files, **linear})
         return
@@ -204,7 +204,7 @@ def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = Fals
 
 
 def _margins(margins: Any) -> str:
-    """What the loop at the unstable equilibrium stands, in a line."""
+    """Stability margins of the loop at the unstable equilibrium, in a line."""
     if margins is None:
         return "margins: none, the unstable equilibrium is not held on the linear model"
     return (

@@ -12,17 +12,16 @@ from ..units.quantity import prefixed, quantity, stamped
 from .console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text, with_units
 
 if TYPE_CHECKING:
-    from ..diagnostics.rows import CheckRow
+    from ..diagnostics.check import CheckRow
     from ..numerics.arrays import FloatArray, IntArray
     from ..rig_logs.inspection import InspectedChannel, Inspection
     from ..workflow.inspection import LogExcitation
-    from ..workflow.studies.excitation_design import Design
-    from ..workflow.studies.next_log import NextLog
+    from ..workflow.studies.excitation_design import Design, NextLog
 
 
 def emit_design(design: "Design | NextLog", files: Iterable[Path]) -> None:
     """Print what the design is expected to bring, and the files."""
-    from ..workflow.studies.next_log import NextLog
+    from ..workflow.studies.excitation_design import NextLog
 
     if isinstance(design, NextLog):
         _emit_next_log(design)
@@ -140,7 +139,7 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
         ("channel", "unit", "samples", "smallest", "largest", "time base", "remarks"),
         [_channel_row(channel) for channel in inspection.channels],
-        numeric_from=7,
+        numeric_from=None,
     )
     if inspection.time_bases:
         emit_table(
@@ -173,7 +172,7 @@ def _emit_excitation(coverage: "LogExcitation") -> None:
         emit_text("the channels were chosen by name and unit; --settings PROTOTYPE.toml names them")
     rows = [(shortfall.finding, shortfall.add) for shortfall in coverage.shortfalls]
     if rows:
-        emit_table("Not excited", ("finding", "add"), rows, numeric_from=2)
+        emit_table("Not excited", ("finding", "add"), rows, numeric_from=None)
         if coverage.plant.joint:
             emit_text("`debist rig excite` designs a sequence for a joint with two membranes")
     else:
@@ -204,7 +203,7 @@ def check(
     Rates in Hz, fields in V/µm. Exit code 3 if the model would be wrong. `debist run` does it first.
     Example: debist check P1.toml
     """
-    from ..diagnostics.rows import check_rows
+    from ..diagnostics.check import check_rows
     from ..workflow.inspection import check as check_tool
     from ..workflow.stage_check import assess
 
@@ -220,10 +219,10 @@ def check(
 
 def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
     """Print the numbers side by side, the logs as columns, and below them in words what is remarkable."""
-    from ..diagnostics.rows import beside
+    from ..diagnostics.check import beside
 
     header, table = beside(rows)
-    emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=len(header))
+    emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=None)
     for row in rows:
         if row.state == "note":
             emit_text(f"note: {row.remark}", indent="  ")

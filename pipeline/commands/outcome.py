@@ -17,10 +17,10 @@ if TYPE_CHECKING:
     from typing import Literal
 
     from ..reporting.tables import Format
+    from ..workflow.batch import Outcome
     from ..workflow.engine import TaskStatus
     from ..workflow.members import Member
     from ..workflow.progress import MemberState
-    from ..workflow.worker import Outcome
 
 
 def emit_scores(
@@ -36,7 +36,7 @@ def emit_scores(
     With a report, the JSON document holds its assessment and its path too.
     """
     from ..workflow.report_data import load_datasheet, load_scores
-    from ..workflow.stage_scores import score_text, shown_scores
+    from ..workflow.stage_validate import score_text, shown_scores
 
     if as_json:
         page = {"verdict": load_datasheet(run)["verdict"], "report": run / "report.html"} if with_report else {}
@@ -58,7 +58,7 @@ def emit_scores(
 def _emit_details(run: Path) -> None:
     """Print every number of every log, a table for each log, and what they mean."""
     from ..reporting.tables import lines
-    from ..workflow.stage_scores import score_tables
+    from ..workflow.stage_validate import score_tables
 
     tables = score_tables(run)
     for table in tables:
@@ -78,7 +78,7 @@ def emit_instruments(run: Path) -> None:
         return
     table = instrument_table(rows, parts, displacement)
     if table.rows:
-        emit_table("instruments", table.heading, table.rows, numeric_from=len(table.heading))
+        emit_table("instruments", table.heading, table.rows, numeric_from=None)
     emit_text(table.explanation)
     if table.entries:
         emit_text("To correct a log, write in place of it in [logs]:")
@@ -141,7 +141,7 @@ def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *,
             continue
         state = "unreadable" if error else "stale" if stale else "up to date"
         rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))
-    emit_table("runs", ("run", "state", "why"), rows, numeric_from=3)
+    emit_table("runs", ("run", "state", "why"), rows, numeric_from=None)
 
 
 def emit_fleet_progress(folder: Path, members: "Sequence[MemberState]", *, as_json: bool) -> None:
@@ -157,7 +157,7 @@ def emit_fleet_progress(folder: Path, members: "Sequence[MemberState]", *, as_js
         (member.name, member.state, member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "", member.reason)
         for member in members
     ]
-    emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=4)
+    emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=None)
     counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)
     emit_text(f"{len(members)} prototypes: {counted}")
 
@@ -171,7 +171,7 @@ def emit_members(members: "Sequence[Member]", *, as_json: bool) -> None:
         (member.name, str(member.settings), member.error or ", ".join(log.name for log in member.logs))
         for member in members
     ]
-    emit_table(f"{len(members)} prototypes", ("prototype", "settings", "logs, or the mistake"), rows, numeric_from=3)
+    emit_table(f"{len(members)} prototypes", ("prototype", "settings", "logs, or the mistake"), rows, numeric_from=None)
 
 
 def summary(results: "Sequence[TaskStatus]") -> str:
@@ -196,7 +196,7 @@ def emit_tasks(
 
 
 def result_line(result: Mapping[str, Any]) -> str:
-    """What a stage came to for one log or model (`pipeline.workflow.report_data`), as a line."""
+    """Line for the result of a stage for one log or model (`pipeline.workflow.report_data`)."""
     from ..units.quantity import quantity
 
     if "rows" in result:
@@ -223,7 +223,7 @@ def emit_status(title: str, states: "Sequence[TaskStatus]", *, as_json: bool) ->
         emit_tasks(states, as_json=True)
         return
     rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in states]
-    emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=4)
+    emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=None)
 
 
 _MOST_NAMED = 4
@@ -303,7 +303,7 @@ class BatchProgress:
 
 
 def _up_to_date(outcome: "Outcome") -> bool:
-    """Whether no process had to be started for it."""
+    """True if the outcome needed no process."""
     return outcome.exit_code == 0 and not outcome.processor_seconds
 
 
@@ -313,7 +313,7 @@ def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool)
         emit_json({"output": output, "prototypes": [asdict(outcome) for outcome in outcomes]})
         return
     rows = [(outcome.name, _state(outcome), outcome.reason or _summary(output / outcome.name)) for outcome in outcomes]
-    emit_table(f"{output}", ("prototype", "state", "validation NRMSE of q, or the reason"), rows, numeric_from=3)
+    emit_table(f"{output}", ("prototype", "state", "validation NRMSE of q, or the reason"), rows, numeric_from=None)
     cost = sum(outcome.processor_seconds for outcome in outcomes)
     if cost:
         memory = max(outcome.memory_bytes for outcome in outcomes)

@@ -59,7 +59,7 @@ class JointSet:
 
     def joint(self) -> "JointParameters":
         """The parameters in SI units."""
-        from ..device.parameter_sets import joint_parameters
+        from ..device.parameters import joint_parameters
 
         return joint_parameters(self.parameters, overrides=self.overrides or ())
 
@@ -265,8 +265,7 @@ def calibrate(
 
     Example: debist physics calibrate runs/P1/train/train/kinematics.parquet -o P1-joint.toml
     """
-    from ..device.parameter_sets import joint_parameters
-    from ..device.parameters import QUANTITIES
+    from ..device.parameters import QUANTITIES, joint_parameters
     from ..models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
     from ..settings.file import read_options
     from ..workflow.studies import physics

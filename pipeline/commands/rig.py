@@ -26,7 +26,7 @@ Rate = Annotated[float, typer.Option(help="Samples per second [Hz], a multiple o
 
 @dataclass(frozen=True)
 class SimulatedLogs:
-    """What the logs of a simulated prototype are like."""
+    """Options for the logs of a simulated prototype."""
 
     kind: Annotated[
         str,
@@ -53,7 +53,7 @@ class SimulatedLogs:
 
 @dataclass(frozen=True)
 class FleetLogs(SimulatedLogs):
-    """What the logs of many simulated prototypes are like: smaller files."""
+    """Options for the logs of many simulated prototypes: smaller files."""
 
     form: Format = "parquet"
     rate: Rate = 10_000.0
@@ -181,7 +181,7 @@ def excite(
 
 @dataclass(frozen=True)
 class LoopOptions:
-    """What acts in a closed loop, and what it is to do."""
+    """Reference, disturbances and instruments of a closed loop."""
 
     target: Annotated[
         str, typer.Option(help="Reference: VALUE or TIME:VALUE,… with units or left, right, saddle; or a file.")

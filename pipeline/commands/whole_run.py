@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Shown:
-    """What of a run a figure shows, and how it is set."""
+    """Contents and typography of a figure of a run."""
 
     start: Annotated[float | None, typer.Option("--from", help="Start of the segment, in s or SI.")] = None
     stop: Annotated[float | None, typer.Option("--to", help="End of the segment, in s or SI.")] = None
@@ -68,7 +68,7 @@ def plot(
         if as_json:
             emit_json({"figures": [{"name": name, "title": title} for name, title in names]})
         else:
-            emit_table(f"figures of {run}", ("figure", "shows"), names, numeric_from=2)
+            emit_table(f"figures of {run}", ("figure", "shows"), names, numeric_from=None)
         return
     excerpt = Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface)
     written = plot_figure(run, figure, output, excerpt, force=force)
@@ -100,13 +100,13 @@ def show(run: Run, as_json: Json = False) -> None:
         emit_table("what acts along the training logs", heading, shown.elements)
     outcome.emit_instruments(run)
     emit_table(
-        f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4
+        f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=None
     )
 
 
 @dataclass(frozen=True)
 class Making:
-    """How a run is made."""
+    """Options for the execution of a run."""
 
     only_plan: Annotated[bool, typer.Option("--dry-run", help="Only say what would be done, and why.")] = False
     replace: Annotated[
@@ -187,7 +187,7 @@ def status(
     brief_form: Annotated[bool, typer.Option("--brief", help="One line for each run, as always for several.")] = False,
     as_json: Json = False,
 ) -> None:
-    """What is stale in a run, and why; of the folder of a batch: what is done, running, stopped or failed.
+    """List what is stale in a run, and why; for the folder of a batch: what is done, running, stopped or failed.
 
     A run's artifacts are compared with the logs and the settings file of today. Example: debist status runs/P1
     """

@@ -125,7 +125,7 @@ def observe(s: FloatArray, reading: float, v: FloatArray, law: Law) -> None:
 
 @compiled
 def estimate(s: FloatArray, law: Law) -> FloatArray:
-    """What the state holds for the time of the next reading, shape (estimator.ESTIMATED,).
+    """Estimate for the time of the next reading, shape (estimator.ESTIMATED,).
 
     The laser's reading [m] and its rate [m/s], slope and interior shape [1] with their rates [1/s], Maxwell strains
     [1], creep [m], stop operators [1], voltages behind the converters [V], and the moment on the slope that the model

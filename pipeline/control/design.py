@@ -1,23 +1,364 @@
-"""Design of the controller on the identified joint: its numbers, and the tables of targets and braking curves."""
+"""Design of the controller on the identified joint: its numbers, and the tables that it reads.
+
+Targets: equilibria held there, charge of both sides, gains of the linear-quadratic regulator. Braking curves: the
+largest speeds from which full braking still stops at a target, by simulation of the model.
+"""
 
 import math
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import expm, solve_discrete_are
 
 from ..codegen.numba_writer import kernel
 from ..errors import InputError
-from ..generated.condensed_joint import STOP_ELEMENTS
+from ..generated.condensed_joint import SHAPE_RATES, STATES, STOP_ELEMENTS
 from ..generated.condensed_joint_jacobian import PREPARE
 from ..models.hybrid.kernels import INDEX, tabulate
 from ..models.hybrid.statics import rest_state
 from ..numerics.arrays import FloatArray
-from ..numerics.compiled import compiled
+from ..numerics.compiled import compiled, copy_into
 from ..numerics.metrics import BAND
-from .controller import PERIOD
-from .design_tables import braking_curves, moments_per_square, reached, target_table
-from .law import BEYOND, NUMBERS, REACHES, RESTS, SIDES, TARGETS, Law
-from .plant import ASSUMED_LAG, ControlledJoint, inertia, wells_and_saddle
+from .controller import PERIOD, move
+from .feedback import RESERVE
+from .law import BEYOND, CONTROLLER_STATE, CORRECTED, FEEDBACK, NUMBERS, PLACES, REACHES, RESTS, SIDES, TARGETS, Law
+from .plant import ASSUMED_LAG, ControlledJoint, LinearModel, held, held_at, inertia, jacobian, wells_and_saddle
+
+COMMON = 0.05
+"""Step of the mean share of the largest squared voltage on both sides at an unstable target."""
+SLOW = 15.0
+"""Unstable pole [1/s] up to which both sides are charged: a quarter of the slowest zero in the right half plane."""
+
+
+def target_table(
+    plant: ControlledJoint, wells: list[LinearModel], places: FloatArray, highest: float, lag: float, reach: FloatArray
+) -> tuple[FloatArray, tuple[float, float]]:
+    """Rows as `pipeline.control.law.TARGET_COLUMNS` names them, and what switches the joint slowly.
+
+    Parameters
+    ----------
+    plant : ControlledJoint
+        The joint.
+    wells : list of LinearModel
+        Left well, saddle, right well.
+    places : FloatArray, shape (TARGETS,)
+        Targets [m].
+    highest : float
+        Largest voltage [V].
+    lag : float
+        Time constant [s] from command to force, the mean of both sides.
+    reach : FloatArray, shape (CORRECTED,)
+        Of the leading states, what weighs as the largest moment.
+
+    Returns
+    -------
+    table : FloatArray, shape (TARGETS, columns)
+        SI.
+    slow : tuple of float
+        Voltages [V] with which left and right side carry the joint slowly from their well to the saddle.
+    """
+    path = [held_at(plant, float(q), wells[1].x) for q in places]
+    slow = slow_switching_voltage(path, wells, 0), slow_switching_voltage(path, wells, 1)
+    rows = []
+    for x, u in path:
+        (y, acting), common = charged(plant, x, u, highest)
+        per_square = moments_per_square(plant, y, acting)
+        holding = per_square @ (acting * (1.0, -1.0))
+        gains = regulator(plant, y, acting, highest, lag, reach)
+        rows.append(np.concatenate([y, [holding], gains, per_square * highest**2, [common]]))
+    return np.array(rows), slow
+
+
+def moments_per_square(plant: ControlledJoint, x: FloatArray, u: FloatArray) -> FloatArray:
+    """Moment of each side on the slope in its own direction [N·m/V²] at a state under squared voltages, shape (2,)."""
+    _, b = jacobian(x, u, plant.constants)
+    left, right = inertia(x, plant.constants.p)[1] @ b[SHAPE_RATES]
+    return np.asarray(np.maximum(np.array([left, -right]), 1e-12))
+
+
+def slow_switching_voltage(path: list[tuple[FloatArray, FloatArray]], wells: list[LinearModel], side: int) -> float:
+    """Voltage [V] with which a side carries the joint slowly from its well to the saddle."""
+    start = float(wells[0 if side == 0 else 2].x[0])
+    saddle = float(wells[1].x[0])
+    low = min(start, saddle)
+    high = max(start, saddle)
+    needed = [float(u[side]) for x, u in path if low < float(x[0]) < high]
+    return float(np.sqrt(max(needed, default=0.0)))
+
+
+def charged(
+    plant: ControlledJoint, x: FloatArray, u: FloatArray, highest: float
+) -> tuple[tuple[FloatArray, FloatArray], float]:
+    """The equilibrium at the same place with both sides charged, if it is unstable; and the mean share of `highest`².
+
+    The charge grows until the unstable pole is `SLOW`, or the difference of both sides needs the rest.
+
+    Parameters
+    ----------
+    plant : ControlledJoint
+        The joint.
+    x : FloatArray, shape (STATES,)
+        Equilibrium.
+    u : FloatArray, shape (2,)
+        Squared voltages that hold it [V²].
+    highest : float
+        Largest voltage [V].
+    """
+    equilibrium = (x, u)
+    share = 0.0
+    apart = np.array([0.5, -0.5])
+    for common in np.arange(COMMON, 1.0, COMMON).tolist():
+        growth = float(np.linalg.eigvals(jacobian(*equilibrium, plant.constants)[0]).real.max())
+        answer = None if growth < (SLOW if share else 0.0) else held(plant, x, common * highest**2 * np.ones(2), apart)
+        if answer is None:
+            break
+        x, difference = answer
+        if abs(difference) <= 2.0 * min(common, 1.0 - common) * highest**2:
+            equilibrium = (x, common * highest**2 + difference * apart)
+            share = common
+    return equilibrium, share
+
+
+def regulator(
+    plant: ControlledJoint, x: FloatArray, u: FloatArray, highest: float, lag: float, reach: FloatArray
+) -> FloatArray:
+    """Gains of the linear-quadratic regulator about an equilibrium under squared voltages, shape (FEEDBACK,).
+
+    Weights are Bryson's: each leading state over its `reach`, the moment over the largest one. The moment that acts
+    follows the commanded one with the converters' lag; it is the last state. Both sides act along
+    the same direction to within a few percent; the mean of both is used.
+
+    Parameters
+    ----------
+    plant : ControlledJoint
+        The joint.
+    x : FloatArray, shape (STATES,)
+        Equilibrium.
+    u : FloatArray, shape (2,)
+        Squared voltages that hold it [V²].
+    highest : float
+        Largest voltage [V].
+    lag : float
+        Time constant from command to force [s].
+    reach : FloatArray, shape (CORRECTED,)
+        Of the leading states, what weighs as the largest moment.
+    """
+    a, b = jacobian(x, u, plant.constants)
+    per_square = moments_per_square(plant, x, u)
+    along = 0.5 * (b[:, 0] / per_square[0] - b[:, 1] / per_square[1])
+    n = STATES
+    whole = np.zeros((n + 2, n + 2))
+    whole[:n, :n], whole[:n, n] = a, along
+    whole[n, n], whole[n, n + 1] = -1.0 / lag, 1.0 / lag
+    step = expm(PERIOD * whole)
+    weight = np.zeros(FEEDBACK)
+    weight[:CORRECTED] = 1.0 / reach**2
+    control_weight = 1.0 / (float(np.mean(per_square)) * highest**2) ** 2
+    drive = step[:-1, -1:]
+    try:
+        cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
+    except np.linalg.LinAlgError:
+        raise InputError(f"a largest voltage of {highest:g} V does not move the joint; allow a larger one") from None
+    return np.asarray(np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0])
+
+
+@compiled
+def reached(law: Law, start: FloatArray, end: float, v: FloatArray) -> FloatArray:
+    """Largest magnitudes of the leading states, shape (CORRECTED,), in a snap of the model.
+
+    Parameters
+    ----------
+    law : Law
+        With the model; its tables are not needed.
+    start : FloatArray, shape (STATES,)
+        A well, without voltage.
+    end : float
+        The other well [m].
+    v : FloatArray, shape (2,)
+        Voltages [V] until the joint is half way there; then there are none. At most `LONGEST` periods are looked at.
+    """
+    s = np.zeros(CONTROLLER_STATE)
+    largest = np.zeros(CORRECTED)
+    none = np.zeros(2)
+    half = 0.5 * (start[0] + end)
+    s[:STATES] = start
+    for _ in range(LONGEST):
+        move(s, v if (s[0] - half) * (end - half) < 0.0 else none, law)
+        largest = np.maximum(largest, np.abs(s[:CORRECTED]))
+        if (s[0] - end) * (end - half) > 0.0:
+            break
+    return largest
+
+
+LONGEST = 600
+"""Periods of a motion of the model, at most."""
+EVERY = 2
+"""Periods from one braked instant to the next."""
+SPEEDS = (1.0, 2.0)
+"""Speeds, over the largest of a snap, with which motions begin that are braked."""
+LEVELS = (1.0, 0.5)
+"""Shares of the largest moment that push them."""
+
+
+def braking_curves(
+    law: Law, wells: list[LinearModel], slope: float, places: FloatArray, side: int, highest: float, fastest: float
+) -> tuple[FloatArray, FloatArray]:
+    """Speeds [m/s] of the mass centre at which a brake begins, and during it, to stop at each place.
+
+    Both have the shape (len(places), REACHES), for distances up to that of the wells. Slow motions have the `slope` τ/q
+    [1/m]; `fastest` [m/s] is the largest speed of a snap.
+
+    Found by simulation: motions towards the places, slow and fast ones, are braked at every instant. The instant at
+    which one stops at a place is a point of that place's first curve. The second is the brake of the first motion that
+    stops there, which is the one from rest under full voltage, after its first periods.
+
+    Parameters
+    ----------
+    law : Law
+        With the model.
+    wells : list[LinearModel]
+        Left well, saddle, right well.
+    slope : float
+        τ/q of slow motions [1/m].
+    places : FloatArray, shape (TARGETS,)
+        Targets [m].
+    side : int
+        That pushes: 0 left, 1 right.
+    highest : float
+        Largest voltage [V].
+    fastest : float
+        Largest speed of a snap [m/s].
+    """
+    towards = 1.0 if side == 0 else -1.0
+    start = wells[0 if side == 0 else 2].x
+    brake = np.zeros(2)
+    brake[1 - side] = highest * np.sqrt(RESERVE)
+    settles = round(law.number("settles"))
+    distance = float(wells[2].x[0] - wells[0].x[0])
+    reaches = np.linspace(0.0, distance, REACHES)
+    begins = [np.zeros((1, 2)) for _ in places]
+    lasts = begins.copy()
+    for x0, speed, level in [
+        *((start, 0.0, level) for level in LEVELS),
+        *((start, speed, 1.0) for speed in SPEEDS),
+        *((wells[1].x, 0.5 * speed, level) for speed in SPEEDS for level in (0.0, *LEVELS)),
+    ]:
+        push = np.zeros(2)
+        s = np.zeros(CONTROLLER_STATE)
+        push[side] = highest * np.sqrt(level)
+        s[:STATES], s[PLACES["volts"]] = x0, push
+        s[1], s[3] = towards * fastest * speed, towards * fastest * speed * slope
+        motion, turns = pushed(law, s, push, brake, towards)
+        for i, place in enumerate(places):
+            beyond = towards * (turns - place)
+            cross = np.flatnonzero((beyond[1:] > 0.0) & (beyond[:-1] <= 0.0))
+            if not cross.size:
+                continue
+            row = int(cross[0])
+            share = -beyond[row] / (beyond[row + 1] - beyond[row])
+            stop = towards * braked(law, (1.0 - share) * motion[row] + share * motion[row + 1], push, brake, towards)
+            stop[:, 0] = stop[-1, 0] - stop[:, 0]
+            if stop[0, 0] > reaches[1]:
+                begins[i] = np.vstack([begins[i], stop[:1]])
+                if len(lasts[i]) == 1 and len(stop) > 2 * settles:
+                    lasts[i] = np.vstack([lasts[i], stop[settles:-1]])
+    first = np.array([_curve(points, reaches) for points in begins])
+    later = [_curve(points, reaches) if len(points) > 1 else curve for points, curve in zip(lasts, first, strict=True)]
+    return first, np.maximum(first, later)
+
+
+def _curve(points: FloatArray, reaches: FloatArray) -> FloatArray:
+    """Speeds at `reaches` [m] from points (distance, speed), on lines; beyond the last point as √distance."""
+    distance, speed = points[np.argsort(points[:, 0])].T
+    speed = np.maximum.accumulate(speed)
+    if len(distance) == 1:
+        return np.sqrt(2.0 * reaches)  # never needs braking: 1 m/s²
+    curve = np.interp(reaches, distance, speed)
+    first = reaches < distance[1]
+    curve[first] = speed[1] * np.sqrt(reaches[first] / distance[1])
+    last = reaches > distance[-1]
+    curve[last] = speed[-1] * np.sqrt(reaches[last] / distance[-1])
+    return np.asarray(curve)
+
+
+@compiled
+def pushed(
+    law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
+) -> tuple[FloatArray, FloatArray]:
+    """States of a motion under `push` [V], and where it would turn round if braked there with `brake` [V].
+
+    There is one in `EVERY` periods. The motion ends when it turns round by itself; the tip may move backwards at first.
+    `s` is moved along.
+
+    Parameters
+    ----------
+    law : Law
+        With the model.
+    s : FloatArray, shape (CONTROLLER_STATE,)
+        The joint's state; moved on.
+    push : FloatArray, shape (2,)
+        Voltages [V].
+    brake : FloatArray, shape (2,)
+        Voltages of the brake [V].
+    towards : float
+        1 to the right, −1 to the left.
+    """
+    most = LONGEST // EVERY
+    motion = np.empty((most, s.size))
+    turns = np.empty(most)
+    count = 0
+    forwards = False
+    for i in range(most):
+        copy_into(motion[i], s)
+        turns[i] = braked(law, s, push, brake, towards)[-1, 0]
+        count = i + 1
+        for _ in range(EVERY):
+            move(s, push, law)
+        if forwards and towards * s[1] <= 0.0:
+            break
+        forwards = towards * s[1] > 0.0
+    return motion[:count], turns[:count]
+
+
+@compiled
+def braked(law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float) -> FloatArray:
+    """Displacement [m] and the mass centre's speed [m/s] every period under `brake` [V] after `push` [V], to the turn.
+
+    A voltage changes by at most the slew limit in a period.
+
+    Parameters
+    ----------
+    law : Law
+        With the model.
+    s : FloatArray, shape (CONTROLLER_STATE,)
+        The joint's state.
+    push : FloatArray, shape (2,)
+        Voltages before [V].
+    brake : FloatArray, shape (2,)
+        Voltages of the brake [V].
+    towards : float
+        1 to the right, −1 to the left.
+    """
+    end = s.copy()
+    v = push.copy()
+    motion = np.empty((LONGEST, 2))
+    count = 0
+    slew = law.numbers[_SLEW]
+    lever = law.numbers[_LEVER]
+    for _ in range(LONGEST):
+        motion[count, 0], motion[count, 1] = end[0], end[1] + lever * end[3]
+        count += 1
+        if towards * end[1] <= 0.0:
+            break
+        for side in range(2):
+            v[side] = min(max(brake[side], v[side] - slew), v[side] + slew)
+        move(end, v, law)
+    return motion[:count]
+
+
+_SLEW = NUMBERS.index("slew")
+_LEVER = NUMBERS.index("lever")
+
 
 WEIGHT = 0.2
 """Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""
@@ -42,7 +383,7 @@ NODES = 2
 
 @dataclass(frozen=True)
 class Settings:
-    """What a user may choose.
+    """Choices of the user.
 
     Attributes
     ----------
@@ -126,7 +467,7 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
 
 
 def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> Law:
-    """What motion needs of a plant whose converters have the time constants `lags` [s], without tables."""
+    """Control law for a plant whose converters have the time constants `lags` [s], without feedback tables."""
     k, p, basis, weights = plant.constants
     farthest = 0.9 * plant.wall
     decays = [math.exp(-PERIOD / lag) for lag in lags]

@@ -21,7 +21,7 @@ _FINE = 4  # voltages behind the lag in an interval of the commands
 
 @dataclass(frozen=True)
 class Converters:
-    """What is known of the converters between commands and membranes.
+    """Knowledge of the converters between commands and membranes.
 
     Attributes
     ----------

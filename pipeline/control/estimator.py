@@ -22,6 +22,8 @@ from ..generated.condensed_joint import (
     FIRST_ELEMENT,
     INERTIA,
     RATES,
+    SHAPE,
+    SHAPE_RATES,
     SLIPS,
     STATES,
     STOP_DIRECTIONS,
@@ -237,7 +239,7 @@ def _horner(coefficients: Values, t: Any) -> Any:
 
 
 def _pushed(x: Values, prepared: Values) -> tuple[dict[int, Any], dict[int, Any]]:
-    """What a moment on the slope and a force on q do to q̇ (1), τ̇ (3) and β̇ (5): columns of the inverse mass matrix."""
+    """Columns of the inverse mass matrix for a moment on the slope and a force on q: on q̇ (1), τ̇ (3) and β̇ (5)."""
     qq, qt, tt, qb, tb, bb = inline(INERTIA, x=x, p=prepared)["mass"]
     first = tt * bb - tb * tb
     second = qb * tb - qt * bb
@@ -364,8 +366,8 @@ def _jacobian(
     full = inline(JACOBIAN, x=x, u=u, c=c, c_q=c_q, z=z, p=slopes)["a"]
     width = STATES + STOPS
     a: list[Values] = [[0.0] * FILTER for _ in range(FILTER)]
-    a[0][1] = a[2][3] = a[4][5] = PERIOD
-    for i in (1, 3, 5):
+    for place, i in zip(SHAPE, SHAPE_RATES, strict=True):
+        a[place][i] = PERIOD
         for j in range(CORRECTED):
             a[i][j] = PERIOD * full[width * i + j]
         for stop in range(STOPS):  # a stop operator that slips does not resist
@@ -418,8 +420,6 @@ def known_state(now: State, n: Numbers) -> Outputs:
     return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"], status]}
 
 
-SHAPE = tuple(range(0, CORRECTED, 2))
-"""Places of q, τ and β in the state."""
 ESTIMATED = STATES + STOPS + 4
 """Numbers of an estimate."""
 SIZES = {"s": CONTROLLER_STATE, "signals": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2, "y": STATES, "dx": STATES}

@@ -169,7 +169,7 @@ def _regulates(now: dict[str, Values], well: Any, n: dict[str, Any]) -> Any:
 
 
 def _is_well(now: dict[str, Values], place: Any, n: dict[str, Any]) -> Any:
-    """Whether the target, in rows of the table, stands still and within the band of a well: then it means the well."""
+    """True if the target, in rows of the table, stands still and within the band of a well: then it means the well."""
     away = function("min", *(function("abs", place - row) for row in WELLS))
     return _both(function("le", away, n["same"]), function("le", 1.0, now["stood"][0]))
 

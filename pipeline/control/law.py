@@ -25,7 +25,7 @@ _SIZES = {
 }  # fmt: skip
 _ENDS = np.cumsum(list(_SIZES.values()))
 PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_SIZES.items(), _ENDS, strict=True)}
-"""Where the controller's state holds the joint's state, stop operators, the converters' voltages, the unknown moment,
+"""Slices of the controller's state for the joint's state, stop operators, the converters' voltages, the unknown moment,
 periods without a reading, the target, how long it has stood still (1: long enough for a well), whether the joint is far
 (0), regulated (1) or let go in a well (2), the slow moment that holds a target [N·m], the mean of what damps in a well
 [N·m], periods in which the innovation was too large, the share of late in which the joint was far from its target,

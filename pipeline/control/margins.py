@@ -11,11 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import expm
 
-from ..generated.condensed_joint import STATES, STOPS
+from ..generated.condensed_joint import SHAPE, STATES, STOPS
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled
 from .controller import begin_control, control, move
-from .estimator import MEMORY, PERIOD, SHAPE, direction, travel
+from .estimator import MEMORY, PERIOD, direction, travel
 from .feedback import INTEGRAL
 from .law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, SIDES, Law
 from .plant import ControlledJoint, full_jacobian
@@ -34,12 +34,12 @@ Matrices = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
 
 @dataclass(frozen=True)
 class Margins:
-    """What may differ from the model, one thing at a time, before the loop at the unstable equilibrium is unstable.
+    """Differences from the model, each alone, at which the loop at the unstable equilibrium becomes unstable.
 
     Attributes
     ----------
     gain_low, gain_high : float
-        Factors on what a change of the voltages does to the reading; held within 1/`FACTOR` and `FACTOR`.
+        Factors on the gain from the voltages to the reading; held within 1/`FACTOR` and `FACTOR`.
     delay_s : float
         Time [s] by which everything may come later.
     friction_high : float
@@ -148,7 +148,7 @@ def _stops(law: Law) -> FloatArray:
     moved = np.zeros((STOPS, STATES))
     n = dict(zip(NUMBERS, law.numbers.tolist(), strict=True))
     for i in range(STOPS):
-        moved[i, list(SHAPE)] = np.array(direction(i, n)) / travel(i, n)
+        moved[i, SHAPE] = np.array(direction(i, n)) / travel(i, n)
     return moved
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..codegen.numba_writer import formula, kernel
 from ..errors import InputError
-from ..generated.condensed_joint import BRANCHES, DRY_LEVELS, ELEMENT_STATES, STATES, STOPS
+from ..generated.condensed_joint import BRANCHES, DRY_LEVELS, ELEMENT_STATES, SHAPE, STATES, STOPS
 from ..generated.condensed_joint_jacobian import JACOBIAN, PREPARE
 from ..generated.terms import BELL_SHAPE
 from ..models.hybrid.kernels import CURVES, INDEX, VALUES, corrections_at, mass_matrix, prepare, rest_forces
@@ -36,7 +36,7 @@ ASSUMED_LAG = 4e-3
 
 
 class Constants(NamedTuple):
-    """What the kernels need of one joint: constants, prepared constants, RBF basis and weights."""
+    """Arguments of the kernels for one joint: constants, prepared constants, RBF basis and weights."""
 
     k: FloatArray
     p: FloatArray
@@ -78,7 +78,7 @@ class ControlledJoint:
     rests: tuple[float, float] | None = None
 
     def reading(self, q: float) -> float:
-        """What the laser shows [m] at the displacement q [m]."""
+        """Reading of the laser [m] at the displacement q [m]."""
         return q + self.offset
 
     def displacement(self, reading: float) -> float:
@@ -138,8 +138,8 @@ def forces(x: FloatArray, u1: float, u2: float, c: Constants) -> FloatArray:
 
 _SAME = 1e-5  # m
 _BEYOND = 0.5
-"""How far beyond the rests that the logs show equilibria are looked for, as a share of their distance; and the share of
-the wall up to which where the logs show none. A beam's identified length would be no measure: it trades with others."""
+"""Margin beyond the measured rests within which equilibria are sought, as a share of their distance. If the logs show
+no rests: the limit, as a share of the wall. A beam's identified length is no measure: other parameters offset it."""
 
 _prepare = kernel(PREPARE)
 _slopes = kernel(JACOBIAN)
@@ -186,7 +186,7 @@ class LinearModel:
 
     @property
     def stable(self) -> bool:
-        """Whether the joint stays there."""
+        """True if the joint stays there."""
         return bool(self.poles.real.max() < 0.0)
 
     @property
@@ -318,7 +318,7 @@ def _window(plant: ControlledJoint) -> tuple[float, float]:
 
 
 def _root(left: Callable[[FloatArray], FloatArray], start: FloatArray, steps: FloatArray) -> FloatArray | None:
-    """Where three functions of three unknowns vanish, by Newton's method; None if it fails.
+    """Root of three functions of three unknowns by Newton's method, shape (3,); None if it fails.
 
     Slopes are by central differences with `steps`, in whose units moves are limited and errors small.
     """
@@ -344,7 +344,7 @@ def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArra
     """The equilibrium near a state under the squared voltages `u`, shape (2,) [V²]; None if Newton's method fails."""
     c = plant.constants
     steps = np.array([1e-7, 1e-6, 1e-6])  # m, 1, 1
-    found = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], c)), near[[0, 2, 4]], steps)
+    found = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], c)), near[SHAPE], steps)
     return None if found is None or abs(found[0]) > plant.wall else still(*found)
 
 

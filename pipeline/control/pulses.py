@@ -10,7 +10,7 @@ from ..errors import InputError
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import BAND, settling_index
 from ..system.names import Goal
-from ..system.progress import OnProgress, silent
+from ..system.worker_pool import OnProgress, silent
 from .ensemble import INTERVAL, SEED, Ensemble
 from .estimator import PERIOD
 

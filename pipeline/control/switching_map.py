@@ -1,4 +1,4 @@
-"""Which plain pulses switch an identified joint: their probability, and the lowest voltage that is enough."""
+"""Map of plain pulses that switch an identified joint: their probability, and the lowest sufficient voltage."""
 
 import math
 from collections.abc import Sequence
@@ -10,7 +10,7 @@ from ..models.hybrid.model import HybridModel
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90
 from ..system.names import Well
-from ..system.progress import OnProgress, silent
+from ..system.worker_pool import OnProgress, silent
 from .ensemble import Converters, Ensemble, ensemble_at
 from .estimator import PERIOD
 
@@ -206,7 +206,7 @@ def with_voltage_error(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) 
 def _switched(
     joint: Ensemble, squares: FloatArray, wells: tuple[float, float, float], to: Well
 ) -> "np.ndarray[tuple[int, int], np.dtype[np.bool_]]":
-    """Whether runs under squared voltages [V²] end in the well `to`, shape (P, B)."""
+    """Mask of the runs under squared voltages [V²] that end in the well `to`, shape (P, B)."""
     left, saddle, right = wells
     ends = joint.simulate(squares, left if to == "right" else right)[:, :, -1]
     return np.asarray((ends > saddle) == (to == "right"))

@@ -97,7 +97,7 @@ class Device:
 
     @property
     def joint(self) -> bool:
-        """Whether it can be the bistable joint: two squared voltages on a length.
+        """True if the device can be the bistable joint: two squared voltages on a length.
 
         A device with one well, or one that turns to the other side, is no fault.
         """
@@ -105,7 +105,7 @@ class Device:
 
     @property
     def squared(self) -> bool:
-        """Whether its inputs act by their squares."""
+        """True if the inputs act by their squares."""
         return self.action == "squared"
 
     @property
@@ -114,7 +114,7 @@ class Device:
         return tuple(unit.symbol for unit in self.inputs)
 
     def acting(self, v: FloatArray) -> FloatArray:
-        """What of inputs v acts: their squares, or they themselves."""
+        """Acting inputs: the squares of v, or v itself."""
         squares: FloatArray = np.square(v)
         return squares if self.squared else v
 

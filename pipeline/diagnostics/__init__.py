@@ -1,1 +1,1 @@
-"""What a run reveals of its logs, instruments and models, as findings; one module writes their sentences."""
+"""Findings of a run on its logs, instruments and models; one module writes their sentences."""

@@ -1,14 +1,316 @@
-"""All checks of a prototype's logs, as findings: each log by itself, without a model."""
+"""All checks of a prototype's logs, each by itself and without a model: findings, and their table."""
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
 
 from ..device.device import Device
-from ..signals.findings import Finding
-from .input_findings import input_findings
-from .log_facts import log_facts
-from .motion_findings import motion_findings, starts
+from ..device.parameters import NOMINAL
+from ..numerics.arrays import FloatArray
+from ..scoring.wells import Wells
+from ..settings.prototype import Gate
+from ..signals.findings import Finding, Number, Severity, scale_suspicion
+from ..signals.noise import is_idle, noise_level
+from ..signals.signal_quality import takes_both_signs, usual_span
+from ..units.units import column_suffix
+from . import log_sentences
+from .log_facts import (
+    CORRELATED,
+    DRAWN_COUPLING,
+    FIELD,
+    LATE,
+    OTHER_LAW,
+    RATIO,
+    RESOLUTION,
+    REST_LEVEL,
+    SIDES,
+    SURE,
+    UNSTATED_RATIO,
+    WRAPPED,
+    InputForce,
+    LogFacts,
+    log_facts,
+)
 from .weak_form import LogSignals
+
+
+def input_findings(fact: LogFacts, plant: Device) -> list[Finding]:
+    """The findings on the inputs of a log."""
+    findings = [
+        _unseen_force(fact, i) if force is None else _force(fact, i, force, plant)
+        for i, force in enumerate(fact.pushes)
+    ]
+    findings += [_noise(fact, i, plant) for i in range(len(fact.pushes))]
+    findings += [*_correlated(fact, plant), *_laws(fact, plant)]
+    if plant.joint:
+        findings += [*_late(fact, plant), _field(fact, plant), *_rest_levels(fact, plant)]
+        findings += [*_scale(fact, plant), *_sides(fact)]
+    return findings
+
+
+def _unseen_force(fact: LogFacts, i: int) -> Finding:
+    """Of an input whose force the log does not show: as it is never on, or hardly ever changes."""
+    v = fact.signals.v[:, i]
+    subject = f"v{i + 1}"
+    if np.ptp(v) > 0.0 and is_idle(v):
+        return Finding("idle_input", "fair", fact.signals.name, subject)
+    if fact.peaks[i] == 0.0:
+        return Finding("never_on", "fair", fact.signals.name, subject)
+    return Finding("hardly_changes", "unseen", fact.signals.name, subject)
+
+
+def _force(fact: LogFacts, i: int, force: InputForce, plant: Device) -> Finding:
+    """To which side an input pushes; how strongly depends on the motion, so a table has the side alone."""
+    name = fact.signals.name
+    numbers = {"push": Number(force.value, f"{plant.displacement.symbol}/s²")}
+    if not force.sure:
+        return Finding("unsure_push", "unseen", name, f"v{i + 1}", numbers)
+    if not plant.joint:
+        return Finding("push", "good", name, f"v{i + 1}", numbers)
+    right = (force.value > 0.0) == (i == 0)  # v1 is of the left membrane, which pushes to the right
+    return Finding("side", "good" if right else "poor", name, f"v{i + 1}", numbers, None if right else "sides")
+
+
+def _noise(fact: LogFacts, i: int, plant: Device) -> Finding:
+    """Noise of an input that is measured; a command has none, and an amplifier need not follow it."""
+    v = fact.signals.v[:, i]
+    noise = noise_level(v)
+    if noise <= np.finfo(np.float32).eps * fact.peaks[i]:
+        return Finding("command", "good", fact.signals.name, f"v{i + 1}")
+    numbers = {"noise": Number(noise, plant.input_symbols[i])}
+    return Finding("input_noise", "good", fact.signals.name, f"v{i + 1}", numbers)
+
+
+def _late(fact: LogFacts, plant: Device) -> list[Finding]:
+    """A joint that answers its inputs surely late, or before they change; another device may do so by its nature.
+
+    The angle of a joint does too: voltages turn its tip before it moves.
+    """
+    most = LATE * fact.sample_interval
+    if plant.angle or abs(fact.late) < most:
+        return []
+    numbers = {"late": Number(fact.late, "s"), "most": Number(most, "s")}
+    return [Finding("late_answer", "fair", fact.signals.name, "q", numbers)]
+
+
+def _scale(fact: LogFacts, plant: Device) -> list[Finding]:
+    """Mass and units: what they make of the coupling of a membrane, half the slope of its capacitance over q."""
+    couplings = _couplings(fact)
+    if not couplings:
+        return []
+    mass = NOMINAL.m if plant.known_mass is None else plant.known_mass
+    allowed = UNSTATED_RATIO if plant.known_mass is None else RATIO
+    ratio = max((mass * each / DRAWN_COUPLING for each in couplings), key=lambda r: max(r, 1.0 / r))
+    wrong = max(ratio, 1.0 / ratio) > allowed
+    numbers = {
+        "coupling": Number(ratio * DRAWN_COUPLING, "N/V²"),
+        "ratio": Number(ratio),
+        "most": Number(allowed),
+        "mass": Number(mass, "kg"),
+    }
+    subject = "drawn" if plant.known_mass is None else "stated"
+    severity: Severity = "poor" if wrong else "good"
+    return [Finding("coupling", severity, fact.signals.name, subject, numbers, "scale" if wrong else None)]
+
+
+def _couplings(fact: LogFacts) -> list[float]:
+    """Push over the squared peak of every input that surely pushes [m/s²/V²]."""
+    return [
+        abs(push.value) / peak**2
+        for push, peak in zip(fact.pushes, fact.peaks.tolist(), strict=True)
+        if push is not None and push.sure
+    ]
+
+
+def _sides(fact: LogFacts) -> list[Finding]:
+    """Membranes of one joint couple about as strongly, but for what is not sure of either."""
+    couplings = _couplings(fact)
+    if len(couplings) < 2 or not isinstance(fact.wells, Wells):
+        return []
+    ratio = couplings[0] / couplings[1]
+    error = np.linalg.norm([push.error / push.value for push in fact.pushes if push is not None])
+    alike = abs(np.log(ratio)) <= np.log(SIDES) + SURE * error
+    numbers = {"ratio": Number(ratio), "most": Number(SIDES)}
+    return [Finding("coupling_ratio", "good" if alike else "fair", fact.signals.name, "", numbers)]
+
+
+def _correlated(fact: LogFacts, plant: Device) -> list[Finding]:
+    """Two inputs of which one says all that the other does."""
+    if None in fact.pushes or len(fact.pushes) < 2:
+        return []
+    acting = plant.acting(fact.signals.v)
+    correlation = float(np.asarray(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T))[0, 1])
+    if abs(correlation) < CORRELATED:
+        return []
+    numbers = {"correlation": Number(correlation), "most": Number(CORRELATED)}
+    return [Finding("correlated", "fair", fact.signals.name, "", numbers)]
+
+
+def _field(fact: LogFacts, plant: Device) -> Finding:
+    """The largest field in the undeformed film, at the larger voltage that three samples reach: noise alone is none."""
+    largest = max(abs(end) for column in fact.signals.v.T for end in usual_span(column))
+    field = largest / plant.film_thickness
+    limit = plant.field_limit
+    numbers = {
+        "field": Number(field, "V/m"),
+        "limit": Number(limit, "V/m"),
+        "film": Number(plant.film_thickness, "m"),
+    }
+    of_units = not limit / RATIO < field < limit * RATIO and largest > 0.0
+    code = "field_units" if of_units else "field"
+    return Finding(code, "fair" if of_units or field > FIELD * limit else "good", fact.signals.name, "", numbers)
+
+
+def _rest_levels(fact: LogFacts, plant: Device) -> list[Finding]:
+    """A joint's voltage of one sign whose lowest level is not zero; one of two signs may switch between them.
+
+    What drives another device, as a fan, need never have been off, and an offset would bend the law of its square.
+    """
+    findings = []
+    for i, (peak, unit) in enumerate(zip(fact.peaks.tolist(), plant.input_symbols, strict=True)):
+        level = rest_level(fact.signals.v[:, i])
+        most = REST_LEVEL * peak
+        if level is not None and abs(level) > most:
+            numbers = {"level": Number(level, unit), "most": Number(most, unit)}
+            findings.append(Finding("rest_level", "fair", fact.signals.name, f"v{i + 1}", numbers))
+    return findings
+
+
+def rest_level(v: FloatArray) -> float | None:
+    """The lowest level at which an input of one sign rests for a tenth of the log; None where there is none.
+
+    Parameters
+    ----------
+    v : FloatArray, shape (N,)
+        The input, finite. Of a negative one its magnitude counts.
+    """
+    if takes_both_signs(float(np.min(v)), float(np.max(v))):
+        return None
+    sign = -1.0 if -np.min(v) > np.max(v) else 1.0
+    low, level, high = np.quantile(sign * v, (0.01, 0.05, 0.1)).tolist()
+    rests = high - low <= REST_LEVEL * float(np.max(np.abs(v)))
+    return sign * level if rests else None
+
+
+def _laws(fact: LogFacts, plant: Device) -> list[Finding]:
+    """Test of the inputs' stated action, squared or linear, by the residuals of the accelerations under both."""
+    own = fact.unexplained
+    other = fact.under_other_law
+    if own is None or other is None:
+        return []
+    laws = ("squared", "linear") if plant.squared else ("linear", "squared")
+    numbers = {f"left_by_{laws[0]}": Number(own), f"left_by_{laws[1]}": Number(other)}
+    if fact.as_signed_monitor is not None and fact.as_signed_monitor < OTHER_LAW * min(own, other):
+        numbers["left_by_membranes"] = Number(fact.as_signed_monitor)
+        return [Finding("signed_monitor", "fair", fact.signals.name, laws[1], numbers)]
+    right = other >= OTHER_LAW * own
+    return [Finding("law", "good" if right else "fair", fact.signals.name, laws[1], numbers)]
+
+
+ROUNDING = 1e-9
+"""Range of q over its largest value up to which it is constant but for the rounding of its unit."""
+
+
+def motion_findings(fact: LogFacts, plant: Device) -> list[Finding]:
+    """The findings on the motion of a log."""
+    findings = [*_ranges(fact, plant), _resolution(fact, plant), _rate(fact)]
+    findings += [*_held(fact), *_wrapped(fact, plant), _rests(fact, plant)]
+    if fact.drift is not None:
+        unit = plant.displacement.symbol
+        moved = abs(fact.drift) * float(np.ptp(fact.signals.t))
+        numbers = {"drift": Number(fact.drift, f"{unit}/s"), "moved": Number(moved, unit)}
+        findings.append(Finding("drift", "fair", fact.signals.name, "q", numbers))
+    return findings
+
+
+def starts(facts: Sequence[LogFacts]) -> list[Finding]:
+    """The findings on logs that leave a rest though no input changes; none where that is seen once in all.
+
+    No log of 16 prototypes has one; P1 to P3 have 2 to 5 in each log where one of their voltages is left out.
+    """
+    if sum(len(fact.starts) for fact in facts) < 2:
+        return []
+    return [
+        Finding(
+            "undriven_starts", "fair", fact.signals.name, "q",
+            {
+                "starts": Number(len(fact.starts)), "first": Number(fact.starts[0], "s"),
+                "inputs": Number(len(fact.pushes)),
+            },
+        )
+        for fact in facts
+        if fact.starts
+    ]  # fmt: skip
+
+
+def _ranges(fact: LogFacts, plant: Device) -> list[Finding]:
+    """Ranges of q and of the inputs against those that a device can have."""
+    findings = [Finding("from_angle", "good", fact.signals.name, "q")] if plant.angle else []
+    names = ("q", *(f"v{i + 1}" for i in range(fact.peaks.size)))
+    spans = (fact.span, *fact.peaks.tolist())
+    units = (plant.displacement.symbol, *plant.input_symbols)
+    for name, span, unit in zip(names, spans, units, strict=True):
+        allowed = plant.plausible_span(unit)
+        times = scale_suspicion(span, allowed)
+        still = name == "q" and span <= ROUNDING * float(np.nanmax(np.abs(fact.signals.q)))
+        # A voltage too small may be one that is not used; if it pushes all the same, the coupling tells.
+        judged = plant.joint and (still or (times is not None and (name == "q" or times > 1.0)))
+        severity: Severity = "poor" if judged else "fair" if still or times is not None else "good"
+        numbers = {"range": Number(span, unit)}
+        if allowed is not None:
+            numbers |= {"least": Number(allowed[0], unit), "most": Number(allowed[1], unit)}
+        if times is not None:
+            numbers["times"] = Number(times)
+        code = "still" if still else "range"
+        findings.append(Finding(code, severity, fact.signals.name, name, numbers, "scale" if judged else None))
+    return findings
+
+
+def _resolution(fact: LogFacts, plant: Device) -> Finding:
+    log = fact.signals
+    unit = plant.displacement.symbol
+    numbers = {} if log.noise is None else {"noise": Number(log.noise, unit)}
+    if log.resolution is None:
+        return Finding("resolution", "good", log.name, "q", numbers)
+    most = RESOLUTION * fact.span
+    numbers |= {"resolution": Number(log.resolution, unit), "most": Number(most, unit)}
+    return Finding("resolution", "good" if log.resolution <= most else "fair", log.name, "q", numbers)
+
+
+def _rate(fact: LogFacts) -> Finding:
+    return Finding("sampling_rate", "good", fact.signals.name, "", {"rate": Number(1.0 / fact.signals.raw_step, "Hz")})
+
+
+def _held(fact: LogFacts) -> list[Finding]:
+    """A sensor or a bus that is slower than the recorder makes a staircase of the motion."""
+    held = fact.signals.held
+    if held < 2:
+        return []
+    numbers = {"held": Number(held), "rate": Number(1.0 / (held * fact.signals.raw_step), "Hz")}
+    return [Finding("held", "fair", fact.signals.name, "q", numbers)]
+
+
+def _wrapped(fact: LogFacts, plant: Device) -> list[Finding]:
+    """An angle that jumps by a turn where it leaves the interval that it is kept in."""
+    if plant.displacement.symbol != "rad" or round(fact.span / (2.0 * np.pi)) != 1:
+        return []
+    q = fact.signals.q
+    jumps = int(np.count_nonzero(np.diff((np.abs(q[3:] - q[:-3]) > WRAPPED * fact.span).astype(np.int8)) > 0))
+    if not jumps:
+        return []
+    numbers = {"jumps": Number(jumps), "turn": Number(fact.span, "rad")}
+    return [Finding("wrapped", "poor", fact.signals.name, "q", numbers, "wrapped")]
+
+
+def _rests(fact: LogFacts, plant: Device) -> Finding:
+    unit = plant.displacement.symbol
+    if not isinstance(fact.wells, Wells):
+        return Finding("no_rests", "unseen", fact.signals.name, fact.wells.reason.partition(":")[0])
+    numbers = {"left": Number(fact.wells.left, unit), "right": Number(fact.wells.right, unit)}
+    about_zero = not plant.joint or fact.wells.left < 0.0 < fact.wells.right
+    return Finding("rests", "good" if about_zero else "fair", fact.signals.name, "q", numbers)
 
 
 def check_logs(logs: Sequence[LogSignals], plant: Device, sample_interval: float) -> list[Finding]:
@@ -27,6 +329,118 @@ def check_logs(logs: Sequence[LogSignals], plant: Device, sample_interval: float
 
 
 def refusing(findings: Sequence[Finding]) -> list[Finding]:
-    """What would make the model wrong: the first finding of each gate."""
+    """Findings that would make the model wrong: the first of each gate."""
     first = {finding.gate: finding for finding in reversed(findings) if finding.gate is not None}
     return [first[gate] for gate in dict.fromkeys(finding.gate for finding in findings if finding.gate is not None)]
+
+
+State = Literal["not seen", "ok", "note", "wrong"]
+"""ok: within the limit; note: look at it; wrong: the model would be wrong; not seen: the log does not show it."""
+
+STATES: dict[Severity, State] = {"unseen": "not seen", "good": "ok", "fair": "note", "poor": "wrong"}
+_MOST_BESIDE = 2
+
+
+@dataclass(frozen=True)
+class CheckRow:
+    """A finding of the check in words, as tables, `check.json` and the page show it.
+
+    Attributes
+    ----------
+    log : str
+        Of which log, as people call it.
+    what : str
+        What was looked at.
+    found, limit : str
+        The number, and what it may be; the limit may be empty.
+    state : State
+    gate : Gate or None
+        The name under which the settings can accept it.
+    advice : str
+        What to do unless the state is ok.
+    more : str
+        Other numbers that speak for or against it.
+    values : mapping of str to float
+        The numbers of the finding in SI, the unit at the end of the key, as in ``delay_s``.
+    code : str
+        That of the finding; empty in runs of earlier releases.
+    """
+
+    log: str
+    what: str
+    found: str
+    limit: str
+    state: State = "ok"
+    gate: Gate | None = None
+    advice: str = ""
+    more: str = ""
+    values: Mapping[str, float] = field(default_factory=dict)
+    code: str = ""
+
+    @property
+    def remark(self) -> str:
+        """Log, numbers, limit and advice in one line."""
+        return f"{log_sentences.line(self.log, self.what, self.found, self.more, self.limit)}: {self.advice}"
+
+
+def check_rows(findings: Sequence[Finding]) -> list[CheckRow]:
+    """The findings of a check as rows."""
+    rows = []
+    for finding in findings:
+        shown = log_sentences.row(finding)
+        advice = shown.advice if finding.severity in ("fair", "poor") else ""
+        state = STATES[finding.severity]
+        values = _in_si(finding)
+        rows.append(
+            CheckRow(
+                finding.log, shown.what, shown.found, shown.limit, state, finding.gate, advice, shown.more, values,
+                finding.code,
+            )
+        )  # fmt: skip
+    return rows
+
+
+def remarks(findings: Sequence[Finding]) -> list[str]:
+    """Sentences for findings that deserve a look and do not make the model wrong."""
+    return [": ".join(log_sentences.of_row(finding)) for finding in findings if finding.severity == "fair"]
+
+
+def beside(rows: Sequence[CheckRow]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """The rows as a table: the logs as columns where there are two at most, else the most remarkable of all logs.
+
+    Returns
+    -------
+    header : tuple of str
+    table : list of tuple of str
+        What was looked at, what was found, the limit; a (!) marks what is remarkable.
+    """
+    logs = list(dict.fromkeys(row.log for row in rows))
+    order = list(STATES.values())
+    table = []
+    for what in dict.fromkeys(row.what for row in rows):
+        kind = [row for row in rows if row.what == what]
+        shown: list[CheckRow | None]
+        if len(logs) > _MOST_BESIDE:
+            shown = [max(kind, key=lambda row: order.index(row.state))]
+        else:
+            shown = [next((row for row in kind if row.log == log), None) for log in logs]
+        table.append((what, *map(_cell, shown), kind[0].limit))
+    columns = logs if len(logs) <= _MOST_BESIDE else [f"most remarkable of {len(logs)} logs"]
+    return ("checked", *columns, "limit"), table
+
+
+def _cell(row: CheckRow | None) -> str:
+    if row is None:
+        return ""
+    return f"{row.found} (!)" if row.state in ("wrong", "note") else row.found
+
+
+def _in_si(finding: Finding) -> dict[str, float]:
+    """Numbers under keys with their SI units, and their standard errors."""
+    values = {}
+    for name, number in finding.numbers.items():
+        end = "" if number.unit == "1" else f"_{column_suffix(number.unit)}"
+        for key, value in ((f"{name}{end}", number.value), (f"{name}_error{end}", number.error)):
+            if value is not None and np.isfinite(value):
+                values[key] = float(value)
+    return values

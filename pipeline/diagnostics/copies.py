@@ -1,4 +1,4 @@
-"""Whether two logs hold one recording: equal windows of raw samples of q, at any offset.
+"""Test for two logs of one recording: equal windows of raw samples of q, at any offset.
 
 A copy that was resampled, rounded, filtered, or to which noise was added has other samples and is not found.
 """
@@ -62,7 +62,7 @@ def shared_recordings(logs: Sequence[LogSignals]) -> list[tuple[int, int, Overla
 
 
 def shared_findings(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int, Overlap]]) -> list[Finding]:
-    """What to look at where logs of one role share a recording."""
+    """Findings where logs of one role share a recording."""
     return [
         Finding(
             "shared_recording", "fair", logs[k].name, logs[i].name,
@@ -76,7 +76,7 @@ def shared_findings(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int,
 
 
 def overlap(first: Sequence[tuple[int, float]], second: Sequence[tuple[int, float]]) -> Overlap | None:
-    """What two logs share by their sketches; None where too few windows are equal."""
+    """Overlap of two logs by their sketches; None where too few windows are equal."""
     known = dict(second)
     stamps = np.array([(here, known[value]) for value, here in first if value in known])
     if len(stamps) < _FEWEST:

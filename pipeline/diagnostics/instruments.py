@@ -14,11 +14,13 @@ doi:10.1109/TAC.1987.1104683); steps are repeated until nothing moves, because f
 
 Errors e are serially correlated and partly the model's own. The standard error of δ is the larger of two: that of noise
 with their correlation time, and that which groups of them in a row show (jackknife,
-`pipeline.fitting.posterior.robust_spread`). What is discrete, exchanged inputs and a mirrored q, is tried.
+`pipeline.fitting.posterior.robust_spread`). What several training logs differ by among themselves is added. What is
+discrete, exchanged inputs and a mirrored q, is tried.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
@@ -164,14 +166,53 @@ class InstrumentTest:
 
         The model was fitted to all of them, so unlike residuals show its own errors, which then hide the instruments.
         """
-        reading = self._reading(self._logs[number], self._training[:number] + self._training[number + 1 :])
-        return reading if abs(reading.unlike) <= 1.0 else self._not_measured(reading.exchange)
+        return self._fitted[number]
+
+    @cached_property
+    def _fitted(self) -> list[Reading]:
+        count = len(self._logs)
+        others = [self._training[:number] + self._training[number + 1 :] for number in range(count)]
+        nothing = np.zeros(len(self._limits))
+        return [self._reading(self._logs[n], others[n], nothing, fitted=True) for n in range(count)]
+
+    @cached_property
+    def _between(self) -> FloatArray:
+        """Standard deviation [limits] of a log's corrections that no errors within the log show, shape (K,).
+
+        A model errs otherwise under other inputs, so honest logs read differently. The variance between logs is what
+        the training logs differ by among themselves, less their standard errors (the method of moments of DerSimonian
+        and Laird 1986, doi:10.1016/0197-2456(86)90046-2). Of n logs each was compared with the mean of the others, a
+        new one is compared with that of all: factors 1 − 1/n and 1 + 1/n.
+        """
+        count = len(self._logs)
+        measured = [reading for reading in self._fitted if reading.status == "measured"] if count > 1 else []
+        if not measured:
+            return np.zeros(len(self._limits))
+        excess = [reading.estimate**2 - reading.standard_error**2 for reading in measured]
+        variance = np.maximum(np.mean(excess, axis=0), 0.0) * (1.0 - 1.0 / count)
+        deviation: FloatArray = np.sqrt(variance * (1.0 + 1.0 / count)) / self._limits
+        return deviation
 
     def of(self, parts: Sequence[Log]) -> Reading:
         """Errors of the parts of another log, compared with the training logs."""
-        return self._reading(within(parts, MOST_SAMPLES), self._training)
+        return self._reading(within(parts, MOST_SAMPLES), self._training, self._between)
 
-    def _reading(self, parts: Sequence[Log], others: Sequence[Linearised | None]) -> Reading:
+    def _reading(
+        self, parts: Sequence[Log], others: Sequence[Linearised | None], between: FloatArray, *, fitted: bool = False
+    ) -> Reading:
+        """Errors of a log.
+
+        Parameters
+        ----------
+        parts : sequence of Log
+            The log.
+        others : sequence of Linearised or None
+            The logs that it is compared with.
+        between : FloatArray, shape (K,)
+            Standard deviation [limits] of its corrections beside what its own errors show.
+        fitted : bool
+            The model was fitted to it, so it is of no other device.
+        """
         exchange, parts = self._as_trained(parts)
         reference = [each for each in others if each is not None]
         delta = np.zeros(len(self._limits))
@@ -184,11 +225,14 @@ class InstrumentTest:
             if np.all(np.abs(fit.step) < STILL * fit.error):
                 break
             log = self._linearised(parts, delta)
-        alike = fit.unlike <= 1.0 or fit.size <= 1.0
+        unlike = abs(fit.unlike) if fitted else fit.unlike
+        alike = unlike <= 1.0 or fit.size <= 1.0
+        if fitted and not alike:
+            return self._not_measured(exchange)
         astray = np.abs(fit.step) > fit.error
         if alike and (np.any(np.abs(delta) >= FARTHEST) or np.any(astray)):
             return self._not_measured(exchange)
-        errors = np.maximum(fit.error, np.sqrt(np.sum(fit.spread() ** 2, axis=1)))
+        errors = np.hypot(between, np.maximum(fit.error, np.sqrt(np.sum(fit.spread() ** 2, axis=1))))
         if alike and np.all(errors > SIGNIFICANCE):  # no quantity is known to some limits: the model errs, as it shows
             return self._not_measured(exchange)
         ahead, behind = (self._errors(delta + side * errors) for side in (1.0, -1.0))

@@ -1,4 +1,4 @@
-"""What one log shows of its device without any model: the sides of its inputs, late answers, laws, rests, drift."""
+"""Facts from one log without any model: inputs, late responses, rests; and the limits of checks."""
 
 from dataclasses import dataclass
 
@@ -6,22 +6,137 @@ import numpy as np
 
 from ..device.device import Device
 from ..numerics.arrays import FloatArray, IntArray, samples_of
-from ..scoring.wells import NoWells, Wells, find_wells
+from ..scoring.wells import NoWells, Wells, end_of_rest, find_wells, places_of_rest
 from ..signals.signal_quality import takes_both_signs
-from . import limits
-from .rest_drift import rest_drift
-from .undriven_starts import undriven_starts
-from .weak_form import (
-    BLOCKS,
-    GAIN_TERMS,
-    LogSignals,
-    WeakTerms,
-    residual,
-    solve,
-    under_inputs,
-    unexplained,
-    weak_terms,
-)
+from .weak_form import BLOCKS, GAIN_TERMS, LogSignals, WeakTerms, residual, solve, under_inputs, unexplained, weak_terms
+
+SURE = 4.0
+"""Standard errors by which a number must differ from zero before its sign is judged."""
+
+LATE = 2.5
+"""Sample intervals from which on q answers its inputs late. Drives, probes, sensors and the creep of the membranes
+shift it by up to 1.3 intervals in honest logs; two recorders that start one after the other by far more."""
+
+WRAPPED = 0.7
+"""Share of the range of an angle of about one turn that it runs through within three samples where it wraps: one that
+is kept within a turn jumps from end to end."""
+
+CORRELATED = 0.999
+"""Correlation of the two inputs, as they act, from which on they are one."""
+
+RATIO = 30.0
+"""Factor to either side of the coupling of the joint as drawn: half way, in powers of ten, to the 1,000 of a wrong
+prefix. A joint built n times as large couples as strongly (capacitance grows as length)."""
+
+UNSTATED_RATIO = 1e5
+"""The same where no mass is stated and that of the drawing is taken: a joint of 1 mm and 100 V is 1,800 times off; kV
+read as V make 10⁶."""
+
+SIDES = 2.5
+"""Factor between the couplings of the two sides that is shown. Membranes are cut from one film: 0.65 to 1.4 in 66 logs
+of 15 joints. The square of a wrong probe ratio is in it, 4 for twice the voltage. Shown is what exceeds it by `SURE`
+standard errors of the ratio, which chirps of 20 s leave uncertain by an eighth."""
+
+FIELD = 1.02
+"""Share of the field limit from which on a log is above it: noise and probes make 1.01 of a command of 1."""
+
+REST_LEVEL = 0.02
+"""Share of an input's largest magnitude above which the level at which it rests is shown, and within which it rests."""
+
+OTHER_LAW = 0.9
+"""Times what the weak form leaves of the accelerations, below which the other law of the inputs is shown. Declared
+rightly, logs of 16 devices have 0.99 to 1.5."""
+
+DRAWN_COUPLING = 8.5e-9
+"""N/V², half the slope of a membrane's capacitance over q, of the joint as drawn."""
+
+RESOLUTION = 0.01
+"""Step of the converter, in ranges of q: beyond, velocities come in steps of a few per cent."""
+
+DRIFT = 0.02
+"""Share of the range of q by which its rests move over a log, from which on that is shown, and by which one creeps."""
+
+
+_ANSWER = 10
+"""Rows within which a device that begins to move has done so; it is at rest for twice as many before."""
+_STILL = 0.02
+"""Share of its range within which q or an input stands still; q moves by three times as much."""
+
+
+def undriven_starts(t: FloatArray, q: FloatArray, v: FloatArray) -> tuple[float, ...]:
+    """Times [s] at which q leaves a rest though every input has been steady since before that rest.
+
+    Parameters
+    ----------
+    t, q : FloatArray, shape (N,)
+        Times [s], a sample interval of the identification apart, and displacement; NaN where masked.
+    v : FloatArray, shape (N, K)
+        Inputs.
+
+    Notes
+    -----
+    Cost: some passes over N rows.
+    """
+    rest = 2 * _ANSWER
+    rows = rest + _ANSWER
+    if q.size <= rows:
+        return ()
+    reach = float(np.nanmax(q) - np.nanmin(q))
+    whole = np.lib.stride_tricks.sliding_window_view(q, rows)
+    still = np.ptp(whole[:, :rest], axis=1) < _STILL * reach
+    moved = np.abs(whole[:, -1] - whole[:, rest - 1]) > 3.0 * _STILL * reach
+    steady = np.ones(whole.shape[0], dtype=np.bool_)
+    for column in v.T:
+        steady &= np.ptp(np.lib.stride_tricks.sliding_window_view(column, rows), axis=1) < _STILL * np.ptp(column)
+    begins = np.flatnonzero(still & moved & steady)
+    return tuple(t[begins[np.diff(begins, prepend=-rows) > _ANSWER] + rest].tolist())
+
+
+def rest_drift(
+    t: FloatArray, q: FloatArray, v: FloatArray, interval: float, wells: Wells | NoWells, plant: Device
+) -> float | None:
+    """The common slope of the rests in both wells over time, by least squares; None where it is not sure or small.
+
+    A rest in which q still swings counts the less.
+
+    Parameters
+    ----------
+    t, q : FloatArray, shape (N,)
+        Times [s] and displacement [m or rad]; NaN where masked.
+    v : FloatArray, shape (N, K)
+        Inputs.
+    interval : float
+        Step of the times [s].
+    wells : Wells or NoWells
+        Where the device rests.
+    plant : Device
+        Its inputs, and whether it is the joint.
+
+    Returns
+    -------
+    float or None
+        [m/s or rad/s].
+    """
+    ends = [end_of_rest(rest, interval) for rest in places_of_rest(q, v, interval, plant=plant)]
+    reach = float(np.nanmax(q) - np.nanmin(q))
+    ends = [rows for rows in ends if np.isfinite(q[rows]).all()]
+    times = np.array([np.mean(t[rows]) for rows in ends])
+    places = np.array([np.median(q[rows]) for rows in ends])
+    right = places > wells.barrier if isinstance(wells, Wells) else np.zeros(places.size, dtype=np.bool_)
+    sides = [side for side in (~right, right) if side.any()]
+    design = np.column_stack([*sides, times]) if sides else np.empty((0, 1))
+    if len(design) <= 2 * design.shape[1] or reach == 0.0:
+        return None
+    sizes = np.array([np.hypot(np.ptp(q[rows]), DRIFT * reach) for rows in ends])
+    design = design / sizes[:, None]
+    weights = np.linalg.lstsq(design, places / sizes, rcond=None)[0]
+    left = places / sizes - design @ weights
+    scatter = float(left @ left) / (len(design) - design.shape[1])
+    error = float(np.sqrt(scatter * np.linalg.pinv(design.T @ design)[-1, -1]))
+    rate = float(weights[-1])
+    moved = abs(rate) * float(np.ptp(t))
+    return rate if abs(rate) > SURE * error and moved > DRIFT * reach else None
+
 
 REACH = 20
 """Delays up to so many sample intervals are looked for."""
@@ -31,10 +146,15 @@ _ON = 0.25
 
 @dataclass(frozen=True)
 class InputForce:
-    """Mean acceleration while an input is on, at its largest value [m/s² or rad/s²], and whether its sign is sure."""
+    """Mean acceleration while an input is on, at its largest value [m/s² or rad/s²], and its standard error."""
 
     value: float
-    sure: bool
+    error: float
+
+    @property
+    def sure(self) -> bool:
+        """True if the sign is sure."""
+        return abs(self.value) > SURE * self.error
 
 
 @dataclass(frozen=True)
@@ -61,8 +181,6 @@ class LogFacts:
         The same where the inputs act by their other law (in proportion for by their squares).
     as_signed_monitor : float or None
         The same where the one input is the signed monitor of two membranes; None unless it takes both signs.
-    both_signs : bool
-        Whether an input takes both signs.
     starts : tuple of float
         Times [s] at which q leaves a rest though no input changes.
     drift : float or None
@@ -79,7 +197,6 @@ class LogFacts:
     unexplained: float | None
     under_other_law: float | None
     as_signed_monitor: float | None
-    both_signs: bool
     starts: tuple[float, ...]
     drift: float | None
 
@@ -120,7 +237,6 @@ def log_facts(log: LogSignals, sample_interval: float, plant: Device) -> LogFact
         unexplained=None if terms is None else unexplained(terms),
         under_other_law=other_law,
         as_signed_monitor=signed_monitor,
-        both_signs=both_signs,
         starts=undriven_starts(t, q, v),
         drift=rest_drift(t, q, v, every * log.interval, wells, plant=plant),
     )
@@ -143,10 +259,9 @@ def pushes(terms: WeakTerms) -> tuple[InputForce | None, ...]:
     with np.errstate(invalid="ignore", divide="ignore"):  # of inputs that never change
         correlations = np.nan_to_num(np.atleast_2d(np.corrcoef(acting.T)) - np.eye(whole.size))
     apart = np.sqrt(np.maximum(1.0 - np.max(np.abs(correlations), axis=0) ** 2, np.finfo(float).eps))
-    sure = np.abs(whole) > limits.SURE * errors / apart
     return tuple(
-        InputForce(float(push), bool(certain)) if changes else None
-        for push, certain, changes in zip(whole, sure, moved, strict=True)
+        InputForce(float(push), float(error)) if changes else None
+        for push, error, changes in zip(whole, errors / apart, moved, strict=True)
     )
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ..signals.findings import Finding
 from ..signals.noise import below_resolution
 from ..units.quantity import quantity, scale, short, significant
-from . import limits
+from .log_facts import FIELD
 
 _SIDES = ("right (+)", "left (−)")
 _ON_CHANGE = "; an input ({}) that was recorded only when it changed takes `on_change = true` in [channels]"
@@ -29,7 +29,7 @@ SHARES = {
     ),
     "hum": ("of the range of q is hum of {:g} Hz", "shield the sensor"),
 }
-"""What a log has too much of, by gate, and what to do."""
+"""Defect of a log in excess, and the remedy, by gate."""
 
 
 @dataclass(frozen=True)
@@ -50,12 +50,8 @@ def row(finding: Finding) -> ShownRow:
     return ROWS[finding.code](finding)
 
 
-def _value(finding: Finding, name: str) -> float:
-    return finding.numbers[name].value
-
-
 def _shown(finding: Finding, name: str) -> str:
-    return quantity(_value(finding, name), finding.numbers[name].unit)
+    return quantity(finding.value(name), finding.numbers[name].unit)
 
 
 def _short(finding: Finding, name: str) -> str:
@@ -66,20 +62,19 @@ def _short(finding: Finding, name: str) -> str:
 
 
 def _times(ratio: float) -> str:
-    """How many times as large, in words."""
+    """Ratio in words: ``3 times``, ``1/3``."""
     return f"{significant(ratio, 2)} times" if ratio >= 1.0 else f"1/{significant(1.0 / ratio, 2)}"
 
 
 def _range(finding: Finding) -> ShownRow:
-    name = finding.subject
     limit = f"{_short(finding, 'least')} … {_short(finding, 'most')}" if "most" in finding.numbers else ""
     advice = ""
     if finding.code == "still":
         advice = "q does not move: name the channel of its sensor, and see whether that has its target"
     elif "times" in finding.numbers:
-        times = _times(_value(finding, "times"))
-        advice = f"check the unit of {name} in [channels]: its numbers look {times} as large as a joint's"
-    return ShownRow(f"range of {name}", _shown(finding, "range"), limit, advice)
+        times = _times(finding.value("times"))
+        advice = f"check the unit of {finding.subject} in [channels]: its numbers look {times} as large as a joint's"
+    return ShownRow(f"range of {finding.subject}", _shown(finding, "range"), limit, advice)
 
 
 def _from_angle(_: Finding) -> ShownRow:
@@ -91,7 +86,7 @@ def _resolution(finding: Finding) -> ShownRow:
     noise = f"noise {_shown(finding, 'noise')}" if "noise" in finding.numbers else ""
     if "resolution" not in finding.numbers:
         return ShownRow("resolution of q", "no steps", more=noise)
-    if noise and below_resolution(_value(finding, "noise"), _value(finding, "resolution")):
+    if noise and below_resolution(finding.value("noise"), finding.value("resolution")):
         noise = "noise below that"
     advice = "velocities come in steps: use the sensor's finer range, or average before recording"
     return ShownRow("resolution of q", _shown(finding, "resolution"), f"≤ {_short(finding, 'most')}", advice, noise)
@@ -102,7 +97,7 @@ def _held(finding: Finding) -> ShownRow:
         f"q has new values at {_shown(finding, 'rate')} only, late by half of that: record it as its sensor delivers "
         "it, or set [ingest] sample_interval no finer"
     )
-    return ShownRow("values of q held", f"for {_value(finding, 'held'):.0f} samples", advice=advice)
+    return ShownRow("values of q held", f"for {finding.value('held'):.0f} samples", advice=advice)
 
 
 def _drift(finding: Finding) -> ShownRow:
@@ -114,9 +109,9 @@ def _drift(finding: Finding) -> ShownRow:
 
 
 def _undriven_starts(finding: Finding) -> ShownRow:
-    found = f"{_value(finding, 'starts'):.0f}, the first at {_value(finding, 'first'):.4g} s"
+    found = f"{finding.value('starts'):.0f}, the first at {finding.value('first'):.4g} s"
     missing = "find out what does"
-    if _value(finding, "inputs") == 1:
+    if finding.value("inputs") == 1:
         missing = "name the second input as v2 (in [channels], or as an argument)"
     advice = f"what moves q there is not among the inputs: {missing}"
     return ShownRow("leaves rest though no input changes", found, advice=advice)
@@ -124,7 +119,7 @@ def _undriven_starts(finding: Finding) -> ShownRow:
 
 def _wrapped(finding: Finding) -> ShownRow:
     advice = "unwrap it before it is logged or read (numpy.unwrap, MATLAB's unwrap): a turn is no motion of the device"
-    found = f"{_value(finding, 'jumps'):.0f} by {_short(finding, 'turn')}"
+    found = f"{finding.value('jumps'):.0f} by {_short(finding, 'turn')}"
     return ShownRow("jumps of the angle", found, "none", advice)
 
 
@@ -133,7 +128,7 @@ def _rests(finding: Finding) -> ShownRow:
     if finding.severity == "good":
         return ShownRow("rests", found)
     unit = finding.numbers["left"].unit
-    middle = quantity(-0.5 * (_value(finding, "left") + _value(finding, "right")), unit)
+    middle = quantity(-0.5 * (finding.value("left") + finding.value("right")), unit)
     advice = (
         "both wells are on one side of zero, where a joint, its parameter set and its mirror plane have the middle: "
         f"zero the sensor, or give `offset` in [channels] q (about {middle})"
@@ -155,7 +150,7 @@ def _push(finding: Finding) -> ShownRow:
     what = f"push of {finding.subject}"
     if finding.code == "unsure_push":
         return ShownRow(what, "not sure")
-    side = _SIDES[0] if _value(finding, "push") > 0.0 else _SIDES[1]
+    side = _SIDES[0] if finding.value("push") > 0.0 else _SIDES[1]
     if finding.code == "push":
         return ShownRow(what, side)
     advice = (
@@ -190,9 +185,9 @@ def _late_answer(finding: Finding) -> ShownRow:
 
 
 def _coupling(finding: Finding) -> ShownRow:
-    ratio = _value(finding, "ratio")
-    most = _value(finding, "most")
-    mass = _value(finding, "mass")
+    ratio = finding.value("ratio")
+    most = finding.value("most")
+    mass = finding.value("mass")
     what = f"coupling if of {1e3 * mass:g} g"
     advice = "check the units of the channels"
     if finding.subject == "stated":
@@ -204,13 +199,13 @@ def _coupling(finding: Finding) -> ShownRow:
 
 
 def _coupling_ratio(finding: Finding) -> ShownRow:
-    ratio = _value(finding, "ratio")
+    ratio = finding.value("ratio")
     off = max(ratio, 1.0 / ratio)
     advice = (
         f"voltages wrong by {significant(off**0.5, 2)} on one side do that: check the unit and `scale` of both "
         "channels, and the ratio of both probes"
     )
-    most = f"{_value(finding, 'most'):g}"
+    most = f"{finding.value('most'):g}"
     return ShownRow("coupling of v1 over v2", significant(ratio, 2), f"1/{most} … {most}", advice)
 
 
@@ -218,18 +213,18 @@ def _correlated(finding: Finding) -> ShownRow:
     advice = (
         "v1 and v2 go together all the time, so what each does cannot be told apart: drive them apart, or leave v2 out"
     )
-    found = f"correlation {_value(finding, 'correlation'):.4f}"
-    return ShownRow("v2 beside v1", found, f"< {_value(finding, 'most'):g}", advice)
+    found = f"correlation {finding.value('correlation'):.4f}"
+    return ShownRow("v2 beside v1", found, f"< {finding.value('most'):g}", advice)
 
 
 def _field(finding: Finding) -> ShownRow:
     film = _shown(finding, "film")
-    limit = _value(finding, "limit")
+    limit = finding.value("limit")
     advice = f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
     if finding.code == "field_units":
         advice = f"check the units of plant.film_thickness ({film}) and plant.field_limit ({quantity(limit, 'V/m')})"
-    most = f"≤ {significant(1e-6 * limit)} (+{100.0 * (limits.FIELD - 1.0):.0f} %) V/µm"
-    return ShownRow("largest field", f"{significant(1e-6 * _value(finding, 'field'))} V/µm", most, advice)
+    most = f"≤ {significant(1e-6 * limit)} (+{100.0 * (FIELD - 1.0):.0f} %) V/µm"
+    return ShownRow("largest field", f"{significant(1e-6 * finding.value('field'))} V/µm", most, advice)
 
 
 def _rest_level(finding: Finding) -> ShownRow:
@@ -265,7 +260,7 @@ def _shared_recording(finding: Finding) -> ShownRow:
 def shared_spans(finding: Finding) -> str:
     """The spans that two logs share, that in the log of the finding first."""
     own, other = (
-        f"{_value(finding, f'{log}start'):.4g} to {_value(finding, f'{log}stop'):.4g} s" for log in ("", "other_")
+        f"{finding.value(f'{log}start'):.4g} to {finding.value(f'{log}stop'):.4g} s" for log in ("", "other_")
     )
     return f"{own} is {other} of it" if own != other else own
 
@@ -333,77 +328,86 @@ def line(log: str, what: str, found: str, more: str, limit: str) -> str:
 def _share(finding: Finding) -> tuple[str, str]:
     what, advice = SHARES[str(finding.gate)]
     if finding.gate == "hum":
-        what = what.format(_value(finding, "frequency"))
-    share = 100.0 * _value(finding, "share")
+        what = what.format(finding.value("frequency"))
+    share = 100.0 * finding.value("share")
     few = [name for name in finding.numbers if name.startswith("v")]
-    text = f"{share:.3g} % {what} (at most {100.0 * _value(finding, 'most'):g} %)"
+    text = f"{share:.3g} % {what} (at most {100.0 * finding.value('most'):g} %)"
     return text, advice + (_ON_CHANGE.format(", ".join(few)) if few else "")
 
 
 def _signal_missing(finding: Finding) -> tuple[str, str]:
-    name = finding.subject
-    share = 100.0 * _value(finding, "share")
-    text = f"{name} is missing for {share:.3g} % of the log (at most {100.0 * _value(finding, 'most'):g} %)"
+    share = 100.0 * finding.value("share")
+    text = f"{finding.subject} is missing for {share:.3g} % of the log (at most {100.0 * finding.value('most'):g} %)"
     advice = "repair the recorder, or cut the log where the signal ends"
-    return text, advice + (_ON_CHANGE.format(name) if _value(finding, "not_finite") else "")
+    return text, advice + (_ON_CHANGE.format(finding.subject) if finding.value("not_finite") else "")
 
 
 def _coarse_input(finding: Finding) -> tuple[str, str]:
-    name = finding.subject
-    interval = _value(finding, "interval")
-    text = f"{name} has one sample every {_value(finding, 'step'):.4g} s, but [ingest] sample_interval is "
-    advice = "record it as finely as q, or set a sample_interval as long" + _ON_CHANGE.format(name)
+    interval = finding.value("interval")
+    text = f"{finding.subject} has one sample every {finding.value('step'):.4g} s, but [ingest] sample_interval is "
+    advice = "record it as finely as q, or set a sample_interval as long" + _ON_CHANGE.format(finding.subject)
     return f"{text}{interval:g} s", advice
 
 
 def _fast_motion(finding: Finding) -> tuple[str, str]:
-    half = _value(finding, "half")
-    interval = _value(finding, "interval")
+    half = finding.value("half")
+    interval = finding.value("interval")
     text = f"half of the power of q lies above {half:.3g} Hz, which decimation to [ingest] sample_interval = "
-    advice = f"set sample_interval = {_value(finding, 'advised'):g}, or correct the unit of time"
-    return f"{text}{interval:g} s takes away", advice
+    return (
+        f"{text}{interval:g} s takes away",
+        f"set sample_interval = {finding.value('advised'):g}, or correct the unit of time",
+    )
 
 
 def _coarse_log(finding: Finding) -> tuple[str, str]:
-    step = _value(finding, "step")
-    lasts = _value(finding, "lasts")
+    step = finding.value("step")
+    lasts = finding.value("lasts")
     text = f"one sample every {step:.4g} s for {lasts:.6g} s, by the settings, but [ingest] sample_interval is "
-    text += f"{_value(finding, 'interval'):g} s (at most {_value(finding, 'most'):g} intervals a sample)"
+    text += f"{finding.value('interval'):g} s (at most {finding.value('most'):g} intervals a sample)"
     advice = "correct the unit of time in [channels] (ms is not s) or the sample_rate (in Hz), or set a sample_interval"
     return text, f"{advice} as long as the log's step"
 
 
 def _other_rate(finding: Finding) -> tuple[str, str]:
     stated = [f"{name} states {number.value:.6g} Hz" for name, number in finding.numbers.items() if name != "settings"]
-    text = f"in the log {' and '.join(stated)}, but [ingest] sample_rate is {_value(finding, 'settings'):g} Hz"
-    return text, "correct sample_rate, or where the log means another rate keep it"
+    return (
+        f"in the log {' and '.join(stated)}, but [ingest] sample_rate is {finding.value('settings'):g} Hz",
+        "correct sample_rate, or where the log means another rate keep it",
+    )
 
 
 def _idle(finding: Finding) -> tuple[str, str]:
-    text = "the displacement shows nothing but noise: no excitation"
-    return text, "drive the device through its whole stroke"
+    return "the displacement shows nothing but noise: no excitation", "drive the device through its whole stroke"
 
 
 def _undriven(finding: Finding) -> tuple[str, str]:
-    text = f"input {finding.subject} never changes by more than its noise: nothing is known of its gain"
-    return text, f"drive it, or leave it out of [channels] ({finding.subject})"
+    return (
+        f"input {finding.subject} never changes by more than its noise: nothing is known of its gain",
+        f"drive it, or leave it out of [channels] ({finding.subject})",
+    )
 
 
 def _visits(finding: Finding) -> tuple[str, str]:
-    visits = f"{_value(finding, 'visits'):.0f} of at least {_value(finding, 'least'):.0f} training samples"
-    text = f"the basis centre at q = {_shown(finding, 'place')} has {visits}"
-    return text, f"excite that place, or set fewer than {_value(finding, 'centres'):.0f} [identify] basis_functions"
+    visits = f"{finding.value('visits'):.0f} of at least {finding.value('least'):.0f} training samples"
+    return (
+        f"the basis centre at q = {_shown(finding, 'place')} has {visits}",
+        f"excite that place, or set fewer than {finding.value('centres'):.0f} [identify] basis_functions",
+    )
 
 
 def _rank(finding: Finding) -> tuple[str, str]:
-    condition = f"condition number {_value(finding, 'condition'):.3g} (at most {_value(finding, 'most'):g})"
-    text = f"the regressor's columns cannot be told apart: {condition}, {_value(finding, 'silent'):.0f} zero"
-    return text, "vary the inputs independently"
+    condition = f"condition number {finding.value('condition'):.3g} (at most {finding.value('most'):g})"
+    return (
+        f"the regressor's columns cannot be told apart: {condition}, {finding.value('silent'):.0f} zero",
+        "vary the inputs independently",
+    )
 
 
 def _one_well(finding: Finding) -> tuple[str, str]:
-    text = "only one well is visited: of the other half of every curve the data say nothing"
-    return text, "add pulses that snap the joint to the other side (`debist rig excite`)"
+    return (
+        "only one well is visited: of the other half of every curve the data say nothing",
+        "add pulses that snap the joint to the other side (`debist rig excite`)",
+    )
 
 
 CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {

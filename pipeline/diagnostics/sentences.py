@@ -1,13 +1,16 @@
-"""The sentences of findings: what was measured, and what to do; no other module words them."""
+"""The sentences of findings, and whether they refuse the data: what was measured, and what to do."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterable, Sequence
+from typing import Any
 
+from ..errors import DataRefusedError
+from ..settings.prototype import Gate, Quality
 from ..signals.findings import Finding, Number
 from ..units.quantity import moment, percent, quantity, significant
 from . import log_sentences
 
 ADVICE_BY_MODEL = {"rbf-paper": "fewer basis functions ([identify] basis_functions), or richer training logs"}
-"""Where basis functions do act in number, fewer of them are a remedy."""
+"""Remedy for models in which the number of basis functions matters."""
 RAILS = 'widen the sensor\'s range, or where the device does rest there set [ingest] rails = "keep"'
 RICHER = "richer training logs: longer, with pulses of more heights and lengths"
 MASKS = {
@@ -26,11 +29,11 @@ KEYS = {
     "gain_v1": "gain = {{ v1 = {} }}", "gain_v2": "gain = {{ v2 = {} }}", "gain_q": "gain = {{ q = {} }}",
     "zero_q": 'zero = "{}"', "delay": 'delay = "{}"', "clock": "clock = {}",
 }  # fmt: skip
-"""What is written at a log in `[logs]`, by quantity of the instruments."""
+"""Setting of a log in `[logs]` by quantity of the instruments."""
 
 
 def sentences(finding: Finding) -> tuple[str, str]:
-    """What was measured, without a full stop, and what to do.
+    """Measurement, without a full stop, and advice.
 
     Parameters
     ----------
@@ -40,29 +43,23 @@ def sentences(finding: Finding) -> tuple[str, str]:
     return CODES[finding.code](finding)
 
 
-def _value(finding: Finding, name: str) -> float:
-    return finding.numbers[name].value
-
-
 def _shown(number: Number) -> str:
     """A number with its unit and its ±; shares in percent."""
     if number.unit == "1":
-        error = None if number.error is None else 100.0 * number.error
-        return quantity(100.0 * number.value, "%", error)
+        return quantity(100.0 * number.value, "%", None if number.error is None else 100.0 * number.error)
     return quantity(number.value, number.unit, number.error)
 
 
 def _generalisation(finding: Finding) -> tuple[str, str]:
-    text = f"the error of {finding.subject} on the {finding.log} is {significant(_value(finding, 'ratio'), 2)} times "
+    text = f"the error of {finding.subject} on the {finding.log} is {significant(finding.value('ratio'), 2)} times "
     return f"{text}that on the training logs", ADVICE_BY_MODEL.get(finding.subject, RICHER)
 
 
 def _another_device(finding: Finding) -> tuple[str, str]:
-    text = (
+    return (
         f"no instrument explains what is left of the {finding.log}: "
-        f"{significant(_value(finding, 'residual_ratio'), 2)} times what the training logs leave"
-    )
-    return text, "see whether this log is of this device, or whether the device was changed in between"
+        f"{significant(finding.value('residual_ratio'), 2)} times what the training logs leave"
+    ), "see whether this log is of this device, or whether the device was changed in between"
 
 
 def _exchanged(finding: Finding) -> tuple[str, str]:
@@ -96,13 +93,17 @@ def _disagreement(finding: Finding) -> tuple[str, str]:
     name = {"zero_q": "the zero of q", "delay": "the delay of the inputs", "clock": "the clock"}.get(
         finding.subject, f"the reading of {finding.subject.removeprefix('gain_')}"
     )
-    text = f"{name} differs by {size} between the {finding.log}"
-    return text, "find out which of both logs is right, and correct the other one in [logs]"
+    return (
+        f"{name} differs by {size} between the {finding.log}",
+        "find out which of both logs is right, and correct the other one in [logs]",
+    )
 
 
 def _unlike_training(finding: Finding) -> tuple[str, str]:
-    text = f"the {finding.log} and the {finding.subject} are not of one device with equal channels"
-    return text, "see to channels and wiring of both logs, and whether the device was changed in between"
+    return (
+        f"the {finding.log} and the {finding.subject} are not of one device with equal channels",
+        "see to channels and wiring of both logs, and whether the device was changed in between",
+    )
 
 
 def correction_text(name: str, value: float, displacement: str) -> str:
@@ -112,16 +113,20 @@ def correction_text(name: str, value: float, displacement: str) -> str:
 
 
 def _extrapolation(finding: Finding) -> tuple[str, str]:
-    share = _share(_value(finding, "value"))
-    text = f"{share} of the samples of the {finding.log} lie in states (q, q̇) that no training sample was near"
-    return text, "train on motions as large and as fast"
+    share = _share(finding.value("value"))
+    return (
+        f"{share} of the samples of the {finding.log} lie in states (q, q̇) that no training sample was near",
+        "train on motions as large and as fast",
+    )
 
 
 def _one_passage(finding: Finding) -> tuple[str, str]:
-    share = percent(_value(finding, "share"))
-    when = moment(_value(finding, "time"))
-    text = f"one passage over the barrier at t = {when} makes {share} of the squared error on the {finding.log}"
-    return text, "there a small error decides the well: judge the rest of the log by itself, or train on such passages"
+    share = percent(finding.value("share"))
+    when = moment(finding.value("time"))
+    return (
+        f"one passage over the barrier at t = {when} makes {share} of the squared error on the {finding.log}",
+        "there a small error decides the well: judge the rest of the log by itself, or train on such passages",
+    )
 
 
 def _share(value: float) -> str:
@@ -129,59 +134,68 @@ def _share(value: float) -> str:
 
 
 def _nrmse(finding: Finding) -> tuple[str, str]:
-    text = f"free-run NRMSE of q of {finding.subject} is {percent(_value(finding, 'value'))} on the {finding.log}"
-    return text, "look where residuals grow: at one switch (friction, delay) or throughout (alpha, centres)"
+    return (
+        f"free-run NRMSE of q of {finding.subject} is {percent(finding.value('value'))} on the {finding.log}",
+        "look where residuals grow: at one switch (friction, delay) or throughout (alpha, centres)",
+    )
 
 
 def _switch_accuracy(finding: Finding) -> tuple[str, str]:
-    share = _value(finding, "value")
-    text = f"{percent(share) if share < 1.0 else 'all'} of the pulses end in the well that was measured"
-    return text, "near the switching voltage the outcome is sensitive: train on pulses of that size"
+    share = finding.value("value")
+    return (
+        f"{percent(share) if share < 1.0 else 'all'} of the pulses end in the well that was measured",
+        "near the switching voltage the outcome is sensitive: train on pulses of that size",
+    )
 
 
 def _wells(finding: Finding) -> tuple[str, str]:
-    share = percent(_value(finding, "value"))
-    text = f"modelled and measured rests differ by up to {share} of the distance of the wells"
-    return text, "longer rests at zero voltage in both wells, for training"
+    share = percent(finding.value("value"))
+    return (
+        f"modelled and measured rests differ by up to {share} of the distance of the wells",
+        "longer rests at zero voltage in both wells, for training",
+    )
 
 
 def _validation(finding: Finding) -> tuple[str, str]:
-    advice = f"add a log under [logs] validation: an error on the training data does not hold for new {finding.subject}"
-    return "no validation log: errors are those of training", advice
+    return (
+        "no validation log: errors are those of training",
+        f"add a log under [logs] validation: an error on the training data does not hold for new {finding.subject}",
+    )
 
 
 def _constant(finding: Finding) -> tuple[str, str]:
     text = f"a constant, its mean, predicts the {finding.log} better than {finding.subject}: "
-    text += f"{percent(_value(finding, 'constant'))} for {percent(_value(finding, 'own'))}"
-    advice = (
+    text += f"{percent(finding.value('constant'))} for {percent(finding.value('own'))}"
+    return text, (
         "do not use this model; see whether the inputs act linearly or by their squares ([plant] inputs), and whether "
         "a controller held the device where it is unstable: free runs of such a log part from it whatever the model"
     )
-    return text, advice
 
 
 def _rival(finding: Finding) -> tuple[str, str]:
     best, _, own = finding.subject.partition(", ")
-    error = percent(_value(finding, "error"))
+    error = percent(finding.value("error"))
     take = f"take {best} for predictions (`--model {best}`)"
     if "horizon" in finding.numbers:
-        after = f"{_value(finding, 'horizon'):g} s after a measured state"
+        after = f"{finding.value('horizon'):g} s after a measured state"
         text = f"{best} predicts the {finding.log} surely better than {own} {after}: "
-        return f"{text}{error} for {percent(_value(finding, 'own'))}", take
+        return f"{text}{error} for {percent(finding.value('own'))}", take
     advice = (
         f"{take}, or help {own}: more and longer logs, or decide what is known of the device in [identify.structure] "
         "(force, damping, drag, gain, friction, drive)"
     )
     if "own" not in finding.numbers:
         return f"{best} predicts the {finding.log} with {error}, where {own} diverged", advice
-    own_error = percent(_value(finding, "own"))
+    own_error = percent(finding.value("own"))
     return f"{best} predicts the {finding.log} surely better than {own}: {error} for {own_error}", advice
 
 
 def _divergence(finding: Finding) -> tuple[str, str]:
     places = ", ".join(f"{log} at t = {moment(number.value)}" for log, number in finding.numbers.items())
-    advice = "see its last second under “Measured against models”; train on data that reach as far"
-    return f"the free run of {finding.subject} diverged: {places}", advice
+    return (
+        f"the free run of {finding.subject} diverged: {places}",
+        "see its last second under “Measured against models”; train on data that reach as far",
+    )
 
 
 def not_converged(model: str) -> tuple[str, str]:
@@ -190,57 +204,69 @@ def not_converged(model: str) -> tuple[str, str]:
 
 
 def _converged(finding: Finding) -> tuple[str, str]:
-    text = f"the fit of {finding.subject} had not converged when it ended, so its error may be chance"
-    return text, "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
+    return (
+        f"the fit of {finding.subject} had not converged when it ended, so its error may be chance",
+        "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)",
+    )
 
 
 def _ambiguous(finding: Finding) -> tuple[str, str]:
-    count = f"{_value(finding, 'open'):.0f}" if _value(finding, "open") else "none"
-    text = f"{count} of {_value(finding, 'outcomes'):.0f} outcomes after pulses are too close for the model to call"
-    return text, "do not trust the well after these pulses; train on pulses of that size and length"
+    count = f"{finding.value('open'):.0f}" if finding.value("open") else "none"
+    return (
+        f"{count} of {finding.value('outcomes'):.0f} outcomes after pulses are too close for the model to call",
+        "do not trust the well after these pulses; train on pulses of that size and length",
+    )
 
 
 def _rails(finding: Finding) -> tuple[str, str]:
-    text = f"{_share(_value(finding, 'value'))} of the samples of q stay at its largest or smallest value"
+    text = f"{_share(finding.value('value'))} of the samples of q stay at its largest or smallest value"
     if finding.subject == "kept":
         return f'{text}, where it rests ([ingest] rails = "keep")', ""
     return text, RAILS
 
 
 def _no_wells(finding: Finding) -> tuple[str, str]:
-    advice = "if the device is bistable, pulse both sides with rests of 1 s between"
-    return f"no two wells in the data: {finding.subject}", advice
+    return (
+        f"no two wells in the data: {finding.subject}",
+        "if the device is bistable, pulse both sides with rests of 1 s between",
+    )
 
 
 def _switches(finding: Finding) -> tuple[str, str]:
     design = "; `debist rig excite` designs a sequence" if finding.subject == "joint" else ""
-    text = f"the training logs switch wells {_value(finding, 'value'):.0f} times"
-    return text, f"record more pulses that snap it both ways{design}"
+    return (
+        f"the training logs switch wells {finding.value('value'):.0f} times",
+        f"record more pulses that snap it both ways{design}",
+    )
 
 
 def _outside_range(finding: Finding) -> tuple[str, str]:
-    share = _share(_value(finding, "value"))
-    text = f"{share} of the validation samples lie outside the range of the training data"
-    return text, "train on a log with the larger strokes and inputs"
+    share = _share(finding.value("value"))
+    return (
+        f"{share} of the validation samples lie outside the range of the training data",
+        "train on a log with the larger strokes and inputs",
+    )
 
 
 def _coverage(finding: Finding) -> tuple[str, str]:
-    visits = int(_value(finding, "value"))
+    visits = int(finding.value("value"))
     samples = f"{visits} training sample{'s' if visits != 1 else ''}"
-    centres = f"{_value(finding, 'centres'):.0f} basis centres inside the range"
+    centres = f"{finding.value('centres'):.0f} basis centres inside the range"
     fills = ", `debist rig excite` fills them" if finding.subject == "joint" else ""
-    advice = f"excite the thin places (`debist inspect` names them{fills}); or fewer centres"
-    return f"the least visited of {centres} has {samples} around it", advice
+    return (
+        f"the least visited of {centres} has {samples} around it",
+        f"excite the thin places (`debist inspect` names them{fills}); or fewer centres",
+    )
 
 
 def _noise(finding: Finding) -> tuple[str, str]:
     if finding.subject == "steps":
-        share = significant(100.0 * _value(finding, "share"), 2)
+        share = significant(100.0 * finding.value("share"), 2)
         text = (
             f"q comes in steps of {_shown(finding.numbers['steps'])}, {share} % of its range; its noise is below that"
         )
         return text, "use the sensor's finer range"
-    share = significant(100.0 * _value(finding, "value"), 2)
+    share = significant(100.0 * finding.value("value"), 2)
     text = f"noise of q is {_shown(finding.numbers['noise'])} RMS, {share} % of its range"
     return text, "average or shield the sensor, or raise alpha"
 
@@ -249,7 +275,7 @@ def _masked(finding: Finding) -> tuple[str, str]:
     causes = [(MASKS[cause], int(number.value)) for cause, number in finding.numbers.items() if cause in MASKS]
     named = " and ".join(f"{count} {several if count > 1 else one}" for (one, several, _), count in causes)
     advice = "; ".join(what for (_, _, what), _ in causes if what) or "repair the recorder"
-    share = _value(finding, "value")
+    share = finding.value("value")
     if share:
         return f"{percent(share)} of the rows are masked, by {named or 'samples that are not finite'}", advice
     return f"{named} left out, and no row masked" if named else "no gaps", advice
@@ -257,11 +283,11 @@ def _masked(finding: Finding) -> tuple[str, str]:
 
 def _measured_facts(finding: Finding) -> tuple[str, str]:
     if finding.severity == "good":
-        count = int(_value(finding, "count"))
+        count = int(finding.value("count"))
         which = f"the {count} modelled facts that were measured too lie"
         if count == 1:
             which = "the one modelled fact that was measured too lies"
-        return f"{which} within {_value(finding, 'value'):.1f} standard deviations", ""
+        return f"{which} within {finding.value('value'):.1f} standard deviations", ""
     measured = finding.numbers["measured"]
     source = "free_run" if "free_run" in finding.numbers else "model"
     modelled = finding.numbers[source]
@@ -269,8 +295,10 @@ def _measured_facts(finding: Finding) -> tuple[str, str]:
     own = quantity(modelled.value, modelled.unit, modelled.error, like)
     where = "in the model's free runs" if source == "free_run" else "by the model"
     seen = quantity(measured.value, measured.unit, measured.error, like)
-    text = f"{finding.subject} is {own} {where}, but was measured as {seen} ({_value(finding, 'events'):.0f} times)"
-    return text, "train on longer rests without voltage, and trust the measured value until then"
+    return (
+        f"{finding.subject} is {own} {where}, but was measured as {seen} ({finding.value('events'):.0f} times)",
+        "train on longer rests without voltage, and trust the measured value until then",
+    )
 
 
 CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {
@@ -302,3 +330,49 @@ CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {
     "measured_facts": _measured_facts,
 }
 """By code."""
+
+
+def judge(
+    where: str,
+    findings: Sequence[Finding],
+    settings: Quality,
+    prior: Collection[str] = (),
+    decides: str = "the joint's equations",
+) -> list[str]:
+    """The findings that do not refuse the data, as texts for the manifest, the terminal and the report.
+
+    Parameters
+    ----------
+    where : str
+        Name of the data, for the error.
+    findings : sequence of Finding
+        What speaks against them.
+    settings : Quality
+        What they accept.
+    prior : collection of str
+        Gates of what the data need not show, because a model knows it beforehand.
+    decides : str
+        What of the model does.
+
+    Raises
+    ------
+    DataRefusedError
+        A finding is not accepted; the text names all of them and the settings that would let them pass.
+    """
+    refused = [finding for finding in findings if finding.gate not in (*settings.accept, *prior)]
+    if refused:
+        gates = dict.fromkeys((*settings.accept, *(finding.gate for finding in refused)))
+        names = ", ".join(f'"{gate}"' for gate in gates)
+        reasons = "; ".join(": ".join(sentences(finding)) for finding in refused)
+        raise DataRefusedError(f"{where}: {reasons}. To use it knowingly, set [quality] accept = [{names}]")
+    accepted = [(sentences(finding)[0], finding.gate) for finding in findings]
+    return [
+        f"{text} (accepted: {gate})" if gate in settings.accept else f"{text}; there {decides} decide"
+        for text, gate in accepted
+    ]
+
+
+def accepted_settings(settings: Quality, gates: Iterable[Gate]) -> dict[str, Any]:
+    """Settings of the gate in a recipe: empty where nothing is accepted there."""
+    accepted = sorted(set(settings.accept) & set(gates))
+    return {"quality": {"accept": accepted}} if accepted else {}

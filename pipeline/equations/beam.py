@@ -1,4 +1,4 @@
-"""Laws of the beam: density of its energy and of its axial shortening along x/l, and integrals over it.
+"""Equations of the beam: density of its energy and of its axial shortening along x/l, and integrals over it.
 
 `slope` is w' and `bend` l w'' at one place or as a `Polynomial` of x/l.
 """

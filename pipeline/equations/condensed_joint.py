@@ -38,6 +38,7 @@ from .condensed_parts import (
     ELEMENT_STATES,
     FIRST_ELEMENT,
     FIRST_STRAIN,
+    SHAPE,
     SOFTENING,
     STATES,
     STOP_DIRECTIONS,
@@ -206,7 +207,7 @@ def rates(s: CondensedSymbols, friction: Expression) -> Expression:
 def _tip(
     s: CondensedSymbols, element: TipElement
 ) -> tuple[Expression, Expression, list[Expression], dict[str, Expression]]:
-    """Arguments of the laws of an element on q."""
+    """Arguments of the terms of an element on q."""
     names = [name for name, _ in ELEMENT_STATES]
     states = [s.x[FIRST_ELEMENT + names.index(state.name)] for state in element.states]
     return s.x[0], s.x[1], states, {c.name: s.constant(c.name) for c in element.constants}
@@ -268,7 +269,7 @@ def rest_forces(s: CondensedSymbols) -> Expression:
     The membranes are as soft as the state says.
     """
     acting = forces(s, ca.SX.zeros(3))
-    still = {i: ca.SX(0) for i in range(STATES)} | {i: s.x[i] for i in (0, 2, 4)}
+    still = {i: ca.SX(0) for i in range(STATES)} | {i: s.x[i] for i in SHAPE}
     still |= {FIRST_ELEMENT + i: at_rest * s.x[0] for i, at_rest in enumerate(AT_REST)}
     still[SOFTENING] = s.x[SOFTENING]
     at_rest = ca.vertcat(*(still[i] for i in range(STATES)))

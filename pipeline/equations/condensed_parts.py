@@ -56,6 +56,8 @@ AT_REST = (
 )
 """Their values over q at rest."""
 FIRST_STRAIN = 6
+SHAPE, SHAPE_RATES = range(0, FIRST_STRAIN, 2), range(1, FIRST_STRAIN, 2)
+"""Places of the coordinates (q, τ, β) of the beam's shape in the state, and of their rates."""
 FIRST_ELEMENT = FIRST_STRAIN + 2 * BRANCHES
 STATES = FIRST_ELEMENT + len(ELEMENT_STATES)
 SOFTENING = FIRST_ELEMENT + CREEPS
@@ -126,12 +128,12 @@ class CondensedSymbols:
     @property
     def shape(self) -> Expression:
         """The coordinates (q, τ, β) of the beam's shape, (3,)."""
-        return ca.vertcat(self.x[0], self.x[2], self.x[4])
+        return ca.vertcat(*(self.x[i] for i in SHAPE))
 
     @property
     def speeds(self) -> Expression:
         """Their rates, (3,)."""
-        return ca.vertcat(self.x[1], self.x[3], self.x[5])
+        return ca.vertcat(*(self.x[i] for i in SHAPE_RATES))
 
 
 def symbols() -> CondensedSymbols:

@@ -1,4 +1,4 @@
-"""Laws of the models that data alone give: the data-driven joint, the paper's lagged model, polynomial models.
+"""Terms of the models that data alone give: the data-driven joint, the paper's lagged model, polynomial models.
 
 The data-driven joint, in the dimensionless displacement x (±1 spans the training data) and its velocity p, with inputs
 u:
@@ -9,8 +9,8 @@ u:
     ẇ_l = h_l(x) p − r_l(x) e_l,   e_l = w_l − Σ_k β_lk(x) u_k
     ds_j = (dx − |dx| s_j)/δ_j
 
-Each law here is of one curve, element or friction state, whose numbers are inputs. Sums over as many as a joint has are
-taken by `pipeline.models.rbf.dynamics` in runs and by `pipeline.export.data_driven` in C and MATLAB.
+Each term here is of one curve, element or friction state, whose numbers are inputs. Sums over as many as a joint has
+are taken by `pipeline.models.rbf.dynamics` in runs and by `pipeline.export.data_driven` in C and MATLAB.
 
 The lagged models have q, q̇ and one lagged velocity: the paper's (eqs. 37 to 40), and polynomial ones. Curves of the
 paper's model are sums over basis functions at q, the right side of a polynomial model is one of monomials. The sums are
@@ -142,7 +142,7 @@ def clipped(x: Any, low: Any, high: Any) -> Expression:
 
 
 def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
-    """Inputs and outputs of each law, with exact derivatives along what the sensitivities of a run need."""
+    """Inputs and outputs of each term, with exact derivatives along what the sensitivities of a run need."""
     x, arm, centre, bend, low, high = (ca.SX.sym(name) for name in ("x", "arm", "centre", "bend", "low", "high"))
     angle = ca.SX.sym("angle", 2)
     curves = ca.SX.sym("curves", 2)
@@ -224,7 +224,7 @@ def polynomial_variables(q: Any, q_dot: Any, scales: Any) -> Expression:
 
 
 def lagged_kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
-    """Inputs and outputs of each law."""
+    """Inputs and outputs of each term."""
     q, q_dot, z, push, lag = (ca.SX.sym(name) for name in ("q", "q_dot", "z", "push", "lag"))
     curves = ca.SX.sym("curves", 2)
     scales = ca.SX.sym("scales", 3)

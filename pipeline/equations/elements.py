@@ -1,7 +1,7 @@
 """Equations of the elements of joints: Maxwell branch, stop operator, Dahl friction, creep, lag, membrane, bell.
 
-A new element is one function here and one line where a joint lists its elements. The membrane's laws are those of one
-dielectric elastomer and of the frame that stretches it.
+A new element is one function here and one line where a joint lists its elements. The membrane's equations are those of
+one dielectric elastomer and of the frame that stretches it.
 """
 
 from typing import Any, NamedTuple
@@ -66,7 +66,7 @@ def lag_rate(value: Any, lagged: Any, time: Any) -> Expression:
 
 
 def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
-    """Laws that runs call by themselves, with their slopes along the inputs; an element at its stop counts as held."""
+    """Terms that runs call by themselves, with their slopes along the inputs; an element at its stop counts as held."""
     z, play, travel = (ca.SX.sym(name) for name in ("z", "play", "travel"))
     free = _unbounded(z, play, travel)
     slopes = ca.if_else(ca.fabs(free) < 1.0, ca.jacobian(free, ca.vertcat(z, play, travel)), 0.0)

@@ -2,7 +2,7 @@
 
 The energies of the full order stand here; everything else follows by automatic differentiation. The curves of the
 reduced joint over q are inputs. Equation numbers are the paper's; where its print is wrong, the correction and its
-reason stand beside the law.
+reason stand beside the equation.
 
 Symbols: ``qm`` = [q2, q3, q4, u0] Ritz coordinates [1/m, 1/m², 1/m³, m]; ``z`` = [e1, e2, ζ] internal states:
 Maxwell strains [1] and friction state [1]; ``v_squared`` = [v1², v2²] [V²]; ``p`` the parameters in the order of
@@ -318,7 +318,7 @@ def cubics(pieces: Any, s: Any) -> Expression:
 
 
 def reduced_kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
-    """Inputs and outputs of each law."""
+    """Inputs and outputs of each term."""
     s = reduced_symbols()
     pieces = ca.SX.sym("pieces", 28)
     past = ca.SX.sym("s")

@@ -1,4 +1,4 @@
-"""Elements that resist the tip's motion: each names its constants, its memory and its law.
+"""Elements that resist the tip's motion: each names its constants, its memory and its equation.
 
 The file has drag of the air on the frame, and friction whose level sets in with the speed: Coulomb's, without its step
 at rest.
@@ -11,7 +11,7 @@ from typing import Any
 
 import casadi as ca
 
-Law = Callable[[Any, Any, Any, dict[str, Any]], Any]
+Term = Callable[[Any, Any, Any, dict[str, Any]], Any]
 """(q [m], q̇ [m/s], states of the element, its constants by name) → an expression in CasADi."""
 
 
@@ -52,7 +52,7 @@ class ElementState:
     name: str
     unit: str
     at_rest: float
-    rate: Law
+    rate: Term
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class TipElement:
     """
 
     constants: tuple[Constant, ...]
-    resistance: Law
+    resistance: Term
     states: tuple[ElementState, ...] = ()
     level: str = ""
 

@@ -70,12 +70,19 @@ def _condensed() -> str:
     upper = ca.vertcat(*(mass[i, k] for k in range(3) for i in range(k + 1)))
     kernels = {
         "RATES": (moving, {"rates": j.rates(s, j.stop_forces(s, j.moved_stops(s)))}),
-        "REST_FORCES": (still, {"forces": forces, "by_shape": ca.jacobian(forces, s.x[[2, 4]])}),
+        "REST_FORCES": (still, {"forces": forces, "by_shape": ca.jacobian(forces, s.x[condensed_parts.SHAPE[1:]])}),
         "INERTIA": ({"x": s.x, "k": s.k}, {"mass": upper}),
         "STOP_MOVE": ({"x": s.x, "z": s.z, "start": s.start, "k": s.k}, {"moved": ca.vertcat(*j.moved_stops(s))}),
     }
-    names = ["CONSTANTS", "TIP_CONSTANTS", "CORRECTIONS", "STATES", "ELEMENT_STATES", "FIRST_STRAIN"]
-    names += [
+    names = [
+        "CONSTANTS",
+        "TIP_CONSTANTS",
+        "CORRECTIONS",
+        "STATES",
+        "ELEMENT_STATES",
+        "SHAPE",
+        "SHAPE_RATES",
+        "FIRST_STRAIN",
         "QUARTICS",
         "SEXTICS",
         "SHORTENINGS",
@@ -143,7 +150,7 @@ def _terms() -> str:
         | data_driven_joint.lagged_kernels()
         | full_joint.reduced_kernels()
     )
-    summary = "Terms of the models of which each run has as many as it needs: see the laws of the same names."
+    summary = "Terms of the models of which each run has as many as it needs: see the functions of the same names."
     return _module(summary, {name: graph(inputs, outputs) for name, (inputs, outputs) in kernels.items()})
 
 
@@ -253,7 +260,7 @@ def _sum(builder: Builder, a: int, b: int) -> int:
 
 
 def _constant_operations(builder: Builder, hoisted: str) -> list[bool]:
-    """Whether each operation depends on numbers and the constants alone."""
+    """Flag of each operation: true if it depends on numbers and the constants alone."""
     constant: list[bool] = []
     for operation in builder.operations:
         if operation.name == "input":

@@ -35,7 +35,7 @@ _PIN = re.compile("[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9][A-Za-z0-9.!+_-]*")
 
 @dataclass(frozen=True)
 class Packed:
-    """What goes into a crate beside the run.
+    """Contents of a crate beside the run.
 
     Attributes
     ----------

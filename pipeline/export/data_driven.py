@@ -53,7 +53,7 @@ def realise_rbf(model: RbfModel, interval: float, unit: str = "m") -> Realisatio
 
 @dataclass(frozen=True)
 class _Joint:
-    """How the joint moves between what is measured: middle and half of the range of q, largest voltage.
+    """Motion of the joint in scaled variables: middle and half of the range of q, largest voltage.
 
     squared: inputs pull by their squares · offset (K,) and, if `lagged`, lag [s] of the inputs · bend of their effect
     and dead zone, if any · rested: at rest under the first inputs, not without any. Its state is x, p, elements,
@@ -132,7 +132,7 @@ class _Joint:
         return {"x": x + (before if self.lagged else []), "z": []}
 
     def begin(self, x: Values, z: Values, h: Values) -> Outputs:
-        """Where the step starts."""
+        """Displacement at the start of the step."""
         return {"base": [x[0]]}
 
     def rates(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
@@ -167,7 +167,7 @@ class _Joint:
         return {"y": [self.middle + self.half * x[0], self.half * x[1], self.half * dx[1]]}
 
     def within(self, x: Values) -> Outputs:
-        """Whether the state is a number: the wall confines every run."""
+        """True if the state is finite: the wall confines every run."""
         return {"ok": [function("finite", x[1])]}
 
     def _acting(self, u: Values) -> Values:
@@ -175,7 +175,7 @@ class _Joint:
         return u if self.effect_lags else self._effect(u)
 
     def _effect(self, u: Values) -> Values:
-        """What scaled inputs do: freed of their offset, bent, squared."""
+        """Effect of scaled inputs: freed of their offset, bent, squared."""
         freed = [value - float(zero) for value, zero in zip(u, self.offset, strict=True)]
         bent = [value if self.bend is None else apply(BENT, value, self.bend)[0] for value in freed]
         drives = [value if self.zone is None else apply(PAST_ZONE, value, self.zone)[0] for value in bent]
@@ -277,7 +277,7 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
 def _functions(
     rates: Any, start: Any, scales: Any, squared: bool, low: float, high: float, states: int
 ) -> dict[str, Graph]:
-    """How such a model moves: inputs are the voltages, or their squares, over `scales` (K,)."""
+    """Functions of such a model: inputs are the voltages, or their squares, over `scales` (K,)."""
     over = [float(1.0 / scale) for scale in scales]
 
     def within(x: Values) -> dict[str, Values]:

@@ -12,6 +12,7 @@ from ..generated.condensed_joint import (
     FIRST_ELEMENT,
     RATES,
     REST_FORCES,
+    SHAPE,
     SLIPS,
     STATES,
     STOP_MOVE,
@@ -72,7 +73,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
             "start": trace(joint.start, q0=1, qdot0=1, u=2),
             "shape": trace(joint.shape, x=ALL_STATES, u=2),
             "stick": trace(joint.stick, x=ALL_STATES, u=2),
-            "begin": trace(lambda x, z, h: {"base": [x[0], x[2], x[4]]}, x=ALL_STATES, z=STOPS, h=1),
+            "begin": trace(lambda x, z, h: {"base": [x[i] for i in SHAPE]}, x=ALL_STATES, z=STOPS, h=1),
             "lag": trace(joint.lag, before=2, within=2, after=2, h=1, x=ALL_STATES),
             "rates": trace(joint.rates, x=ALL_STATES, z=STOPS, base=3, u=2),
             "finish": trace(joint.finish, base=3, x=ALL_STATES, z=STOPS),
@@ -104,7 +105,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
 
 
 class _Joint:
-    """How the joint moves between its instruments; `base` is (q, τ, β) where a step started."""
+    """Motion of the joint between its instruments; `base` is (q, τ, β) where a step started."""
 
     def __init__(self, model: HybridModel) -> None:
         self.basis = model.joint.basis
@@ -180,7 +181,7 @@ class _Joint:
 
 
 def stop_operators() -> tuple[Variable, ...]:
-    """What the hysteresis of friction remembers."""
+    """States of the hysteresis of friction."""
     return tuple(Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS))
 
 

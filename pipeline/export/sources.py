@@ -113,7 +113,7 @@ def function_source(subject: Subject) -> str:
 
 
 def variables(subject: Subject) -> dict[str, Any]:
-    """What the MAT file holds, all in SI."""
+    """Variables of the MAT file, all in SI."""
     v = subject.validity
     run = subject.model.simulate(subject.t, subject.v, *subject.start)
     arrays: dict[str, Any] = {

@@ -289,7 +289,7 @@ def _of_places(
 
 
 def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
-    """Whether an input that looks like noise, as one does that is drawn anew for each sample, moves q all the same.
+    """True if an input that looks like noise, such as one drawn anew for each sample, still moves q.
 
     The second differences of q are regressed on place, way and input; Student's t of the input decides, beyond `REACH`.
     """

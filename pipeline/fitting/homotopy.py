@@ -67,7 +67,7 @@ class HomotopyFit:
 
     @property
     def converged(self) -> bool:
-        """Whether the cost had stopped falling at the last level, or at the one at which a chaotic device stays."""
+        """True if the cost stopped falling at the last level, or at the level at which a chaotic device stays."""
         return (self.reached_last or self.chaotic) and self.levels[-1].converged
 
 

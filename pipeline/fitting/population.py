@@ -28,7 +28,7 @@ FALSE_ALARMS = 1.0 / 40.0
 
 
 class Information(NamedTuple):
-    """What the logs of one member show of θ to second order: precision Λ (P, P), and Λ times the best θ (P,)."""
+    """Information of one member's logs on θ to second order: precision Λ (P, P), and Λ times the best θ (P,)."""
 
     precision: FloatArray
     vector: FloatArray
@@ -51,7 +51,7 @@ class NormalPopulation:
 
 @dataclass(frozen=True)
 class Shrinkage:
-    """How far the prior counts beside the members, in members; and the spreads at which distances are cut.
+    """Weight of the prior in members, and the spreads at which distances are cut.
 
     Of twelve simulated joints each had logs that were exp(37) times as probable (mean of the exponent) under the others
     as under the prior; with 1 and 20 members exp(31), with 0.1 and 60 exp(40), but five members would then be too sure.
@@ -64,14 +64,14 @@ class Shrinkage:
 
 @dataclass(frozen=True)
 class Oddity:
-    """How one member differs most from the others, if one entry of θ alone is odd.
+    """Largest deviation of one member from the others, if one entry of θ alone is odd.
 
     Attributes
     ----------
     entry : int
         Of θ.
     size, error : float
-        How far that entry is from what the others let expect, and the standard error.
+        Deviation of that entry from its expectation under the others, and the standard error.
     odd : bool
         Whether that is farther than chance explains, with the bound `FALSE_ALARMS` for a usual member.
     """
@@ -148,7 +148,7 @@ def _variance_within(cut: float) -> float:
 
 
 def without_each(
-    members: Sequence[Information], prior: NormalPopulation, whole: NormalPopulation, shrinkage: Shrinkage | None = None
+    members: Sequence[Information], prior: NormalPopulation, whole: NormalPopulation
 ) -> Iterator[NormalPopulation]:
     """For each member the population of all the others; `whole` is that of all. Cost: `MORE_ROUNDS` steps for each.
 
@@ -160,12 +160,10 @@ def without_each(
         What is believed without them.
     whole : NormalPopulation
         The population of all: where the estimation starts.
-    shrinkage : Shrinkage, optional
-        How far the prior counts.
     """
     for i in range(len(members)):
         others = [*members[:i], *members[i + 1 :]]
-        yield estimate_population(others, prior, shrinkage, start=whole, rounds=MORE_ROUNDS)
+        yield estimate_population(others, prior, start=whole, rounds=MORE_ROUNDS)
 
 
 def log_evidence(member: Information, population: NormalPopulation) -> float:
@@ -178,7 +176,7 @@ def log_evidence(member: Information, population: NormalPopulation) -> float:
 
 
 def oddity(member: Information, others: NormalPopulation, count: int, entries: Sequence[int]) -> Oddity:
-    """What of a member is odd beside `count` others, among these `entries` of θ.
+    """Oddest of these `entries` of θ in one member beside `count` others.
 
     The score of one entry of θ, moved alone, over its standard deviation, which Student's t with count − 1 degrees of
     freedom bounds for all these entries together (Bonferroni). With Λ and h of the member and the population
@@ -187,11 +185,11 @@ def oddity(member: Information, others: NormalPopulation, count: int, entries: S
     Parameters
     ----------
     member : Information
-        What its logs show.
+        Information of its logs.
     others : NormalPopulation
         The population of the others.
     count : int
-        How many others there are.
+        Number of the others.
     entries : sequence of int
         Places in θ that may be odd.
     """

@@ -50,7 +50,7 @@ def whiteness(residual: FloatArray) -> Whiteness:
 
 
 def surely_smaller(errors: FloatArray, reference: FloatArray) -> bool:
-    """Whether the mean square of `errors` is smaller than that of `reference` by more than a standard error.
+    """True if the mean square of `errors` is significantly smaller than that of `reference`.
 
     The test of Diebold and Mariano (1995, doi:10.1080/07350015.1995.10524599): the mean difference of the squares over
     its standard error, in which N samples count as N/τ for their autocorrelation time τ, as neighbours err together,

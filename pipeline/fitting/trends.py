@@ -25,7 +25,7 @@ _WALKS = np.concatenate([[0.0], np.geomspace(1e-3, 1e4, 57)])
 
 @dataclass(frozen=True)
 class Trend:
-    """How a quantity changes.
+    """Change of a quantity over time.
 
     Attributes
     ----------

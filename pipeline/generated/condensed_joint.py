@@ -36,6 +36,10 @@ STATES = 15
 
 ELEMENT_STATES = (('creep_0', 'm'), ('creep_1', 'm'), ('softening', '1'))
 
+SHAPE = range(0, 6, 2)
+
+SHAPE_RATES = range(1, 6, 2)
+
 FIRST_STRAIN = 6
 
 QUARTICS = ('qqqq', 'qqqt', 'qqqb', 'qqtt', 'qqtb', 'qqbb', 'qttt', 'qttb', 'qtbb', 'qbbb', 'tttt', 'tttb', 'ttbb',

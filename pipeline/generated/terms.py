@@ -1,4 +1,4 @@
-"""Terms of the models of which each run has as many as it needs: see the laws of the same names.
+"""Terms of the models of which each run has as many as it needs: see the functions of the same names.
 
 Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not edited.
 """

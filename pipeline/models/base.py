@@ -56,7 +56,7 @@ class DynamicModel(Protocol):
 
     @property
     def fine_voltages(self) -> bool:
-        """Whether it takes voltages between the samples, of shape (N, r, n_inputs), where they are known."""
+        """True if the model takes voltages between the samples, of shape (N, r, n_inputs), where they are known."""
 
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Simulate freely from ``(q0, qdot0)``, with hidden states as after a long rest at the first sample.

@@ -262,7 +262,7 @@ def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:
 
 
 def _surely(errors: list[HorizonError], others: list[HorizonError]) -> bool:
-    """Whether errors are surely smaller than others somewhere, and surely larger nowhere."""
+    """True if errors are surely smaller than others somewhere, and surely larger nowhere."""
     pairs = [(a, b) for a, b in zip(errors, others, strict=True) if a.interval and b.interval]
     smaller = any(a.interval.high < b.interval.low for a, b in pairs if a.interval and b.interval)
     larger = any(a.interval.low > b.interval.high for a, b in pairs if a.interval and b.interval)

@@ -52,7 +52,7 @@ class Tubes:
     other_high: FloatArray
 
     def hold(self, q: FloatArray) -> BoolArray:
-        """Whether samples of q [m or rad], shape (N,), lie in one of the tubes."""
+        """Mask of the samples of q [m or rad], shape (N,), that lie in one of the tubes."""
         inside = (q >= self.low) & (q <= self.high)
         return np.asarray(inside | ((q >= self.other_low) & (q <= self.other_high)))
 
@@ -117,7 +117,7 @@ def _spread(free: FloatArray, ensemble: FloatArray, floor: float, apart: float) 
 
 
 class Start(NamedTuple):
-    """What a free run over a part of a log is made with: times [s], voltages [V] as fine as the model takes them, and
+    """Input of a free run over a part of a log: times [s], voltages [V] as fine as the model takes them, and
     the state [m, m/s] ([rad, rad/s] for an angle) at the first of these rows.
     """
 
@@ -187,10 +187,10 @@ def wanted_tubes(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel
 
 
 def start_of(part: Log, model: DynamicModel) -> Start:
-    """Where a free run of a model over a part of a log starts, whatever is simulated from there.
+    """Start of a free run of a model over a part of a log.
 
-    At rest the velocity is the measured one or the derivative. Where it begins in motion a derivative at its edge is
-    poor, and a free run carries its error on: then it is the velocity with which the model follows the first samples.
+    At rest the velocity is the measured one or the derivative. Where the part begins in motion, the derivative at the
+    edge is poor. Then it is the velocity with which the model follows the first samples best.
     """
     v = part.drive_of(fine=model.fine_voltages)
     qdot0 = followed_velocity(part, v, model) if part.begins_in_motion else float(part.qdot[0])

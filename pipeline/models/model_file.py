@@ -241,7 +241,7 @@ def read_part(part: type[PartT], tree: Mapping[str, Any], name: str, command: st
 
 
 def tree_of(part: Any) -> dict[str, Any]:
-    """What `read_part` reads: a dictionary of arrays, numbers and texts."""
+    """Dictionary of arrays, numbers and texts, from which `read_part` restores the part."""
     if isinstance(part, JointParameters):
         return {name: part.value(name) for name in VECTOR_NAMES}
     fields = type(part).__pydantic_fields__

@@ -16,7 +16,7 @@ from ..settings.prototype import Compare, Identify
 from ..signals.log import Log
 from ..store.trees import read_tree
 from ..system.package import object_at
-from ..system.progress import OnProgress, silent
+from ..system.worker_pool import OnProgress, silent
 from ..units.units import SiUnit
 from .base import DynamicModel
 

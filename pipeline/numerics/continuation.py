@@ -23,7 +23,7 @@ LONGEST = 0.02
 
 @dataclass(frozen=True)
 class SpecialPoint:
-    """Where the number of equilibria changes: a fold, or a branch point (pitchfork)."""
+    """Point at which the number of equilibria changes: a fold, or a branch point (pitchfork)."""
 
     kind: Literal["fold", "branch point"]
     parameter: float

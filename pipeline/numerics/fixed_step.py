@@ -98,7 +98,7 @@ def _first_states(system, x, j, width):
 
 
 class Methods(NamedTuple):
-    """How systems of one type move: functions with the arguments of those above, by the same names."""
+    """Functions that move the systems of one type, with the names and arguments of those above."""
 
     begin: Callable[..., None]
     rates: Callable[..., None]
@@ -151,7 +151,7 @@ def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
 
 
 def workspace(x: FloatArray) -> FloatArray:
-    """What `integrate` works in for a state x (S,), shape (4, S)."""
+    """Workspace of `integrate` for a state x (S,), shape (4, S)."""
     return np.zeros((4, len(x)))
 
 

@@ -1,4 +1,4 @@
-"""Where numba keeps compiled kernels: a folder for each state of the package's sources, checked before it is used.
+"""Cache of numba's compiled kernels: a folder for each state of the package's sources, checked before it is used.
 
 numba compares only the file that defines a kernel, and runs the files of its cache without a check. So a folder that
 others can write to is refused, and a digest beside each file shows whether the file is whole. A file without its digest
@@ -57,7 +57,7 @@ def kernel_folder() -> Path | None:
 
 
 def has_kernels() -> bool:
-    """Whether any machine code is in the folder."""
+    """True if any machine code is in the folder."""
     folder = kernel_folder()
     return folder is not None and bool(_kernels(folder))
 

@@ -40,7 +40,7 @@ Z_V = Z_Q + INTERNAL * RITZ
 Z_Z = Z_V + INTERNAL * RITZ
 R_S = Z_Z + INTERNAL
 SLOPES = R_S + RITZ * 2
-"""Where the blocks of `motion_slopes` begin: r_q, r_v (4, 4), r_z (4, 3), z_q, z_v (3, 4), z_z (3,), r_s (4, 2)."""
+"""Offsets of the blocks of `motion_slopes`: r_q, r_v (4, 4), r_z (4, 3), z_q, z_v (3, 4), z_z (3,), r_s (4, 2)."""
 
 
 class Method(NamedTuple):
@@ -106,16 +106,16 @@ SDIRK3 = _alexander()
 
 
 class Work(NamedTuple):
-    """What a step of s stages in P columns is computed in.
+    """Workspace of a step of s stages in P columns.
 
     Attributes
     ----------
     y : FloatArray, shape (s, STATES · P)
-        What the stages solve for.
+        Unknowns of the stages.
     at, right : FloatArray, shape (STATES · P,)
         State at a stage, and its right-hand side.
     push : FloatArray, shape (4 P,)
-        What of the right-hand side of the velocities is multiplied by the mass matrix already.
+        Part of the velocities' right-hand side that is already multiplied by the mass matrix.
     mass, slopes : FloatArray, shapes (4, 4) and (SLOPES,)
         The stage's matrices, as `motion` and `motion_slopes` of `pipeline.generated.analytical_joint` give them.
     factors, pivots : shapes (4, 4) and (4,)

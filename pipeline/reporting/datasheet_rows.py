@@ -5,9 +5,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..diagnostics.facts.calibrated import Calibrated, calibrated
-from ..diagnostics.facts.datasheet import Datasheet, DatasheetFact, is_refused
-from ..diagnostics.facts.run_data import RunData
+from ..diagnostics.calibrated import Calibrated, calibrated
+from ..diagnostics.datasheet import Datasheet, DatasheetFact, is_refused
+from ..diagnostics.run_data import RunData
 from ..store.columns import FACT_COLUMNS, STABLE, FactColumn
 from ..units.quantity import interval, percent, power, quantity, scale, significant
 
@@ -124,7 +124,7 @@ def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
 
 
 def structure_summary(data: RunData, sheet: Datasheet) -> str:
-    """Which model the main model is, why, how many basis functions act, and what they change."""
+    """Sentences on the main model: its type, the reason, the count of its basis functions and their effect."""
     description = data.descriptions.get(sheet.main_model, {})
     count = description.get("basis_functions")
     if count is None:

@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..diagnostics.facts.calibrated import AmongSiblings, places_among
-from ..diagnostics.facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
-from ..diagnostics.facts.data_quality import centre_visits
-from ..diagnostics.facts.datasheet import Datasheet
-from ..diagnostics.facts.phase_plane import (
+from ..diagnostics.calibrated import AmongSiblings, places_among
+from ..diagnostics.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
+from ..diagnostics.data_quality import centre_visits
+from ..diagnostics.datasheet import Datasheet
+from ..diagnostics.phase_plane import (
     BASIN_TIME,
     OUTCOMES,
     basin_map,
@@ -19,13 +19,13 @@ from ..diagnostics.facts.phase_plane import (
     unforced,
     visited_range,
 )
-from ..diagnostics.facts.run_data import Columns, RunData, Study
+from ..diagnostics.run_data import Columns, RunData, Study
 from ..numerics.arrays import BoolArray, FloatArray
 from ..numerics.metrics import NORMAL_95
 from ..signals.log import voltages
 from ..units.quantity import power, prefixed, quantity
 from .datasheet_rows import NOT_USED
-from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points, error_bars
+from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points, error_bars, rows_panel
 from .instrument_table import instruments_figure
 from .log_figures import residual_figures
 from .recipe_figures import study_figure
@@ -64,11 +64,8 @@ def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
     half = NORMAL_95 * np.array([p.error for p in places])
     bars = error_bars("what its logs leave open (95 %)", at, half, rows)
     usual = np.array([-NORMAL_95, NORMAL_95])
-    band = Band("95 % of siblings", "reference", usual, np.full(2, -0.5), np.full(2, len(at) - 0.5))
-    panel = Panel(
-        "", "1", (bars,), (band,), (Points("this joint", "measured", at, rows),),
-        y_limits=(-0.6, len(at) - 0.4), names=tuple(place.name for place in reversed(places)),
-    )  # fmt: skip
+    points = (Points("this joint", "measured", at, rows),)
+    panel = rows_panel([place.name for place in reversed(places)], bars, "95 % of siblings", usual, points)
     caption = (
         "The quantities that the siblings know best. Where the siblings were the prior of the fit, it has drawn the "
         "joint towards them."
@@ -93,7 +90,7 @@ def _study(data: RunData, study: Study) -> Figure:
 
 
 def _electrostatic(data: RunData, squared: bool) -> bool:
-    """Whether an input's force is half the slope of a capacitance: that of a squared voltage on a known mass."""
+    """True if the inputs are squared voltages on a known mass: their force is half the slope of a capacitance."""
     return squared and data.device.inputs[0].symbol == "V" and data.device.known_mass is not None
 
 
@@ -174,9 +171,9 @@ def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) ->
 
 
 def _frame(curves: Sequence[_Curve], visited: tuple[float, float], *, widened: bool) -> tuple[float, float]:
-    """What of the vertical axis is drawn: the visited part of the main model's band and a margin.
+    """Limits of the vertical axis: the visited part of the main model's band and a margin.
 
-    It is `widened` by the central part of every other curve that is not too far away for the main model to be read.
+    They are `widened` by the central part of every other curve that is not too far away for the main model to be read.
     """
     inner = curves[0].inner(visited)
     bottom = float(curves[0].low[inner].min())

@@ -13,6 +13,7 @@ from ..numerics.arrays import FloatArray, IntArray
 from ..units.quantity import power, significant
 
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
+_ROOM = 0.1  # rows, above and below
 MARGIN = 0.04  # of the range of y, above and below
 
 # Origin of a line: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
@@ -148,6 +149,28 @@ class Panel:
     names: tuple[str, ...] = ()
 
 
+def rows_panel(names: Sequence[str], bars: Line, usual: str, within: FloatArray, points: Sequence[Points]) -> Panel:
+    """A panel with a row for each quantity, and behind the rows what is usual.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the quantities, from below.
+    bars : Line
+        From :func:`error_bars`.
+    usual : str
+        What the area behind the rows is.
+    within : FloatArray, shape (2,)
+        Its limits.
+    points : sequence of Points
+        Marks on the rows.
+    """
+    edges = np.full(2, -0.5), np.full(2, len(names) - 0.5)
+    band = Band(usual, "reference", within, *edges)
+    ends = (-0.5 - _ROOM, len(names) - 0.5 + _ROOM)
+    return Panel("", "1", (bars,), (band,), tuple(points), y_limits=ends, names=tuple(names))
+
+
 @dataclass(frozen=True)
 class Figure:
     """Panels over one another with one horizontal axis.
@@ -237,7 +260,7 @@ def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> F
     """The figure with the lines of the `wanted` ones of all `models`, and with all lines of no model."""
 
     def kept(role: Role) -> bool:
-        """Whether what has this role stays."""
+        """True if lines and areas of this role stay."""
         return role not in models or role in wanted
 
     panels = tuple(
@@ -253,12 +276,12 @@ def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> F
 
 
 def is_path(line: Line) -> bool:
-    """Whether the line is a path in a plane, whose x goes back and forth."""
+    """True if the line is a path in a plane, whose x goes back and forth."""
     return bool(np.any(np.diff(line.x) <= 0.0))
 
 
 def line_kind(line: Line) -> Literal["line", "wide", "trace"]:
-    """How strong a line is drawn; paths in a plane, which cross themselves, are the finest."""
+    """Strength of a line; paths in a plane, which cross themselves, are drawn finest."""
     return "wide" if line.wide else "trace" if is_path(line) else "line"
 
 
@@ -361,7 +384,7 @@ def slot_dashes(name: str) -> tuple[float, ...]:
 
 @dataclass(frozen=True)
 class Style:
-    """What is drawn, and the colour class (`pipeline.reporting.figure.slot`) of whom it shows."""
+    """Look of a line or area, with the colour class (`pipeline.reporting.figure.slot`) of its model or log."""
 
     kind: Kind
     slot: str = ""

@@ -26,7 +26,7 @@ WIDE = 20.0
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """What the page shows of one prototype of a fleet.
+    """Entries of one prototype on the fleet's page.
 
     Attributes
     ----------
@@ -219,7 +219,7 @@ def _listed(members: Sequence[Summary], quantities: Sequence[FleetColumn]) -> li
 
 
 def _varies(q: FleetColumn) -> bool:
-    """Whether there is a distribution to draw: as many values as an outlier needs, of which two differ."""
+    """True if a distribution can be drawn: as many values as an outlier needs, of which two differ."""
     finite = q.values[np.isfinite(q.values)]
     return finite.size >= LEAST_VALUES and bool(np.ptp(finite) > 0.0)
 
@@ -231,7 +231,7 @@ def _validated(q: FleetColumn, members: Sequence[Summary]) -> FleetColumn:
 
 
 def outliers(values: np.ndarray[tuple[int], np.dtype[np.float64]]) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-    """Which values lie further from the median than 3.5 robust standard deviations, shape (n,)."""
+    """Mask of the values further from the median than 3.5 robust standard deviations, shape (n,)."""
     finite = values[np.isfinite(values)]
     if finite.size < LEAST_VALUES:
         return np.zeros(values.size, dtype=np.bool_)

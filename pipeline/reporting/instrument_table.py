@@ -1,4 +1,4 @@
-"""What the instruments of the logs read, for people: a table of what is beyond its limit, and a figure of all."""
+"""Errors of the logs' instruments for readers: a table of those beyond their limit, and a figure of all."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -7,25 +7,25 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics.facts.series import READINGS
 from ..diagnostics.instruments import SIGNIFICANCE
 from ..diagnostics.sentences import correction_text
+from ..diagnostics.series import READINGS
 from ..settings.logs import LogPart
 from ..system.names import log_title
 from ..units.quantity import quantity
-from .figure import Band, Figure, Panel, Points, error_bars
+from .figure import Figure, Points, error_bars, rows_panel
 
 Row = Mapping[str, Any]
 Parts = Mapping[tuple[str, str], LogPart]
 
 RELATIVE = "Errors are relative to the training logs: where one of those is wrong, correct it instead."
 
-ONE_OF_TWO = "Two training logs differ: correct one of them, not both."
+ONE_OF_THEM = "Training logs differ: correct one of them, the farthest off, and run again."
 
 
 @dataclass(frozen=True)
 class InstrumentTable:
-    """What is beyond its limit.
+    """Instruments beyond their limit.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class InstrumentTable:
     explanation : str
         The sentence below them.
     entries : tuple of str
-        What to write in [logs], a line of settings for each log that is off.
+        Lines of settings to write in [logs], one for each log that is off.
     """
 
     rows: tuple[tuple[str, ...], ...]
@@ -71,8 +71,8 @@ def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> In
     if not lines:
         limits = ", ".join(f"{_name(r)} {_shown(r, 'limit', displacement)}" for r in rows[: _count(rows)])
         return InstrumentTable((), f"Instruments: no reading is off by more than its limit ({limits}).")
-    pair = [row["log"] for row in rows if row["role"] == "train" and row["beyond"]]
-    explanation = f"{RELATIVE} {ONE_OF_TWO}" if len(set(pair)) == 2 else RELATIVE
+    differing = {row["log"] for row in rows if row["role"] == "train" and row["beyond"]}
+    explanation = f"{RELATIVE} {ONE_OF_THEM}" if len(differing) > 1 else RELATIVE
     return InstrumentTable(tuple(lines), explanation, tuple(entries))
 
 
@@ -118,7 +118,7 @@ def _shown(row: Row, key: str, displacement: str, error: float | None = None) ->
 
 
 def entry(part: LogPart, rows: Sequence[Row], displacement: str) -> str:
-    """What to write in place of the log in [logs]: what stands there, with the corrections of what is beyond."""
+    """Corrected entry of the log for [logs]: the present one, with the corrections of instruments beyond limits."""
     texts = {
         row["quantity"]: correction_text(row["quantity"], row["correction"], displacement)
         for row in rows
@@ -156,12 +156,9 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     at = np.array([row["estimate"] for row in measured]) / limits
     half = SIGNIFICANCE * np.array([row["standard_error"] for row in measured]) / limits
     bars = error_bars(f"± {SIGNIFICANCE:g} standard errors", at, half, y)
-    band = Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5))
     points = [Points("a log", "measured", at[~beyond], y[~beyond])]
     points += [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
-    panel = Panel(
-        "", "1", (bars,), (band,), tuple(points), y_limits=(-0.6, len(names) - 0.4), names=tuple(names)
-    )  # fmt: skip
+    panel = rows_panel(names, bars, "limit", np.array([-1.0, 1.0]), points)
     caption = f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}"
     return Figure(
         "instruments", "Instruments of the logs", caption, "error of the reading over its limit", "1", (panel,),

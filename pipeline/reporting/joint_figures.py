@@ -19,6 +19,9 @@ COLOURED = ("first", "second", "both", "fourth", "fifth")
 _ROLES = {"off": "measured", "left": "v1", "right": "v2"}
 """Without voltage black; the left and the right membrane have their colours in all figures."""
 _STATES = {"off": "no voltage", "left": "left on", "right": "right on", "both": "both on"}
+_SHOWN = (-0.018, 0.018)
+_HIGHEST = 0.01
+"""Displacements and largest height of the screws [m] in the diagrams of equilibria."""
 PATH_REACH = 0.02
 PATH_DEGREE = 9
 """Displacement [m] to which figure 6b reaches, and the degree of its polynomials."""
@@ -46,12 +49,12 @@ def _equilibria(result: "Characteristics") -> Panel:
         for line in _by_stability(_STATES[state], _role(state), branch.q, branch.parameter, branch.stable)
     ]
     for text, limit in (("bistable from", result.z_b_min), ("switchable to", result.z_b_max)):
-        if limit is not None and limit <= 0.01:
-            ends = np.array([-0.018, 0.018])
+        if limit is not None and limit <= _HIGHEST:
+            ends = np.array(_SHOWN)
             lines.append(
                 Line(f"{text} z_b = {prefixed(limit, 'm', 2)} mm", "reference", ends, np.full(2, limit), "solid")
             )
-    return Panel("z_b", "m", tuple(lines), x_limits=(-0.018, 0.018), y_limits=(0.0, 0.01))
+    return Panel("z_b", "m", tuple(lines), x_limits=_SHOWN, y_limits=(0.0, _HIGHEST))
 
 
 def _force(result: "Characteristics", *states: str) -> Panel:

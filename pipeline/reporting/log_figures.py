@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..diagnostics.facts.events import input_steps, voltage_switches
-from ..diagnostics.facts.residual_analysis import Residual, main_residual
-from ..diagnostics.facts.run_data import LogData, RunData, judged_log
+from ..diagnostics.events import input_steps, voltage_switches
+from ..diagnostics.residual_analysis import Residual, main_residual
+from ..diagnostics.run_data import LogData, RunData, judged_log
 from ..numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
 from ..scoring.scores import fit_note
 from ..scoring.wells import NoWells, Wells, snaps
@@ -56,7 +56,7 @@ def _timeline(
 
 
 def _unknown(log: LogData, t: FloatArray) -> BoolArray:
-    """Which of the times lie where the inputs of a log are not known."""
+    """Mask of the times at which the inputs of a log are not known."""
     return unknown_rows(t, log.record_notes.get(UNKNOWN, ()))
 
 

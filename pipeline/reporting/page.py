@@ -120,7 +120,7 @@ def json_for_script(document: Any) -> Markup:
 
 
 def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, Any]:
-    """What the viewer's script reads: figures, and every distinct series once, in SI."""
+    """Data of the viewer's script: figures, and every distinct series once, in SI."""
     series: dict[str, Any] = {}
     names: dict[bytes, str] = {}
 

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from ..device.parameters import QUANTITIES, JointParameters
-from ..diagnostics.facts.run_data import RunData
+from ..diagnostics.run_data import RunData
 from ..units.quantity import prefixed
 from ..units.units import SIGNALS, to_si
 from .page import render
@@ -41,7 +41,7 @@ CORRECTIONS = (
     ("eq. 37", "½ g v² with g = ½ ∂C/∂q", "g v²", "the ½ stands once (eqs. 33, 40)"),
     ("Table 2", "columns q, φ, q, q", "q, φ, q̇, q̈", "dots lost"),
 )
-"""Where the print is not followed; the derivations stand in docs/explanation/analytical-model.md."""
+"""Corrections of the print; docs/explanation/analytical-model.md derives them."""
 
 NOT_DRAWN = "Figures 1a, 2, 9 and 10 are drawings and photographs of the device, the network and the rig."
 

@@ -95,7 +95,7 @@ def _style() -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Look:
-    """How a figure is set.
+    """Typography and size of a figure.
 
     Attributes
     ----------

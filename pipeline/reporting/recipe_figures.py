@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from ..diagnostics.facts.run_data import LogData
+from ..diagnostics.run_data import LogData
 from ..numerics.arrays import FloatArray
 from ..signals.differentiate import AlphaStudy
 from ..store.columns import StudyName
@@ -58,7 +58,7 @@ def basis_study_figure(
     here = (columns["basis_functions"] == chosen[0]) & (columns["smoothing"] == chosen[1])
     x = columns["basis_functions"][here]
     values = ("mse", "condition", "nrmse")
-    factors = {"nrmse": 100.0}
+    factors = {"nrmse": PERCENT}
     panels = tuple(
         replace(
             panel, points=(Points("the recipe", "measured", x, factors.get(key, 1.0) * columns[key][here], "ring"),)
@@ -73,8 +73,8 @@ def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
     chosen = np.isclose(study.alphas, recipe)
     order = np.argsort(chosen, kind="stable")  # the chosen one over the others
     velocities = tuple(
-        Line(f"α = {study.alphas[i]:g} mm·s", "v2" if chosen[i] else _OTHERS[k % 4], t, study.qdot[i], "solid",
-             wide=bool(chosen[i]))
+        Line(f"α = {study.alphas[i]:g} mm·s", "v2" if chosen[i] else _OTHERS[k % len(_OTHERS)], t, study.qdot[i],
+             "solid", wide=bool(chosen[i]))
         for k, i in enumerate(order)
     )  # fmt: skip
     panels = [Panel("q̇", "m/s", velocities, x=("t", "s"))]
@@ -140,7 +140,7 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
         return tuple(
             Line(
                 f"σₙ = {value:g}",
-                roles[i % 4],
+                roles[i % len(roles)],
                 columns["basis_functions"][rows],
                 values[key][rows],
                 dash="dashed" if i > 1 else "role",

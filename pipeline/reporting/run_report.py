@@ -5,10 +5,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from ..diagnostics.facts.datasheet import Datasheet
-from ..diagnostics.facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
-from ..diagnostics.facts.run_data import WHY, RunData, judged_log
-from ..diagnostics.rows import CheckRow, beside
+from ..diagnostics.check import CheckRow, beside
+from ..diagnostics.datasheet import Datasheet
+from ..diagnostics.grades import OF_WELLS, THRESHOLDS, Check, Threshold
+from ..diagnostics.run_data import WHY, RunData, judged_log
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
 from ..units.quantity import short
@@ -117,7 +117,7 @@ def _subtitle(data: RunData) -> str:
 
 
 def _log_checks(data: RunData) -> dict[str, Any]:
-    """What the check of the logs against the settings found, side by side."""
+    """Findings of the check of the logs against the settings, side by side."""
     rows = [CheckRow(**row) for row in data.log_checks]
     header, table = beside(rows)
     return {"header": header, "rows": table, "remarks": [row.remark for row in rows if row.state == "note"]}

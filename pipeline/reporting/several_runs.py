@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..diagnostics.facts.series import Series, SeriesFact
+from ..diagnostics.series import Series, SeriesFact
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_95
 from ..units.quantity import quantity
@@ -19,7 +19,7 @@ CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", 
 
 @dataclass(frozen=True)
 class DiffTable:
-    """What differs in one part: its title, the heading of its keys, and a row of texts for each key."""
+    """Differences in one part: its title, the heading of its keys, and a row of texts for each key."""
 
     title: str
     head: str
@@ -28,7 +28,7 @@ class DiffTable:
 
 @dataclass(frozen=True)
 class DrawnRun:
-    """What is drawn of a run.
+    """Curves and logs of one run in a figure.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class DrawnRun:
     displacement : str
         Unit of q.
     q : FloatArray, shape (n,)
-        Where the curves are given.
+        Displacements at which the curves are given.
     curves : mapping of str to FloatArray, shape (n,)
         F, d, dC1_dq, dC2_dq of the main model, as far as it has them.
     units : mapping of str to str
@@ -98,7 +98,7 @@ def series_rows(series: Series) -> list[tuple[str, ...]]:
 
 
 def change(fact: SeriesFact, unit: str) -> str:
-    """What is claimed of a fact, in words; `unit` is that of the time."""
+    """Trend of a fact in words; `unit` is that of the time."""
     trend = fact.trend
     large = float(np.abs(fact.values).max())
     if trend.kind == "unknown" or trend.slope is None:

@@ -117,7 +117,7 @@ class NrmseTable:
 
     @property
     def explanation(self) -> str:
-        """What its columns mean."""
+        """Meaning of the columns."""
         notes = [*notes_of(self.extras), *notes_on(row.model for row in self.rows)]
         return " ".join([_ERRORS if self.signals else _HORIZONS, *notes])
 
@@ -320,7 +320,7 @@ class MainTable:
 
     @property
     def explanation(self) -> str:
-        """What its columns mean; that of errors is a line of its own."""
+        """Meaning of the columns; that of errors is a line of its own."""
         errors = "NRMSE in % of the measured range, free run from the first sample, worst log."
         notes = [*notes_of(self.extras), *notes_on(row[0] for row in self.rows)]
         return "\n".join(part for part in (errors, " ".join(notes)) if part)

@@ -10,6 +10,7 @@ from ..numerics.compiled import compiled, inner
 from .joint import simulate
 from .parameters import RigParameters
 
+RATE = 30_000.0  # Hz, of the logs
 _POWER_FLOOR = 100.0  # V: below this the current limit, not the power limit, holds
 
 
@@ -193,7 +194,7 @@ class Bench:
         Time constant [s] with which each membrane charges through its electrodes; 0: at once.
     """
 
-    rate: float = 30_000.0
+    rate: float = RATE
     converters: tuple[Converter, Converter] = (Converter(), Converter())
     laser: Laser = field(default_factory=Laser)
     probes: tuple[Probe, Probe] = (Probe(), Probe())
@@ -206,7 +207,7 @@ class Bench:
 
 @dataclass(frozen=True)
 class Readings:
-    """What the instruments show in one experiment, each of shape (N,): t [s], q [m], v1 (left) and v2 (right) [V]."""
+    """Readings of the instruments in one experiment, each of shape (N,): t [s], q [m], v1 (left) and v2 (right) [V]."""
 
     t: FloatArray
     q: FloatArray
@@ -229,7 +230,7 @@ class BenchRecord(Readings):
     true_v2: FloatArray
 
 
-def random_bench(rng: np.random.Generator, *, rate: float = 30_000.0, charging: float = 0.0) -> Bench:
+def random_bench(rng: np.random.Generator, *, rate: float = RATE, charging: float = 0.0) -> Bench:
     """A bench with its own converters and instrument errors, and the given electrodes."""
 
     def converter() -> Converter:

@@ -39,8 +39,8 @@ from .parameters import (
 )
 
 # Six Gauss points on [0, 1]: exact for the bending energy, a polynomial of degree ten.
-_NODES = 0.5 * (np.polynomial.legendre.leggauss(6)[0] + 1.0)
-_WEIGHTS = 0.5 * np.polynomial.legendre.leggauss(6)[1]
+_AT, _SHARES = np.polynomial.legendre.leggauss(6)
+_NODES, _WEIGHTS = 0.5 * (_AT + 1.0), 0.5 * _SHARES
 
 
 @compiled
@@ -110,7 +110,7 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
     l = p.length
     if p.beam == RITZ:
         squared = 0.0
-        row = np.zeros(4)
+        row = np.zeros(n)
         row[3] = l
         for j in range(3):
             for k in range(3):
@@ -120,9 +120,9 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
                 matrix[j, k] = p.line_inertia * l * b + p.line_density * l**3 / (j + k + 5) + p.mass * l * l
             matrix[j, 3] = matrix[3, j] = 0.0
         matrix[3, 3] = 0.0
-        for j in range(4):
+        for j in range(n):
             bias[j] = -p.mass * row[j] * l * squared
-            for k in range(4):
+            for k in range(n):
                 matrix[j, k] += p.mass * row[j] * row[k]
         return
     link = l / n

@@ -14,6 +14,7 @@ from .log import LAYOUTS
 
 Shape = Literal["pulse", "chirp", "steps", "multisine"]
 
+DURATION = 37.5  # s, of a log
 MAX_VOLTAGE = 3000.0  # V: 60 V/µm across 50 µm of film (§2)
 STEP_HOLD = 0.12  # s, shortest hold of a random step: the converter settles, the joint does not
 MULTISINE_LINES = 8
@@ -26,7 +27,7 @@ SHARES: dict[str, dict[BurstKind, float]] = {
     "training": {"pulse": 0.86, "both": 0.1, "chirp": 0.04},
     "validation": {"pulse": 0.72, "both": 0.16, "chirp": 0.12},
 }
-"""How often each kind of burst stands in three prototypes' logs, as do the shares below: 6 logs of 20 to 27 bursts."""
+"""Share of each type of burst in the logs of three prototypes (6 logs of 20 to 27 bursts), as the shares below."""
 EXCITATIONS = ("pulses", "chirps", "both", "steps", "multisine", "mixed", *SHARES, "alternating")
 """Excitations of a log: half of its bursts pulses and half of one kind, all kinds alike, or as in the logs of
 prototypes; "alternating" is `switching_pulses`."""
@@ -88,14 +89,14 @@ def _swing(burst: Burst, t: FloatArray) -> FloatArray:
     return np.asarray(np.clip(waves / np.sqrt(burst.frequencies.size), -1.0, 1.0))
 
 
-def alternating_pulses(*, duration: float = 37.5, rest: float = REST, voltage: float = MAX_VOLTAGE) -> list[Burst]:
+def alternating_pulses(*, duration: float = DURATION, rest: float = REST, voltage: float = MAX_VOLTAGE) -> list[Burst]:
     """Equal pulses, left and right in turn, with equal pauses: the plain sequence that designs are compared with."""
     starts = np.arange(rest, duration - PULSE, PULSE + PAUSE)
     sides = [(voltage, 0.0), (0.0, voltage)]
     return [Burst("pulse", float(start), PULSE, *sides[i % 2]) for i, start in enumerate(starts)]
 
 
-def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5, top: float = MAX_VOLTAGE) -> list[Burst]:
+def switching_pulses(rng: np.random.Generator, *, duration: float = DURATION, top: float = MAX_VOLTAGE) -> list[Burst]:
     """Full pulses, left and right in turn, of random lengths: the paper's experiment (figures 11 and 15).
 
     Pulses and pauses last 1 to 2 s, in which the joint nearly comes to rest.
@@ -111,7 +112,7 @@ def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5, top: f
 
 
 def random_excitation(
-    rng: np.random.Generator, *, duration: float = 37.5, excitation: str = "training", top: float = MAX_VOLTAGE
+    rng: np.random.Generator, *, duration: float = DURATION, excitation: str = "training", top: float = MAX_VOLTAGE
 ) -> list[Burst]:
     """Draw an experiment up to `top` [V]: a rest, then bursts and pauses until `duration` [s].
 
@@ -146,7 +147,7 @@ def random_excitation(
 
 
 def _shares(excitation: str) -> list[float]:
-    """How often each of `BURSTS` is drawn."""
+    """Probability of each of `BURSTS`."""
     if excitation == "mixed":
         return [1.0 / len(BURSTS)] * len(BURSTS)
     kind = excitation if excitation in BURSTS else excitation.removesuffix("s")

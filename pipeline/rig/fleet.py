@@ -17,8 +17,8 @@ from ..errors import InputError
 from ..settings.logs import Number, Role, SettingsTable, Whole
 from ..store.atomic import write_text
 from ..store.outputs import new_outputs, rebased
-from .bench import Bench, BenchRecord, Readings, random_bench, record
-from .excitation import EXCITATIONS, Sequence, command, load_sequence, random_excitation
+from .bench import RATE, Bench, BenchRecord, Readings, random_bench, record
+from .excitation import DURATION, EXCITATIONS, Sequence, command, load_sequence, random_excitation
 from .joint import wells
 from .log import LAYOUTS, Fault, FaultKind, inject_faults
 from .parameters import RigParameters, as_json, nominal, sized, table1
@@ -38,7 +38,7 @@ _EXCITATIONS: dict[Role, str] = {"train": "training", "validation": "validation"
 
 
 class ExperimentFile(SettingsTable):
-    """What is rare in an experiment: the TOML file of `debist rig simulate --experiment`."""
+    """Rare settings of an experiment: the TOML file of `debist rig simulate --experiment`."""
 
     training_logs: Whole = Field(default=1, ge=1, le=99)
     """Number of training logs."""
@@ -58,19 +58,19 @@ class ExperimentFile(SettingsTable):
     age_days: Number | None = Field(default=None, ge=0.0, le=1e5)
     """Age of the prototype: the same joint with other logs."""
     drift: Drift = Drift(capacitance_percent=-0.1, stiffness_percent=-0.05, charging_s=20e-6, laser_m=2e-6)
-    """What changes in a day, where there is an age."""
+    """Changes per day, where an age is given."""
 
 
 class Experiment(ExperimentFile):
-    """What to simulate."""
+    """Experiment to simulate."""
 
     kind: str = "same"
     """same, foreign, worn: drawn (`pipeline.rig.random_joint`); nominal, table1: the drawing itself."""
     format: str = "mat"
     """A name in `pipeline.rig.log.LAYOUTS`."""
-    rate: float = 30_000.0
+    rate: float = RATE
     """Samples per second [Hz]."""
-    duration: float = 37.5
+    duration: float = DURATION
     """Length of each log [s]."""
 
     @model_validator(mode="after")
@@ -236,8 +236,8 @@ def _logs(
 
 
 def _worth_keeping(measured: BenchRecord, bench: Bench) -> bool:
-    """Whether a log visits both wells often, in proportion to its length, and stays within the laser's range."""
-    wanted = _CROSSINGS * min(1.0, float(measured.t[-1]) / 37.5)
+    """True if a log visits both wells often, in proportion to its length, and stays within the laser's range."""
+    wanted = _CROSSINGS * min(1.0, float(measured.t[-1]) / DURATION)
     crossings = np.count_nonzero(np.diff(np.sign(measured.true_q)))
     return bool(crossings >= wanted and np.abs(measured.q).max() < bench.laser.rail)
 
@@ -262,7 +262,7 @@ def _write_truth(path: Path, measured: BenchRecord, rate: float) -> None:
 
 
 def moving_mass(joint: RigParameters) -> float:
-    """What a user would know of it: the drawing's, with the part of the beam that moves along [kg]."""
+    """Mass that a user would state [kg]: that of the drawing, with the part of the beam that moves along."""
     return joint.mass + _BEAM_SHARE * joint.line_density * joint.length
 
 

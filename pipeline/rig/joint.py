@@ -13,12 +13,13 @@ from .parameters import RITZ, RigParameters, coordinates
 
 _SETTLING, _SETTLING_STEP = 6.0, 2e-3  # s
 _PUSH = 3000.0  # V
+_CALMING = 4  # times the joint's own losses, while it settles
 _TILT = 0.16  # rad, of the tip in the first guess
 
 
 @dataclass(frozen=True)
 class Motion:
-    """What the joint did at every sample of the voltages.
+    """Motion of the joint at every sample of the voltages.
 
     Attributes
     ----------
@@ -80,9 +81,7 @@ def rest(p: RigParameters, *, side: int) -> FloatArray:
         plastic_share=np.zeros_like(p.plastic_share),
         softening=0.0,
         friction_shape=np.array([0.0, 1.0, 0.0, 0.0]),  # the laws divide by the second
-        bending_loss=4 * p.bending_loss,
-        hinge_loss=4 * p.hinge_loss,
-        kelvin_voigt=4 * p.kelvin_voigt,
+        **{name: _CALMING * getattr(p, name) for name in ("bending_loss", "hinge_loss", "kelvin_voigt")},
     )
     n = coordinates(p)
     shape = np.array([0.75, -1 / 6, 0.0, 0.0]) if p.beam == RITZ else (np.arange(n) + 1.0) / n

@@ -67,7 +67,7 @@ _RIG = (("Laser_q", "mm"), ("HV1_meas", "kV"), ("HV2_meas", "kV"))
 
 @dataclass(frozen=True)
 class Layout:
-    """How a rig of one make names its channels.
+    """Channel names and file format of one make of rig.
 
     Attributes
     ----------

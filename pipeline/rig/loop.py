@@ -29,13 +29,13 @@ GONE = 1.0
 FROZEN = 2.0
 """Marks of a laser that gives no value, and of one that gives its last."""
 GIVE = 0.3e-3
-"""How far [m] a wire gives way before it slides."""
+"""Distance [m] by which a wire gives way before it slides."""
 FINE = 10
 """Steps of a converter in a time step of the joint."""
 
 
 class Surroundings(NamedTuple):
-    """What lies between controller and joint, and what disturbs both.
+    """Converters and laser between controller and joint, and the disturbances of both.
 
     Attributes
     ----------
@@ -114,7 +114,7 @@ def _charge(
 
 @compiled
 def laser_reading(q: float, row: int, around: Surroundings) -> float:
-    """What the laser shows [m] of a displacement at a row of the log."""
+    """Reading of the laser [m] for a displacement at a row of the log."""
     if around.lost[row] == GONE:
         return np.nan
     reading = q + bent(q, around.linearity, around.rail, around.linearity_phase)
@@ -261,7 +261,7 @@ def played(t: FloatArray, u: FloatArray) -> Controller:
 
 @dataclass(frozen=True)
 class Scenario:
-    """What happens in a closed-loop run.
+    """Reference, disturbances and instruments of a closed-loop run.
 
     Attributes
     ----------
@@ -294,7 +294,7 @@ class Scenario:
     friction : float
         Factor on the joint's own friction.
     lost, frozen : tuple of (float, float)
-        Start and length [s] of stretches in which the laser gives no value, or its last one.
+        Start and length [s] of times in which the laser gives no value, or its last one.
     seed : int
         Draws the instruments' noise.
     """

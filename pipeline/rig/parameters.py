@@ -144,7 +144,7 @@ def sized(p: RigParameters, size: float) -> RigParameters:
 
 
 def coordinates(p: RigParameters) -> int:
-    """How many generalised coordinates the beam has."""
+    """Number of the beam's generalised coordinates."""
     return 4 if p.beam == RITZ else p.hinge_stiffness.size
 
 

@@ -185,7 +185,7 @@ def _tuned(p: RigParameters, target: float) -> RigParameters:
 
 
 def _switches(p: RigParameters) -> bool:
-    """Whether the wells lie apart and either side sends the joint over from the other.
+    """True if the wells lie apart and each voltage switches the joint to the well of its side.
 
     By pulses, and with a reserve by a voltage that rises slowly: an operator turns the screws until it does (§2).
     """

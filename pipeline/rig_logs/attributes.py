@@ -1,4 +1,4 @@
-"""What stands beside a channel's samples, whatever the format calls it: its unit, a sample rate, a scale."""
+"""Attributes of a channel in any format: its unit, a sample rate, a scale."""
 
 import re
 from collections.abc import Mapping
@@ -45,7 +45,7 @@ def unit_among(attributes: Mapping[str, Any], column: int = 0, columns: int = 1)
 
 
 def description_among(attributes: Mapping[str, Any]) -> str:
-    """What attributes say of a channel in words, on one line; "" where none does."""
+    """Description of a channel among its attributes, on one line; "" where none has one."""
     for name in filter(_DESCRIPTION.fullmatch, attributes):
         text = plain(attributes[name])
         if isinstance(text, str) and text.strip():
@@ -84,7 +84,7 @@ def starts_among(attributes: Mapping[str, Any], place: str) -> dict[str, float]:
 
 
 def is_unit(name: str) -> bool:
-    """Whether an attribute of this name states a unit."""
+    """True if an attribute of this name states a unit."""
     return bool(_UNIT.fullmatch(name))
 
 

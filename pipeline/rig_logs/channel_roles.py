@@ -1,4 +1,4 @@
-"""Which channel of a log might be what, by name, unit and length.
+"""Suggested roles of a log's channels, by name, unit and length.
 
 Suggestions are for a person; nothing decides on them.
 """
@@ -40,11 +40,11 @@ _LEFT = re.compile(r"(left|links|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
 _RIGHT = re.compile(r"(right|rechts|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
 _MOST_INPUTS = 2
 _CLOCK = re.compile(r"t|time|zeit|timestamp|clock|xvalue", re.IGNORECASE)
-"""What is left of the name of a clock that is called after its channel …"""
+"""Rest of the name of a clock that is named after its channel …"""
 _BETWEEN_WORDS = re.compile(r"[\W_]+")
 """… without this."""
 _GROUP = re.compile(r"(?:^|[./])[^./]*$")
-"""What of a name does not stand for its group."""
+"""Last part of a name, behind its group."""
 _NAME_SUFFIX = re.compile(r"(?:[_ \[(]|\s*/\s*)(?P<unit>[A-Za-zµμ%°]+)[\])]?$")
 
 
@@ -191,7 +191,7 @@ def clocks_beside(names: Sequence[str]) -> dict[str, str]:
 
 
 def _after(clock: str, channel: str) -> bool:
-    """Whether a column is called after a channel as its time."""
+    """True if a column is named after a channel as its time."""
     rest = _BETWEEN_WORDS.sub("", clock.casefold().replace(channel.casefold(), "", 1))
     return channel != clock and channel.casefold() in clock.casefold() and bool(_CLOCK.fullmatch(rest))
 
@@ -222,5 +222,5 @@ def _best(
 
 
 def is_called(word: str, name: str) -> bool:
-    """Whether a channel, or the last part of its path, is called as "time", "q" or "v" mostly are."""
+    """True if a channel, or the last part of its path, has a usual name of "time", "q" or "v"."""
     return any(map(_WORDS[word].search, (name, re.split(r"[./]", name)[-1])))

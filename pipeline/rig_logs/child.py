@@ -25,7 +25,6 @@ from numpy.typing import NDArray
 from ..errors import disk_failure
 from ..system.isolation import Send, limit
 from ..system.package import module_at
-from .clocks import with_starts
 from .recording import for_any_variable, missing_channel
 from .source import (
     CsvOptions,
@@ -36,6 +35,7 @@ from .source import (
     UnreadableLogError,
     left_out,
     read_start,
+    with_starts,
 )
 
 _LONGEST_ERROR = _LONGEST_TEXT = 2000
@@ -128,7 +128,7 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
 
 
 def _stated(source: Source) -> dict[str, Any]:
-    """What the log states beside its samples."""
+    """Metadata of the log: rates, descriptions, heading."""
     return {
         "rates": source.rates,
         "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
@@ -273,7 +273,7 @@ def _is_hdf5(start: bytes) -> bool:
 
 
 def _is_matlab4(start: bytes) -> bool:
-    """Whether a file begins with the head of a matrix (type, rows, columns, complex, length of the name) and a name."""
+    """True if a file begins with the head of a matrix (type, rows, columns, complex, length of the name) and a name."""
     for order, types in (("<5i", range(53)), (">5i", range(1000, 1053))):
         kind, _, _, imaginary, length = struct.unpack(order, start[:20].ljust(20, b"\xff"))
         name = start[20:][:length] if 1 < length <= 64 else b""

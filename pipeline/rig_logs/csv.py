@@ -6,13 +6,18 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+import pyarrow as pa
+import pyarrow.compute as pc
 from numpy.typing import NDArray
+from pyarrow import csv
 
+from ..store.arrow_columns import doubles
 from .csv_cells import (
     MISSING,
     NUMBER,
     STAMP,
     SWITCH,
+    Clock,
     is_behind,
     is_stamp,
     is_value,
@@ -22,7 +27,6 @@ from .csv_cells import (
     plain_row,
     unclear_mark,
 )
-from .csv_clock import Clock
 from .csv_dialect import SAMPLE_BYTES, find_dialect
 from .csv_text import as_utf8, text_of, whole_rows, written
 from .source import (
@@ -84,7 +88,7 @@ class CsvSource(Source):
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
 
     def _noted(self, texts: dict[str, str]) -> list[str]:
-        """How the file is read, and which columns are left out as `texts`."""
+        """Notes on the way the file is read, and on the columns that are left out as `texts`."""
         dialect = self._dialect
         headed = dict(zip(self._columns, dialect.headings, strict=True))
         left = {name: text for name, text in texts.items() if self._firsts[name] or headed[name]}
@@ -92,7 +96,7 @@ class CsvSource(Source):
         return [dialect.describe(), *rates, *dialect.scales, *self.notes, *left_out(left)]
 
     def _left_out(self) -> dict[str, str]:
-        """What stands in the columns that are no numbers."""
+        """Content of the columns that are no numbers, by name."""
         left_out = {}
         for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True):
             if text or not cell or not is_value(cell, self._dialect.decimal):
@@ -116,7 +120,8 @@ class CsvSource(Source):
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Several columns, block of rows by block of rows."""
         for name in self._clocks.keys() & set(names):
-            self._note(f"time of {name!r} {self._clocks[name].note}")
+            note = f"time of {name!r} {self._clocks[name].note}"
+            self.notes += [] if note in self.notes else [note]
         rows = Counter[str]()
         while True:
             rewritten = self._rewritten
@@ -213,9 +218,6 @@ class CsvSource(Source):
                     yield number, line.rstrip("\n")
 
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
-        import pyarrow as pa
-
-        from ..store.arrow_columns import doubles
 
         clocks = {name: Clock(self._firsts[name]) for name in self._clocks}
         looked_at = self._dialect.numeric[0] and not self._rewritten
@@ -233,8 +235,6 @@ class CsvSource(Source):
 
     def _batches(self, names: Sequence[str], kinds: dict[str, Any]) -> Any:
         """The rows of some columns in these types of Arrow, block by block."""
-        from pyarrow import csv
-
         dialect = self._dialect
         plain = self._rewritten
         return csv.open_csv(
@@ -261,8 +261,6 @@ class CsvSource(Source):
 
     def _kind(self, name: str) -> Any:
         """Arrow's type of a column: numbers, switches, or time stamps, with a zone where they state one."""
-        import pyarrow as pa
-
         cell = self._firsts[name]
         if name in self._clocks:
             return pa.string()
@@ -275,11 +273,6 @@ class CsvSource(Source):
 
     def _since_first(self, name: str, stamps: Any) -> NDArray[Any]:
         """Time stamps [s] since the first one of the column."""
-        import pyarrow as pa
-        import pyarrow.compute as pc
-
-        from ..store.arrow_columns import doubles
-
         ticks = stamps.cast(pa.int64())
         if name not in self._origins and len(seen := ticks.drop_null()):
             self._origins[name] = seen[0].as_py()
@@ -292,9 +285,6 @@ class CsvSource(Source):
         length, notes = whole_rows(self._path, self._dialect)
         self.warnings += [note for note in notes if note not in self.warnings]
         return length
-
-    def _note(self, note: str) -> None:
-        self.notes += [] if note in self.notes else [note]
 
 
 def _spellings(text: str) -> set[str]:

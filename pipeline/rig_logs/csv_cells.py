@@ -1,8 +1,18 @@
-"""What a cell of a CSV file is: a number, a time stamp, a switch, or missing; and marks that leave it open."""
+"""Type of a cell of a CSV file: a number, a time of day, a switch, or missing; and ambiguous marks."""
 
 import csv
 import re
+from collections.abc import Sequence
 from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+from numpy.typing import NDArray
+
+from ..store.arrow_columns import doubles
+from ..units.units import SECONDS as SECONDS_IN
 
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
 _GROUPED = re.compile(
@@ -43,14 +53,14 @@ _CLOCKS = [re.compile(re.sub(r"\\x{(\w+)}", lambda code: chr(int(code[1], 16)), 
 
 
 def clock_of(cell: str) -> tuple[str, re.Match[str]] | None:
-    """How a time of day is written, of `CLOCKS`, and its parts; None for any other cell."""
+    """Format of a time of day, of `CLOCKS`, and its parts; None for any other cell."""
     matches = ((form, own.match(cell)) for form, own in zip(CLOCKS, _CLOCKS, strict=True))
     return next(((form, match) for form, match in matches if match), None)
 
 
 @lru_cache(_SAMPLED)
 def is_stamp(cell: str) -> bool:
-    """Whether a cell is a time of day, with or without a date."""
+    """True if a cell is a time of day, with or without a date."""
     if len(cell) < _DIGITS_OF_STAMP and NUMBER.match(cell):
         return False
     return bool(STAMP.fullmatch(cell)) or clock_of(cell) is not None
@@ -63,25 +73,25 @@ def plain_number(cell: str, decimal: str) -> str:
 
 @lru_cache(_SAMPLED)
 def is_value(cell: str, decimal: str) -> bool:
-    """Whether a cell is a number, a switch, missing, or a time stamp."""
+    """True if a cell is a number, a switch, missing, or a time stamp."""
     if cell.lower() in MISSING or cell.lower() in SWITCH or NUMBER.match(plain_number(cell, decimal)):
         return True
     return is_stamp(cell)
 
 
 def is_word(cell: str) -> bool:
-    """Whether a cell is a word in place of a number, as ``OVER``, ``----`` and C's ``1.#INF``."""
+    """True if a cell is a word in place of a number, as ``OVER``, ``----`` and C's ``1.#INF``."""
     return not _BEGINS_AS_NUMBER.match(cell)
 
 
 def plain_row(delimiter: str, width: int) -> re.Pattern[str]:
-    """What a line matches that is `width` numbers and nothing else, each as Arrow reads it, which knows no plus."""
+    """Pattern of a line of `width` numbers and nothing else, each as Arrow reads it, without a plus sign."""
     edge, between = ("[ \t]*", "[ \t]+") if delimiter == " " else (" *", f" *{re.escape(delimiter)} *")
     return re.compile(rf"{edge}-?{_DIGITS}(?:{between}-?{_DIGITS}){{{width - 1}}}{edge}")
 
 
 def is_behind(cell: str, decimal: str) -> bool:
-    """Whether a cell beyond the last column may be left out: it is empty, or a comment."""
+    """True if a cell beyond the last column may be left out: it is empty, or a comment."""
     return not cell or not is_value(cell, decimal)
 
 
@@ -110,12 +120,12 @@ def _unquoted(line: str, delimiter: str) -> list[str]:
 
 
 def is_before_decimals(cell: str, decimal: str) -> bool:
-    """Whether a cell shows that the mark stands before decimals: as in 0.04, there are not three digits behind it."""
+    """True if a cell shows that the mark stands before decimals: as in 0.04, there are not three digits behind it."""
     return decimal in cell and is_value(cell, decimal) and not is_stamp(cell) and not _THOUSANDS.fullmatch(cell)
 
 
 def unclear_mark(cell: str, line: int, column: str, mark: str) -> str:
-    """What to say of a mark of which nothing shows whether it stands before decimals.
+    """Message on an ambiguous mark, which separates either decimals or thousands.
 
     Parameters
     ----------
@@ -136,15 +146,97 @@ def unclear_mark(cell: str, line: int, column: str, mark: str) -> str:
 
 
 def marks_between_thousands(cell: str) -> str:
-    """What to say of a cell in which marks stand between thousands; nothing of any other one."""
+    """Message on a cell in which marks stand between thousands; empty for any other one."""
     return "marks between thousands: export it without them" if _GROUPED.fullmatch(cell) else ""
 
 
 def no_number(cell: str, column: str, decimal: str) -> str:
-    """What to say of a cell that is no number."""
+    """Message on a cell that is no number."""
     if marks := marks_between_thousands(cell):
         return f"{cell!r} in column {column!r} has {marks}"
     return (
         f"{cell!r} in column {column!r} is no number with the decimal mark {decimal!r}: repair or delete that row, or "
         "leave the cell empty for a missing value"
     )
+
+
+class Clock:
+    """A column of times of day, or of minutes and seconds, read part by part.
+
+    Parameters
+    ----------
+    first : str
+        The first cell that is not empty.
+    """
+
+    def __init__(self, first: str) -> None:
+        self._origin = np.nan
+        self._last = 0.0
+        self._form, match = clock_of(first) or ("", None)
+        self._turn = SECONDS_IN["day" if match and match["h"] else "h"]
+        begins = min((match.start(part) for part, text in match.groupdict().items() if text), default=0) if match else 0
+        self.note = f"counts from {first}" + ("; its date is not used" if begins > 1 else "")
+
+    def seconds(self, cells: Any) -> NDArray[Any]:
+        """The seconds of a part of the column since its first cell, NaN where a cell is empty.
+
+        Raises
+        ------
+        ValueError
+            A cell is no time.
+        """
+        matched = pc.extract_regex(cells, self._form)
+        if matched.null_count > cells.null_count:
+            raise ValueError("a time cannot be read")
+        parts = {each.name for each in matched.type}
+
+        def part(name: str) -> Any:
+            """The numbers of one part, 0 where it is not written."""
+            if name not in parts:
+                return 0.0
+            text = pc.replace_substring_regex(pc.struct_field(matched, name), "[,: ]", ".")
+            text = pc.replace_substring_regex(text, r"^(\d\d)(\d)", r"\1.\2")  # as in 20261127101500123
+            return doubles(pc.if_else(pc.equal(text, ""), "0", text).cast(pa.float64()))
+
+        hours = part("h")
+        if "half" in parts:
+            half = pc.struct_field(matched, "half")
+            of_twelve, after_noon = (
+                doubles(pc.match_substring_regex(half, form).cast(pa.float64())) for form in (".", "[Pp]")
+            )
+            hours = np.where(of_twelve > 0.0, hours % 12.0 + 12.0 * after_noon, hours)
+        return self._onwards(
+            SECONDS_IN["h"] * hours + SECONDS_IN["min"] * (part("m") + part("mm")) + part("s") + part("ss")
+        )
+
+    def _onwards(self, times: NDArray[Any]) -> NDArray[Any]:
+        """Times within a day (or an hour) from the first one on: back by more than half of it is the next one."""
+        filled = np.flatnonzero(np.isfinite(times))
+        if not filled.size:
+            return times
+        self._origin = float(times[filled[0]]) if np.isnan(self._origin) else self._origin
+        seconds = times - self._origin
+        steps = np.diff(seconds[filled], prepend=self._last % self._turn)
+        turns = np.floor(self._last / self._turn) + np.cumsum(steps < -self._turn / 2.0)
+        seconds[filled] += self._turn * turns
+        self._last = float(seconds[filled[-1]])
+        return seconds
+
+
+def labview_starts(above: Sequence[Sequence[str]], width: int) -> tuple[tuple[float, float], ...]:
+    """X0 and Delta_X [s] of each column, in the rows above the data; () where all have one clock, or columns of time.
+
+    Parameters
+    ----------
+    above : sequence of rows
+        Their cells, the key first.
+    width : int
+        Number of columns.
+    """
+    keys = {row[0]: [cell.replace(",", ".") for cell in row[1:]] for row in above if row}
+    if keys.get("X_Columns", ["Multi"])[0] == "Multi" or "Time" not in keys.get("X_Dimension", []):
+        return ()
+    pairs = [*zip(keys.get("X0", []), keys.get("Delta_X", []), strict=False)]
+    clocks = [(float(start), float(step)) for start, step in pairs if NUMBER.match(start) and NUMBER.match(step)]
+    alike = len(set(clocks)) < 2 or min(step for _, step in clocks) <= 0.0
+    return () if alike else (clocks[0], *clocks, *clocks[-1:] * width)[:width]

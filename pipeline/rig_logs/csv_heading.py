@@ -44,7 +44,7 @@ def bare_line(line: str) -> str:
 
 
 def is_comment(line: str) -> bool:
-    """Whether a line is marked as a comment."""
+    """True if a line is marked as a comment."""
     return bool(COMMENT.match(line))
 
 
@@ -60,7 +60,7 @@ def cells_above(line: str, cells: Row, width: int) -> Row:
 def heading_rows(
     above: Sequence[Row], comments: Sequence[bool], numeric: Sequence[bool]
 ) -> tuple[int | None, int | None]:
-    """Which of the rows above the data holds the names, and which the units; None where there is none.
+    """Indices of the rows above the data that hold the names and the units; None where there is none.
 
     Empty rows may stand between them and the data, and cells without content at the ends of either. The names are in
     the row that labels the most columns: of several such rows in that with a time, else the first; the last of
@@ -72,9 +72,9 @@ def heading_rows(
     above : sequence of rows
         All rows before the first row of data.
     comments : sequence of bool
-        Whether each is marked as a comment: many comments may be there, and the last one is the heading.
+        True for each row that is marked as a comment; the last of several comments is the heading.
     numeric : sequence of bool
-        Which columns hold numbers.
+        True for each column that holds numbers.
     """
     block: list[int] = []
     used = len(numeric) - [*numeric][::-1].index(True)
@@ -115,7 +115,7 @@ def _trimmed(row: Row) -> Row:
 
 
 def _labels(row: Row, numeric: Sequence[bool]) -> int:
-    """How many columns of numbers a row labels, 0 where more of its cells are numbers."""
+    """Number of numeric columns that a row labels, 0 where more of its cells are numbers."""
     cells = [cell for cell, wanted in zip(row, numeric, strict=False) if wanted and cell]
     numbers = sum(bool(_QUANTITY.match(cell.replace(",", "."))) or is_stamp(cell) for cell in cells)
     return len(cells) - numbers if 2 * numbers <= len(cells) else 0
@@ -194,12 +194,11 @@ def _unit_behind(heading: str, by_strokes: bool) -> re.Match[str] | None:
 
 
 def _with_units_behind_strokes(headings: Row) -> bool:
-    """Whether headings are as ``t/s``, ``Weg/mm``, and no paths of channels."""
+    """True if headings are as ``t/s``, ``Weg/mm``, and no paths of channels."""
     units = [match["unit"] for match in map(_BEHIND_STROKE.match, headings) if match]
     return len(units) > 1 and all(unit in PLAIN or unit.lower() in _UNITS - {"v", "a", "k"} for unit in units)
 
 
-_VERTICAL = "Vertical Units"
 _HORIZONTAL = "Horizontal Units"
 _UNITS_KEY = re.compile(r"(?i)(y_unit_label|(vertical |[vy]_?)units?)")
 _NAMES_KEY = re.compile(r"(?i)((trace|channel|signal) ?)?names?")

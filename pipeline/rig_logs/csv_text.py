@@ -10,6 +10,8 @@ from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import pyarrow as pa
+
 from .csv_cells import rows_of
 from .source import PART, UnreadableLogError, temporary_path
 
@@ -73,8 +75,6 @@ def as_utf8(path: Path, length: int, encoding: str, owner: object) -> Any:
     owner : object
         What reads it; see `written`.
     """
-    import pyarrow as pa
-
     if not _is_ascii_and_more(encoding):
         with text_of(path, length, encoding, newline="") as lines:
             return written(lines, owner)
@@ -86,8 +86,6 @@ def as_utf8(path: Path, length: int, encoding: str, owner: object) -> Any:
 
 def written(lines: Iterable[str], owner: object) -> Any:
     """Lines in a file of Arrow's own, which vanishes with it, on Windows with the `owner`."""
-    import pyarrow as pa
-
     path = temporary_path(owner)
     rest = iter(lines)
     with path.open("wb") as file:
@@ -140,7 +138,7 @@ class _Head(io.RawIOBase):
 
 
 def _is_ascii_and_more(encoding: str) -> bool:
-    """Whether every ASCII character is its own single byte, which means nothing else anywhere."""
+    """True if every ASCII character is its own single byte, which means nothing else anywhere."""
     name = codecs.lookup(encoding).name
     if name in ("utf-8", "utf-8-sig", "ascii"):
         return True

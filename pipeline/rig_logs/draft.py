@@ -4,23 +4,49 @@ import re
 from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
 from ..errors import InputError
 from ..settings.prototype import Ingest
-from ..signals.quality_gates import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
+from ..signals.findings import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
+from ..signals.noise import LEAST_PER_PERIOD, advised_interval
 from ..signals.signal_quality import BOTH_SIGNS, takes_both_signs
-from ..signals.spectrum import LEAST_PER_PERIOD, advised_interval
 from ..signals.timebase import seldom
 from ..system.names import check_log_name, check_name, log_name, slug, true_name
 from ..units.units import DISPLACEMENT, FILL_IN, SECONDS, to_si
 from .attributes import monitor_ratio
 from .channel_roles import Role, Suggestion, suggested_unit
 from .inspection import NO_CHANNEL, InspectedChannel, Inspection
-from .purposes import Purpose, purpose_of, purposes
 from .recording import as_other_logs
 from .source import rates_beside
+
+Purpose = Literal["train", "validation", "test", ""]
+
+_BETWEEN_WORDS = re.compile(r"[\W\d_]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
+_OF_DATA = "(data|daten|set|log|logs|run|lauf)?"
+_WORDS: dict[Purpose, re.Pattern[str]] = {
+    "validation": re.compile(rf"val{_OF_DATA}|valid\w*", re.IGNORECASE),
+    "test": re.compile(rf"test{_OF_DATA}|tests|testing|prüf\w*|pruef\w*|check|holdout|unseen", re.IGNORECASE),
+    "train": re.compile(r"train\w*|ident|identif\w*|fit|lern\w*", re.IGNORECASE),
+}
+
+
+def words(name: str) -> list[str]:
+    """The words of a name: what stands between other characters, and between ``trainData``'s small and large letter."""
+    return [word for word in _BETWEEN_WORDS.split(name) if word]
+
+
+def purpose_of(word: str) -> Purpose:
+    """Purpose of data that a word names, "" for any other word."""
+    return next((purpose for purpose, pattern in _WORDS.items() if pattern.fullmatch(word)), "")
+
+
+def purposes(name: str) -> set[Purpose]:
+    """Purposes of data that the words of a name state."""
+    return {purpose_of(word) for word in words(name)} - {""}
+
 
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
 _MOST_LISTED = 100
@@ -99,7 +125,7 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
 
 
 def _refused_names(*roles: Sequence[str]) -> list[str]:
-    """Why a run would refuse the names of logs."""
+    """Comment lines on names of logs that a run would refuse."""
     lines = []
     for logs in roles:
         names = [log_name(log).casefold() for log in logs]
@@ -152,7 +178,7 @@ def _velocity_lines(log: Inspection) -> list[str]:
 
 
 def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Which logs are for training and which for validation: by the words of their names; else the last validates.
+    """Training logs and validation logs, by the words of their names; else the last validates.
 
     Where every log is called a test, only those validate that are called validation logs; where all are called so, all
     but the first.
@@ -216,7 +242,7 @@ def _interval_lines(log: Inspection, step: float) -> list[str]:
 
 
 def _cycles_per_sample(log: Inspection) -> float:
-    """How fast the channel moves that is suggested for q; NaN where none is, or it holds nothing but noise."""
+    """Bandwidth of the channel suggested for q, in cycles per sample; NaN where none is, or it is only noise."""
     q = next((suggestion.only for suggestion in log.suggestions if suggestion.role == "q"), None)
     channel = next((each for each in log.channels if each.name == q), None)
     if channel is None or channel.quality.idle:
@@ -286,7 +312,7 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
 
 
 def _may_be_a_monitor(channel: InspectedChannel) -> bool:
-    """Whether a voltage is as small as the monitor of a high-voltage amplifier, and not as that of a circuit."""
+    """True if a voltage is as small as the monitor of a high-voltage amplifier and has one sign."""
     quality = channel.quality
     both_signs = takes_both_signs(quality.smallest, quality.largest)  # as a motor's voltage
     return not both_signs and max(-quality.smallest, quality.largest) <= _MONITOR
@@ -298,7 +324,7 @@ def _with(entry: str, more: str) -> str:
 
 
 def _signed_monitor(entry: str, channel: InspectedChannel, log: Inspection) -> list[str]:
-    """How a single input of both signs is given as those of two membranes; nothing for others."""
+    """Settings lines that split a single input of both signs into two membranes; empty for others."""
     quality = channel.quality
     single = all(each.role != "v2" or not each.candidates for each in log.suggestions)
     if not entry.startswith("v1") or not single or not takes_both_signs(quality.smallest, quality.largest):
@@ -308,7 +334,7 @@ def _signed_monitor(entry: str, channel: InspectedChannel, log: Inspection) -> l
 
 
 def _seldom(channel: InspectedChannel, log: Inspection) -> bool:
-    """Whether a channel may have been recorded on change only."""
+    """True if a channel may have been recorded on change only."""
     if channel.every > 1:
         return False
     quality = channel.quality

@@ -108,7 +108,7 @@ def _ask_child(
 
 @dataclass(frozen=True)
 class Done:
-    """How a reader ended: its answer, or how it died, and the last line of its standard error."""
+    """End of a reader: its answer, or the cause of its death, and the last line of its standard error."""
 
     answer: dict[str, Any] | None
     ended_by: str = ""

@@ -16,27 +16,99 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..units.units import SECONDS, time_unit
-from .attributes import description_among, rates_among, scales_among, starts_among, texts_among
+from .attributes import description_among, plain, rates_among, scales_among, starts_among, texts_among, unit_among
 from .channel_roles import is_called
-from .hdf5_attributes import (
-    NUMBERS,
-    missing_values,
-    scales_of_axis,
-    unit_of,
-    why_unread,
-    written_chunks,
-)
-from .source import (
-    MOST_COLUMNS,
-    PART,
-    Counted,
-    Entry,
-    Source,
-    UnreadableLogError,
-    left_out,
-    not_listed,
-    ranges,
-)
+from .source import MOST_COLUMNS, PART, Counted, Entry, Source, UnreadableLogError, left_out, not_listed, ranges
+
+PACKING = ("scale_factor", "add_offset", "_Unsigned", "valid_min", "valid_max", "valid_range")
+"""Attributes of netCDF by which stored numbers are not the values."""
+_MISSING = ("_FillValue", "missing_value")
+_FILLED = ("int16", "uint16", "int32", "uint32", "float32", "float64")
+"""Types of which netCDF takes the value that stands where nothing was written for none."""
+_FILTERS = {
+    307: "bzip2",
+    32001: "blosc",
+    32004: "lz4",
+    32008: "bitshuffle",
+    32013: "zfp",
+    32015: "zstd",
+    32026: "blosc2",
+}
+NUMBERS = "fiubmM"
+"""Kinds of types that are read; time stamps and durations as seconds."""
+_KINDS = {"c": "complex: save its real part", "O": "text or lists", "S": "text", "U": "text", "V": "no numbers"}
+
+
+def unit_of(attributes: Mapping[str, Any], column: int, columns: int) -> tuple[str, str]:
+    """The unit of a column, and the origin of a time such as ``seconds since 2024-01-31``; "" where there is none."""
+    text = unit_among(attributes, column, columns)
+    _, since, origin = text.partition(" since ")
+    return (time_unit(text), origin) if since and time_unit(text) else (text, "")
+
+
+def why_unread(dataset: Any) -> str:
+    """Reason why no numbers are read from a dataset; "" where they are."""
+    filters = dataset.id.get_create_plist()
+    codes = [filters.get_filter(i)[0] for i in range(filters.get_nfilters())]
+    if foreign := [code for code in codes if not h5py.h5z.filter_avail(code)]:
+        name = _FILTERS.get(foreign[0], "unknown")
+        return f"compressed by a filter that is not read here, {name} ({foreign[0]}): write it with gzip or none"
+    if dataset.dtype.names or dataset.dtype.kind in NUMBERS:
+        return ""
+    return _KINDS.get(dataset.dtype.kind, f"{dataset.dtype}")
+
+
+def missing_values(dataset: Any, *, filled: bool = False) -> NDArray[Any] | None:
+    """Numbers that stand for no value in a dataset; None where there are none.
+
+    In a file of netCDF a value that was never written is the fill value of the dataset (`filled`).
+
+    Raises
+    ------
+    UnreadableLogError
+        Its numbers are packed: they would have to be converted.
+    """
+    if packed := [name for name in PACKING if name in dataset.attrs]:
+        stated = ", ".join(f"{name} = {plain(dataset.attrs[name])}" for name in packed)
+        raise UnreadableLogError(f"packed ({stated}): save its unpacked values")
+    values = [np.ravel(dataset.attrs[name]) for name in _MISSING if name in dataset.attrs]
+    if filled and dataset.dtype.name in _FILLED and "_FillValue" not in dataset.attrs:
+        values.append(np.ravel(dataset.fillvalue))
+    if any(each.dtype.kind not in "iuf" for each in values):
+        raise UnreadableLogError("its fill value is no number")
+    return np.concatenate(values).astype(dataset.dtype.base) if values else None
+
+
+def written_chunks(dataset: Any, axis: int) -> NDArray[np.bool_] | None:
+    """Mask of the written chunks along an axis; None where all are written, or there are no chunks."""
+    if dataset.chunks is None:
+        return None
+    counts = [-(-size // chunk) for size, chunk in zip(dataset.shape, dataset.chunks, strict=True)]
+    if dataset.id.get_num_chunks() == math.prod(counts):
+        return None
+    written = np.zeros(counts[axis], dtype=np.bool_)
+
+    def mark(chunk: Any) -> None:
+        written[chunk.chunk_offset[axis] // dataset.chunks[axis]] = True
+
+    dataset.id.chunk_iter(mark)
+    return written
+
+
+_NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
+
+
+def scales_of_axis(dataset: Any, axis: int) -> list[str]:
+    """Names of the dimension scales of an axis that hold numbers; a bare dimension of netCDF does not."""
+    try:
+        scales = list(dataset.dims[axis].values())
+    except (RuntimeError, ValueError, KeyError, TypeError, OSError):  # references to what is not there
+        return []
+    named = [
+        scale for scale in scales if scale.name and not bytes(scale.attrs.get("NAME", b"")).startswith(_NO_VARIABLE)
+    ]
+    return [scale.name.lstrip("/") for scale in named]
+
 
 _LARGEST_RATIO = 2000.0
 _SMALL_BYTES = 1 << 20
@@ -53,7 +125,7 @@ def open_hdf5(path: Path) -> Any:
     try:
         return h5py.File(path, "r")
     except OSError as error:
-        reason = _first_sentence(error)
+        reason = str(error).split("(", 1)[-1].rstrip(")") or str(error)
         if "unable to lock" in reason or "already open" in reason:
             raise UnreadableLogError(
                 "its recorder still writes it, or died while it did: end the recording, or after a crash run "
@@ -149,10 +221,6 @@ def rows_at_a_time(dataset: Any, axis: int) -> int:
     """About `PART` rows along an axis, a multiple of the stored chunks, so that none is unpacked twice."""
     chunk = dataset.chunks[axis] if dataset.chunks else 1
     return int(-(-PART // chunk) * chunk)
-
-
-def _first_sentence(error: OSError) -> str:
-    return str(error).split("(", 1)[-1].rstrip(")") or str(error)
 
 
 _Column = int | tuple[str] | tuple[str, int] | None

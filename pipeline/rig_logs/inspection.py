@@ -1,4 +1,4 @@
-"""What is in a raw log: channels, units, rates, gaps, rails, hum; and which channel might be what."""
+"""Contents of a raw log: channels, units, rates, gaps, rails, hum, and suggested roles of the channels."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -8,11 +8,9 @@ import numpy as np
 
 from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import FloatArray
-from ..signals.columns import Signal, sparse
-from ..signals.missing import code_remarks, codes_in, masked
+from ..signals.columns import CHUNK, Signal, code_remarks, codes_in, masked, sparse
+from ..signals.findings import MOST_REPEATED, Clock, Context, counted, remarks_on
 from ..signals.outliers import NONE, Dropouts, dropout_remarks, dropouts
-from ..signals.quality_gates import MOST_REPEATED
-from ..signals.remarks import Clock, Context, counted, remarks_on
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import SignalQuality, examine_signal
 from ..signals.timebase import TimeQuality, examine
@@ -229,9 +227,8 @@ def _roles(
     recording: Recording, rates: Collection[str], *, own_time: bool
 ) -> tuple[tuple[Suggestion, ...], tuple[str, ...]]:
     """Suggestions for the roles, and the channels that are set apart before."""
-    channels = recording.channels
-    usual = [channel for channel in channels if channel.time is not None or not own_time]
-    counts = {} if own_time else {channel.name: channel.samples.size for channel in channels}
+    usual = [channel for channel in recording.channels if channel.time is not None or not own_time]
+    counts = {} if own_time else {channel.name: channel.samples.size for channel in recording.channels}
     unnamed = [channel for channel in usual if rates and not is_called("time", channel.name)]
     longest = max(counts.values(), default=0)
     left_out = {name for name, count in counts.items() if _FAR_SHORTER * count < longest}
@@ -246,13 +243,13 @@ def _roles(
 
 
 def _counts_samples(samples: FloatArray) -> bool:
-    """Whether a column is the number of each sample."""
-    return samples.size > 1 and bool(np.all(np.diff(samples[: 1 << 17]) == 1.0))
+    """True if a column is the number of each sample."""
+    return samples.size > 1 and bool(np.all(np.diff(samples[:CHUNK]) == 1.0))
 
 
 def _rises_evenly(samples: FloatArray) -> bool:
-    """Whether nearly all steps of a column are upwards and about as large, as those of a clock."""
-    steps = np.diff(samples[np.isfinite(samples)][: 1 << 17])
+    """True if nearly all steps of a column are upwards and about as large, as those of a clock."""
+    steps = np.diff(samples[np.isfinite(samples)][:CHUNK])
     usual = float(np.median(steps)) if steps.size > 1 else 0.0
     return usual > 0.0 and bool(np.mean(np.abs(steps - usual) <= _UNEVEN * usual) >= _MOSTLY)
 

@@ -1,4 +1,4 @@
-"""Layouts in which recorders write MAT files: ControlDesk's, and Simulink's "Structure With Time".
+"""Contents of a MAT file, and layouts of recorders: ControlDesk's, Simulink's "Structure With Time", and tables.
 
 ControlDesk writes one struct (of any name) with a struct array ``X`` of time axes (Name, Type, Data, Unit,
 Raster), a struct array ``Y`` of channels (the same and Path, XIndex: which axis), and ``Description``; other
@@ -9,15 +9,116 @@ dimensions, label, …). ``values`` has a row for each time; signals of several 
 is a vector.
 """
 
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol, TypeGuard
+
 import numpy as np
+from numpy.typing import NDArray
 
 from ..units.units import SECONDS, time_unit
-from .mat_values import MatArray, MatChannel, MatStruct, MatValue, Reader, bare, is_struct, scalar_of, text_of
-from .source import Entry, UnreadableLogError, unique_names
+from .hdf5 import open_hdf5, walk
+from .source import PART, Entry, UnreadableLogError, unique_names
+
+Reader = Callable[[int, int], NDArray[Any]]
+"""First and end sample → samples."""
+
+
+@dataclass(frozen=True)
+class MatArray:
+    """A real numeric array whose samples are still in the file.
+
+    `read(start, stop)` gives a range of them in column-major order; `step` is how many at a time cost least.
+    """
+
+    dims: tuple[int, ...]
+    dtype: str
+    read: Reader
+    step: int = PART
+
+    @property
+    def size(self) -> int:
+        """Number of elements."""
+        size = 1
+        for dim in self.dims:
+            size *= dim
+        return size
+
+    @property
+    def is_vector(self) -> bool:
+        """True if the array is long in one direction only."""
+        return self.size == max(self.dims, default=0) and self.size > 1
+
+    def column(self, j: int) -> Reader:
+        """Samples of column j (from 0) of a matrix."""
+        rows = self.dims[0]
+        return lambda first, last: self.read(j * rows + first, j * rows + last)
+
+    def row(self, j: int) -> Reader:
+        """Samples of row j (from 0) of a matrix: every part of it is read for each row."""
+        rows = self.dims[0]
+        return lambda first, last: self.read(first * rows, last * rows)[j::rows]
+
+
+@dataclass(frozen=True)
+class MatObject:
+    """An object of a MATLAB class (table, timeseries, iddata, …), or another value that is not read, such as a cell."""
+
+    kind: str
+
+
+class MatStruct(Protocol):
+    """A struct array."""
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """Names of the fields."""
+
+    @property
+    def count(self) -> int:
+        """Number of elements."""
+
+    def get(self, index: int, name: str) -> "MatValue":
+        """Field `name` of element `index`; None where there is no such field."""
+
+
+MatValue = MatArray | MatStruct | MatObject | str | None
+"""None stands for what is empty or damaged."""
+
+
+@dataclass(frozen=True)
+class MatChannel:
+    """A channel as a layout finds it, and how its samples are read."""
+
+    entry: Entry
+    read: Reader
+    step: int = PART
+
+
+def is_struct(value: MatValue) -> TypeGuard[MatStruct]:
+    """True if a value is a struct array."""
+    return value is not None and not isinstance(value, str | MatArray | MatObject)
+
+
+def text_of(value: MatValue) -> str:
+    """A text, or "" for anything else."""
+    return value if isinstance(value, str) else ""
+
+
+def scalar_of(value: MatValue) -> float | None:
+    """The one number of a 1×1 array, or None."""
+    return float(value.read(0, 1)[0]) if isinstance(value, MatArray) and value.size == 1 else None
+
+
+def bare(name: str) -> str:
+    """A name without the quotes around it or around the parts of a model path."""
+    return "/".join(part.strip('"') for part in name.strip().split("/")) if '"' in name else name.strip()
 
 
 def is_recorder(value: MatValue) -> bool:
-    """Whether a variable is a recording."""
+    """True if a variable is a recording."""
     return is_struct(value) and value.count == 1 and {"X", "Y"} <= set(value.fields)
 
 
@@ -97,17 +198,16 @@ def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[
     if period is None or not isinstance(data, MatArray):
         return [], []
     step = period * (scalar_of(capture.get(0, "Downsampling")) or 1.0)
-    count = data.size
     notes.append(f"time from SamplingPeriod × Downsampling = {step:g} s; the log has no time axis")
-    entry = Entry("time", "s", "float64", count)
-    return [("time", count)], [MatChannel(entry, lambda first, last: step * np.arange(first, last))]
+    entry = Entry("time", "s", "float64", data.size)
+    return [("time", data.size)], [MatChannel(entry, lambda first, last: step * np.arange(first, last))]
 
 
 def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int]) -> int:
-    """Whether XIndex counts from 1 (MATLAB's way, the default) or from 0: as the lengths match."""
+    """First index of XIndex, 1 (MATLAB's way, the default) or 0: as the lengths match."""
 
     def matches(first: int) -> int:
-        """How many signals have the length of their axis if indices count from `first`."""
+        """Number of signals that have the length of their axis if indices count from `first`."""
         positions = [None if index is None else int(index) - first for index in indices]
         return sum(
             p is not None and 0 <= p < len(lengths) and lengths[p] == size
@@ -118,7 +218,7 @@ def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int
 
 
 def is_simulink_log(value: MatValue) -> bool:
-    """Whether a variable is a structure with time and signals."""
+    """True if a variable is a structure with time and signals."""
     return is_struct(value) and value.count == 1 and {"time", "signals"} <= set(value.fields)
 
 
@@ -157,3 +257,52 @@ def _signal(name: str, place: str, values: MatArray, clock: str | None) -> list[
     rows, columns = values.dims
     entries = [Entry(f"{name}(:,{j + 1})", "", values.dtype, rows, clock) for j in range(columns)]
     return [MatChannel(entry, values.column(j)) for j, entry in enumerate(entries)]
+
+
+TABLES = ("table", "timetable")
+_NUMBERS = "fiub"
+_TIMES = "mM"
+
+
+def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], list[str]]:
+    """The columns of the table `name` in a MAT file, and the names of those that hold no numbers.
+
+    Raises
+    ------
+    UnreadableLogError
+        mat-io does not read this table, or the file leads to others.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # it sets an option of pandas that is deprecated
+        from matio import load_from_mat
+    with path.open("rb") as file:
+        if file.read(8) == b"MATLAB 7" or b"\x89HDF" in file.read(512):
+            for _ in walk(open_hdf5(path)):  # refuses what lies in other files
+                pass
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of formats in which MATLAB shows times
+            frame = load_from_mat(str(path), variable_names=[name], add_table_attrs=True)[name]
+        columns = {str(column): frame[column] for column in frame.columns}
+    except Exception as error:  # whatever is damaged or newer than mat-io
+        raise UnreadableLogError(
+            f"a MATLAB {kind} that mat-io cannot read ({type(error).__name__}: {error}): save its columns as arrays"
+        ) from error
+    units = [str(unit) for unit in next((frame.attrs[key] for key in frame.attrs if key.endswith("Units")), ())]
+    time = f"{name}.{frame.index.name or 'Time'}" if kind == "timetable" else None
+    channels = [] if time is None else [_channel(time, frame.index.to_numpy(), "s", None)]
+    texts = []
+    for i, (column, values) in enumerate(columns.items()):
+        if values.dtype.kind not in _NUMBERS + _TIMES:
+            texts.append(f"{name}.{column}")
+            continue
+        unit = "s" if values.dtype.kind in _TIMES else units[i] if i < len(units) else ""
+        channels.append(_channel(f"{name}.{column}", values.to_numpy(), unit, time))
+    return channels, texts
+
+
+def _channel(name: str, values: Any, unit: str, time: str | None) -> MatChannel:
+    samples = values / np.timedelta64(1, "s") if values.dtype.kind == "m" else values
+    return MatChannel(
+        Entry(name, unit, samples.dtype.name, samples.size, time), lambda first, last: samples[first:last]
+    )

@@ -10,16 +10,20 @@ from numpy.typing import NDArray
 from ..units.units import SECONDS, time_unit
 from .attributes import is_unit, scales_among, starts_among
 from .channel_roles import is_called
-from .mat_recorders import is_recorder, is_simulink_log, recorder_channels, simulink_channels
-from .mat_tables import TABLES, table_channels
-from .mat_values import (
+from .mat_recorders import (
+    TABLES,
     MatArray,
     MatChannel,
     MatObject,
     MatStruct,
     MatValue,
+    is_recorder,
+    is_simulink_log,
     is_struct,
+    recorder_channels,
     scalar_of,
+    simulink_channels,
+    table_channels,
     text_of,
 )
 from .source import (
@@ -44,7 +48,7 @@ _WAYS_OUT = {
     "sparse array": "save full(NAME)",
     "cell": "save what it holds as variables of their own, as NAME1 = NAME{1}",
 }
-"""What to do with what is not read, by its class."""
+"""Advice for variables that are not read, by their class."""
 
 
 class MatSource(Source):

@@ -12,9 +12,11 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.io import loadmat
+from scipy.io.matlab import MatlabFunction, MatlabObject, MatlabOpaque, varmats_from_mat
 
+from .mat_recorders import MatArray, MatObject, MatValue
 from .mat_source import MatSource
-from .mat_values import MatArray, MatObject, MatValue
 from .source import CsvOptions, Limits, UnreadableLogError
 
 _HEADER = 128
@@ -47,8 +49,6 @@ def open_log(path: Path, csv: CsvOptions, limits: Limits) -> MatSource:
     UnreadableLogError
         Truncated or damaged, or its variables declare more bytes than the limits allow.
     """
-    from scipy.io import loadmat
-
     declared = _declared_bytes(path)
     most = limits.largest(path.stat().st_size)
     if declared > most:
@@ -96,9 +96,6 @@ def _expanded_bytes(packed: bytes, order: str) -> int:
 
 def _objects(path: Path) -> dict[str, MatValue]:
     """The tables and other objects of classes by their names: SciPy calls each of them None, and keeps the last."""
-    from scipy.io import loadmat
-    from scipy.io.matlab import varmats_from_mat
-
     with path.open("rb") as file:
         variables: list[Any] = [variable for name, variable in varmats_from_mat(file) if name == "None"]
     single = [loadmat(variable)["None"][0] for variable in variables]
@@ -107,8 +104,6 @@ def _objects(path: Path) -> dict[str, MatValue]:
 
 def _value(item: Any) -> MatValue:
     """A value as the layouts of MAT files take it."""
-    from scipy.io.matlab import MatlabFunction, MatlabObject, MatlabOpaque
-
     if isinstance(item, MatlabObject):
         return MatObject(f"{item.classname}")
     if isinstance(item, MatlabFunction | MatlabOpaque):

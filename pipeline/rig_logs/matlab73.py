@@ -12,10 +12,9 @@ from typing import Any
 import h5py
 import numpy as np
 
-from .hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time
-from .hdf5_attributes import why_unread
+from .hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time, why_unread
+from .mat_recorders import MatArray, MatObject, MatValue
 from .mat_source import MatSource
-from .mat_values import MatArray, MatObject, MatValue
 from .source import CsvOptions, Limits, Source, UnreadableLogError
 
 

@@ -31,7 +31,7 @@ _FORMULA = "the result of a conversion formula, which is not worked out; export 
 
 
 def _has_formula(conversion: Any) -> bool:
-    """Whether a channel's conversion is a formula, or hides one within a table of conversions."""
+    """True if a channel's conversion is a formula, or holds one within a table of conversions."""
     if getattr(conversion, "formula", ""):
         return True
     inner = (getattr(conversion, "referenced_blocks", None) or {}).values()
@@ -163,13 +163,13 @@ class MdfSource(Source):
 
 
 _MASTERS = {2: "an angle", 3: "a distance", 4: "an index"}
-"""What a group of version 4 may run over in place of time."""
+"""Quantities that a group of version 4 may have in place of time."""
 _TEXTS = {"4": (7, 8, 9, 10, 11), "3": (11, 12, 132, 133)}
 """Conversions to texts and dates."""
 
 
 def _texts_in_place(channel: Any, version: str) -> str:
-    """Why a channel of numbers has no physical value that is one; "" where it has."""
+    """Reason why a channel of numbers has no numeric physical value; "" where it has."""
     conversion = channel.conversion
     if conversion is None or conversion.conversion_type not in _TEXTS["4" if version >= "4" else "3"]:
         return ""
@@ -177,7 +177,7 @@ def _texts_in_place(channel: Any, version: str) -> str:
 
 
 def _is_partly_text(conversion: Any) -> bool:
-    """Whether some numbers stand for texts, such as "invalid", and the others have a conversion to numbers."""
+    """True if some numbers stand for texts, such as "invalid", and the others have a conversion to numbers."""
     default = (getattr(conversion, "referenced_blocks", None) or {}).get("default_addr")
     return getattr(default, "conversion_type", _TEXTS["4"][0]) not in _TEXTS["4"]
 

@@ -54,7 +54,11 @@ class ParquetSource(Source):
         unique = unique_names([".".join((name, *path)) for name, path, _ in leaves])
         self._places = {label: (name, path) for label, (name, path, _) in zip(unique, leaves, strict=True)}
         self._fields = {label: field for label, (_, _, field) in zip(unique, leaves, strict=True)}
-        self.texts = {name: f"{field.type}" for name, field in self._fields.items() if not _is_read(field.type)}
+        self.texts = {
+            name: f"{field.type}"
+            for name, field in self._fields.items()
+            if not (_is_number(field.type) or _is_time(field.type))
+        }
         self.notes = left_out(self.texts)
         of_table = _texts(self._file.schema_arrow.metadata)
         of_table |= _mapping(of_table.get("PANDAS_ATTRS"))
@@ -141,17 +145,13 @@ def _leaves(name: str, field: Any, path: tuple[str, ...]) -> Iterator[tuple[str,
         yield from _leaves(name, kind.field(i), (*path, key))
 
 
-def _is_read(kind: Any) -> bool:
-    return _is_number(kind) or _is_time(kind)
-
-
 def _is_time(kind: Any) -> bool:
-    """Whether a column holds time stamps, durations, or times of day, which are read in s."""
+    """True if a column holds time stamps, durations, or times of day, which are read in s."""
     return any(holds(kind) for holds in (pa.types.is_timestamp, pa.types.is_duration, pa.types.is_time))
 
 
 def _is_number(kind: Any) -> bool:
-    """Whether numbers are read from a column; a switch that is on or off is 1 or 0."""
+    """True if numbers are read from a column; a switch that is on or off is 1 or 0."""
     kinds = (pa.types.is_integer, pa.types.is_floating, pa.types.is_decimal, pa.types.is_boolean)
     return any(holds(kind) for holds in kinds)
 

@@ -124,7 +124,7 @@ def for_any_variable(name: str) -> str:
 
 
 def as_other_logs(name: str, listed: Sequence[str]) -> str:
-    """What to do where a channel of other logs is called otherwise here, or has no name; "" where neither is seen."""
+    """Advice where a channel of other logs has another name here, or none; "" where neither is seen."""
     alias = for_any_variable(name)
     if alias and [for_any_variable(other) for other in listed].count(alias) == 1:
         return f"save all logs under the same variable name, or write {alias!r} in [channels]"

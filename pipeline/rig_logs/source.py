@@ -1,4 +1,4 @@
-"""What every format reader offers to the guarded child, and what reading one raw log may cost."""
+"""Interface of the format readers to the guarded child, and limits for the reading of one raw log."""
 
 import itertools
 import math
@@ -7,8 +7,9 @@ import shutil
 import tempfile
 import weakref
 from abc import ABC, abstractmethod
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -60,7 +61,7 @@ class Limits:
 
 @dataclass(frozen=True)
 class CsvOptions:
-    """How to read a CSV log, where it is not to be found out from the file; None means: find out."""
+    """Stated format of a CSV log; None: detected from the file."""
 
     encoding: str | None = None
     delimiter: str | None = None
@@ -259,7 +260,7 @@ def stated_rate(name: str, number: float) -> float | None:
 
 
 def note_on_rate(name: str, number: float, rate: float) -> str:
-    """What a number that states a sample rate [Hz] is for: a log without a time channel needs it."""
+    """Note on a number that states a sample rate [Hz], which a log without a time channel needs."""
     return f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:.9g}"
 
 
@@ -285,7 +286,7 @@ class UnreadableChannelError(UnreadableLogError):
 
 
 def temporary_path(owner: object) -> Path:
-    """Where a file may be written that vanishes with its `owner`.
+    """Path for a file that is deleted with its `owner`.
 
     Unlike Python's own temporary file it is not open, so that Windows too lets a library open it by its name.
     """
@@ -314,3 +315,56 @@ def read_start(path: Path, size: int) -> bytes:
     """The first `size` bytes of a file."""
     with path.open("rb") as file:
         return file.read(size)
+
+
+_PLACE_OF = re.compile(r"[./][^./]*$")
+
+
+class StartTimes(View):
+    """A log in which each channel has its time: start + k · step, in s."""
+
+    def __init__(self, source: Source, starts: dict[str, tuple[float, float]]) -> None:
+        super().__init__(source)
+        clocks: dict[tuple[float, float], str] = {}
+        self._time = {name: clocks.setdefault(clock, f"time of {name}") for name, clock in starts.items()}
+        self._clocks = {time: clock for clock, time in clocks.items()}
+        begins = ", ".join(f"{start:g}" for start, _ in clocks)
+        self.notes.append(f"channels begin at {begins} s, as the log states: each has its own time")
+
+    def entries(self) -> list[Entry]:
+        """The times, and the channels."""
+        entries = [replace(each, time=self._time.get(each.name, each.time)) for each in self._log.entries()]
+        counts = {each.time: each.count for each in entries}
+        return [*(Entry(time, "s", "float64", counts[time]) for time in self._clocks), *entries]
+
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """Samples as the log gives them, and the times beside."""
+        beside = {time: next(name for name in self._time if self._time[name] == time) for time in self._clocks}
+        wanted = [beside.get(name, name) for name in names]
+        rows = Counter[str]()
+        for name, samples in self._log.parts(list(dict.fromkeys(wanted))):
+            first, rows[name] = rows[name], rows[name] + samples.size
+            if name in names:
+                yield name, samples
+            if beside.get(time := self._time.get(name, "")) == name and time in names:
+                start, step = self._clocks[time]
+                yield time, start + step * np.arange(first, rows[name])
+
+
+def with_starts(source: Source) -> Source:
+    """The log itself, or with a time for each channel where it states a rate and a start for each, and these differ."""
+    starts = source.starts or _stated_beside(source)
+    return StartTimes(source, starts) if len(set(starts.values())) > 1 else source
+
+
+def _stated_beside(source: Source) -> dict[str, tuple[float, float]]:
+    """Start and step [s] that numbers beside a channel or its group state: ``q.t0`` and ``q.dt`` those of ``q.Y``."""
+    starts = {_PLACE_OF.sub("", name): start for name, start in source.stated_starts.items()}
+    rates = {_PLACE_OF.sub("", name): rate for name, rate in source.rates.items() if starts}
+    clocks = {}
+    for entry in source.entries() if starts else ():
+        places = (entry.name, _PLACE_OF.sub("", entry.name))
+        place = next((place for place in places if place in starts and place in rates), None)
+        if place is not None and entry.time is None and entry.name not in source.stated_starts:
+            clocks[entry.name] = (starts[place], 1.0 / rates[place])
+    return clocks

@@ -192,13 +192,13 @@ class TdmsSource(Source):
 
 
 def _start(properties: Mapping[str, Any]) -> Any:
-    """When a waveform begins, None where that is not stated."""
+    """Start of a waveform, None where it is not stated."""
     start = properties.get("wf_start_time")
     return start.as_datetime64() if isinstance(start, TdmsTimestamp) and properties.get("wf_increment") else None
 
 
 def _kind(channel: Any) -> str:
-    """What a channel holds that is no number, or no value; "" for numbers and time stamps."""
+    """Type of a channel's content that is no number, or no value; "" for numbers and time stamps."""
     if channel.dtype is None or channel.dtype.kind not in "fiubM":
         return "text or complex"
     scales = {text for key, text in channel.properties.items() if _SCALE_TYPE.fullmatch(key)} - _SCALES

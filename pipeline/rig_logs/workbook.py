@@ -17,6 +17,7 @@ from typing import Any
 
 from python_calamine import CalamineError, CalamineWorkbook
 
+from ..units.units import SECONDS
 from .csv import CsvSource
 from .source import CsvOptions, UnreadableLogError, View, temporary_path
 
@@ -30,7 +31,7 @@ _DAY_1 = datetime(1899, 12, 31)
 _OPEN_FORMULA = re.compile(rb"(?:</f>|<f[^>]*/>)\s*(?:<v\s*/>|<v></v>)?\s*</c>")
 _START = 100
 """Rows among which a heading stands."""
-_DAY_NS = 86_400 * 10**9
+_DAY_NS = int(SECONDS["day"]) * 10**9
 Rows = list[list[Any]]
 
 
@@ -94,7 +95,7 @@ def _check_formulas(content: bytes) -> None:
 
 
 def _is_time(cell: Any) -> bool:
-    """Whether a cell is a date, which one at midnight is too, a time of day or a duration."""
+    """True if a cell is a date (so is one at midnight), a time of day or a duration."""
     return isinstance(cell, date | time | timedelta)
 
 
@@ -135,7 +136,7 @@ def _heading(rows: Rows) -> Rows | None:
 
 
 def _clocks(rows: Rows) -> list[str]:
-    """How the times of each column are written: "day" where they are times of day alone; "" where there are none."""
+    """Format of the times of each column: "day" for times of day alone, else "stamp"; "" where there are none."""
     body = rows[min(_first_of_numbers(rows), len(rows) - 1) :] if rows else []
     types = [{type(cell) for cell in column if _is_time(cell)} for column in zip(*body, strict=True)]
     return ["" if each in (set(), {date}) else "day" if each == {time} else "stamp" for each in types]

@@ -1,1 +1,1 @@
-"""How well a free run meets a measurement: NRMSE, wells, switches, horizons, intervals, ranking, cross-validation."""
+"""Scores of free runs against measurements: NRMSE, wells, switches, horizons, intervals, ranking, cross-validation."""

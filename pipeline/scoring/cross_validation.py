@@ -36,7 +36,7 @@ class Simulator(Protocol):
 
     @property
     def fine_voltages(self) -> bool:
-        """Whether it takes the inputs between the samples."""
+        """True if the model takes the inputs between the samples."""
 
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> SimulatedMotion:
         """Free run, see `pipeline.models.base.DynamicModel.simulate`."""

@@ -97,7 +97,7 @@ def block_of(errors: Sequence[FloatArray], interval: float, plant: Device | None
     return block if samples < FEWEST_BLOCKS else min(block, samples // FEWEST_BLOCKS)
 
 
-def block_means(squares: FloatArray, block: int, rng: np.random.Generator, resamples: int = RESAMPLES) -> FloatArray:
+def block_means(squares: FloatArray, block: int, rng: np.random.Generator) -> FloatArray:
     """Means of moving-block resamples of a series (Künsch 1989, doi:10.1214/aos/1176347265), circular.
 
     Each resample joins blocks of `block` neighbours, drawn with replacement from all positions, up to the length of
@@ -112,14 +112,12 @@ def block_means(squares: FloatArray, block: int, rng: np.random.Generator, resam
         Block length in samples; cut to N.
     rng : numpy.random.Generator
         Source of the block positions.
-    resamples : int
-        Number of resamples R.
 
     Returns
     -------
-    FloatArray, shape (R,)
+    FloatArray, shape (RESAMPLES,)
         NaN for a resample that hit masked rows only.
-        Cost: O(N + R·N/block) by prefix sums.
+        Cost: O(N + RESAMPLES·N/block) by prefix sums.
     """
     n = squares.size
     block = max(1, min(block, n))
@@ -127,10 +125,10 @@ def block_means(squares: FloatArray, block: int, rng: np.random.Generator, resam
     finite = np.isfinite(wrapped)
     sums = np.concatenate([[0.0], np.cumsum(np.where(finite, wrapped, 0.0))])
     counts = np.concatenate([[0], np.cumsum(finite)])
-    starts = rng.integers(n, size=(resamples, -(-n // block)))
+    starts = rng.integers(n, size=(RESAMPLES, -(-n // block)))
     total = (sums[starts + block] - sums[starts]).sum(axis=1)
     size = (counts[starts + block] - counts[starts]).sum(axis=1)
-    means: FloatArray = np.full(resamples, np.nan)
+    means: FloatArray = np.full(RESAMPLES, np.nan)
     np.divide(total, size, out=means, where=size > 0)
     return means
 

@@ -18,7 +18,7 @@ Status = Literal["ok", "diverged"]
 
 @dataclass(frozen=True)
 class Score:
-    """How well a free run meets one measured signal.
+    """Errors of a free run against one measured signal.
 
     Attributes
     ----------
@@ -150,7 +150,7 @@ class MeasuredPath:
 
     @property
     def recorded(self) -> BoolArray:
-        """Where all inputs are known, shape (N,)."""
+        """Mask of the samples at which all inputs are known, shape (N,)."""
         return np.asarray(np.all(np.isfinite(self.v).reshape(self.q.size, -1), axis=1))
 
 
@@ -253,7 +253,7 @@ def _predictions(predict: Predict, path: MeasuredPath, ahead: dict[int, int]) ->
 def _error(
     errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, plant: Device | None
 ) -> HorizonError:
-    """What the errors `ahead` samples after the starts come to."""
+    """Summary of the errors `ahead` samples after the starts."""
     diverged = int(np.count_nonzero(~np.isfinite(errors)))
     if diverged == starts.size or not span:
         return HorizonError(ahead * interval, None, None, starts.size, diverged)
@@ -279,7 +279,7 @@ def _starts(path: MeasuredPath, ahead: int, most: int, apart: int | None = None)
 
 
 def fit_note(measured: FloatArray, free: FloatArray) -> str:
-    """How well a free run fits, or why there is no score."""
+    """Fit of a free run in percent, or the reason why there is none, as text."""
     fit = fit_percent(measured, free)
     if fit is not None:
         return f"fit {fit:.1f} %".replace("-", "−")
@@ -294,7 +294,7 @@ SETTLED = 0.1  # of the step in q
 
 @dataclass(frozen=True)
 class StepResponse:
-    """How one switch went.
+    """Rise and settling times of one switch.
 
     Attributes
     ----------

@@ -46,14 +46,14 @@ class Wells:
 
 @dataclass(frozen=True)
 class NoWells:
-    """Why no two wells are defined.
+    """Reason why no two wells are defined.
 
     Attributes
     ----------
     reason : str
         In words.
     one_cluster : bool
-        Whether the device rests, and in one place only.
+        True if the device rests, and in one place only.
     """
 
     reason: str
@@ -107,7 +107,7 @@ def places_of_rest(
 
 
 def _stands(q: FloatArray, memory: int) -> bool:
-    """Whether q of a rest, over its range in the log, is as calm as `places_of_rest` asks."""
+    """True if q of a rest, over its range in the log, is as calm as `places_of_rest` requires."""
     rows = np.flatnonzero(np.isfinite(q[q.size // 2 :]))
     end = q[q.size // 2 :][rows]
     if rows.size < 2:
@@ -223,7 +223,7 @@ def in_same_well(measured: FloatArray, calculated: FloatArray, wells: Wells) -> 
 
 @dataclass(frozen=True)
 class SwitchAccuracy:
-    """How many pulses ended in the measured well.
+    """Number of the pulses that ended in the measured well.
 
     Attributes
     ----------
@@ -296,7 +296,7 @@ class PulseOutcomes:
 
 
 def pulse_outcomes(ensemble: FloatArray, rests: list[slice], wells: Wells) -> PulseOutcomes:
-    """How sure a model is of the well after each pulse: the share of an ensemble of its own free runs.
+    """Probability of the right-hand well after each pulse: the share of an ensemble of a model's free runs.
 
     Near the separatrix an arbitrarily small error decides the well, so a single simulation says less than it seems to.
     Each member of the ensemble is a draw from the posterior of the parameters.

@@ -34,7 +34,7 @@ class LogColumn(SettingsTable):
     scale: Number = 1.0
     """Unit per number of the log, for a log in volts of its data acquisition: value = scale · number + offset."""
     offset: Number = 0.0
-    """What is added after that, in the channel's unit."""
+    """Summand after that, in the channel's unit."""
     missing: tuple[Number, ...] | None = None
     """Numbers of the log that stand for no value, such as [-9999]. Left out, numbers of 1e20 and more are taken for
     such, and usual codes (-9999, 65535, …) that lie further from the rest than that is wide; [] keeps all."""
@@ -58,10 +58,10 @@ class Channel(LogColumn):
     """One channel of the raw log."""
 
     part: Literal["all", "positive", "negative"] = "all"
-    """Which part of a signed monitor of both membranes is this input: its "positive" values, or its "negative" ones
+    """Part of a signed monitor of both membranes that is this input: its "positive" values, or its "negative" ones
     without their sign; of an input only."""
     on_change: bool = False
-    """Whether the log has a sample only when it changed, which holds until the next one (event-based recording); of
+    """True if the log has a sample only at each change, which holds until the next one (event-based recording); of
     an input only."""
     average: Number = Field(default=0.0, ge=0.0, le=10.0)
     """Window [s] over which the sensor of q averages before each sample, as some lasers do: half of it is taken off the
@@ -96,13 +96,13 @@ class LogPart(SettingsTable):
     file: str = Field(min_length=1)
     """The log."""
     start: str | None = None
-    """Where the part begins, as "12 s"; left out, with the log."""
+    """Start of the part, as "12 s"; left out, that of the log."""
     stop: str | None = None
-    """Where it ends, as "49.5 s"; left out, with the log."""
+    """End of the part, as "49.5 s"; left out, that of the log."""
     gain: Gains = Gains()
     """Factors on readings of this log, as { v1 = 1.053 }: what its instruments read too low."""
     zero: str = "0"
-    """What is added to q after its gain, as "0.3 mm"."""
+    """Summand to q after its gain, as "0.3 mm"."""
     delay: str = "0"
     """Time by which the inputs are delayed, as "5 ms"; negative where they were recorded late."""
     clock: Number = Field(default=1.0, gt=0.0)
@@ -130,16 +130,14 @@ class LogPart(SettingsTable):
     @property
     def span(self) -> tuple[float, float]:
         """From when to when it lasts [s]."""
-        start = self.start
-        stop = self.stop
         return (
-            -math.inf if start is None else parse_quantity(start, TIME, "start"),
-            math.inf if stop is None else parse_quantity(stop, TIME, "stop"),
+            -math.inf if self.start is None else parse_quantity(self.start, TIME, "start"),
+            math.inf if self.stop is None else parse_quantity(self.stop, TIME, "stop"),
         )
 
     @property
     def label(self) -> str:
-        """What a person calls it, in place of a file's name: ``long from 12 s to 49.5 s.mf4``."""
+        """Name for readers, in place of a file's name: ``long from 12 s to 49.5 s.mf4``."""
         ends = [f"from {self.start}"] * (self.start is not None) + [f"to {self.stop}"] * (self.stop is not None)
         return " ".join([true_name(self.file), *ends]) + (Path(self.file).suffix or ".log")
 
@@ -152,7 +150,7 @@ Log = Annotated[
 
 
 def log_label(log: Log) -> str:
-    """What a log is called: its path, or `LogPart.label`."""
+    """Name of a log: its path, or `LogPart.label`."""
     return log if isinstance(log, str) else log.label
 
 
@@ -169,7 +167,7 @@ class Logs(SettingsTable):
 
 
 class Channels(SettingsTable):
-    """Where the signals are in the logs."""
+    """Channels of the signals in the logs."""
 
     time: LogColumn | None = None
     """Time; left out where the format carries its own time base."""

@@ -42,7 +42,7 @@ ENTRIES = (
     ModelEntry("rbf-paper", "models.paper.model:RBF_PAPER", "identify"),
     ModelEntry("sindy", "models.sindy.model:SINDY"),
     ModelEntry("sindy-default", "models.sindy.model:SINDY_DEFAULT"),
-    ModelEntry("narx", "models.narx.model:NARX", takes_mass=False),
+    ModelEntry("narx", "models.narx:NARX", takes_mass=False),
     ModelEntry("analytical", "models.analytical.model:ANALYTICAL", needs_parameters=True, takes_mass=False),
     ModelEntry(
         "analytical-calibrated",

@@ -12,8 +12,7 @@ from pydantic import Field, ValidationError, field_validator, model_validator
 
 from ..errors import SeveralMistakesError
 from ..system.names import check_log_name, check_name, log_name, slug
-from .file import mistakes, read_document
-from .former import GATES
+from .file import GATES, mistakes, read_document
 from .logs import ROLES, Channels, Logs, Number, SettingsTable, Whole, log_label
 from .models import AUTO, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
 
@@ -33,14 +32,14 @@ FIELD_LIMIT = 60.0
 
 
 class Plant(SettingsTable):
-    """What is known of the device."""
+    """Facts of the device."""
 
     mass: Quantity | None = None
     """Moving mass [kg] (inertia [kg·m²] for an angle without `parameters`); left out, curves are per unit mass."""
     inputs: Literal["squared", "linear"] = "squared"
-    """How inputs act: "squared" (electrostatic force) or "linear" (a force-like input)."""
+    """Action of the inputs: "squared" (electrostatic force) or "linear" (a force-like input)."""
     inputs_before: Literal["auto", "first", "zero"] = "auto"
-    """What the inputs were before a log began: as at its "first" sample, or "zero" (a drive that was off), for every
+    """Inputs before a log began: as at its "first" sample, or "zero" (a drive that was off), for every
     model alike; "auto": hidden states of `rbf` start by inner validation, those of other models under the first."""
     parameters: str | None = None
     """Parameter set of the analytical model ("table1", "nominal" or a TOML file); left out for other devices. With
@@ -62,7 +61,7 @@ FILM = {"film_thickness", "field_limit"}
 
 
 class Csv(SettingsTable):
-    """How to read CSV logs, where it is not to be found out from the file."""
+    """Format of CSV logs, where it cannot be detected from the file."""
 
     encoding: str | None = None
     """Text encoding, such as latin-1."""
@@ -84,21 +83,21 @@ class Ingest(SettingsTable):
     sample_rate: Number | None = Field(default=None, gt=0.0, le=1e7)
     """Samples per second [Hz] of a log that has neither a time channel nor a time base of its own."""
     gaps: Literal["split", "refuse"] = "split"
-    """What happens at a gap: "split" the record there (rows that would reach across are masked) or "refuse" it."""
+    """Action at a gap: "split" the record there (rows that would reach across are masked) or "refuse" it."""
     time_reversal: Literal["refuse", "split", "unwrap"] = "refuse"
-    """What happens where time steps back: "refuse" the log, "split" there, which leaves out what does not pass the
+    """Action where time steps back: "refuse" the log, "split" there, which leaves out what does not pass the
     latest stamp, or "unwrap" a counter that begins anew: it goes on by its usual step."""
     rails: Literal["mask", "keep"] = "mask"
-    """What happens where q stays at its smallest or largest value for three samples or more, as at the end of a
+    """Action where q stays at its smallest or largest value for three samples or more, as at the end of a
     sensor's range: "mask" it, which leaves it out of derivatives, fits and scores, or "keep" it, which also lets a log
     pass that stays there for long, as a drive that rests at its end positions."""
     lost: Literal["mask", "keep"] = "mask"
-    """What happens where q jumps to a constant level far outside the rest for 50 ms or more, as when a laser loses its
+    """Action where q jumps to a constant level far outside the rest for 50 ms or more, as when a laser loses its
     target, or shows bursts at one level, a value that is held, or lost rows: "mask" (lost rows: split) or "keep"."""
     spikes: Literal["mask", "keep"] = "mask"
-    """What happens to single samples far off neighbours that agree: "mask" (inputs: a line across) or "keep"."""
+    """Action at single samples far off neighbours that agree: "mask" (inputs: a line across) or "keep"."""
     csv: Csv = Csv()
-    """How to read CSV logs."""
+    """Format of CSV logs."""
 
     @model_validator(mode="after")
     def _record_is_finer(self) -> "Ingest":
@@ -157,10 +156,10 @@ class Structure(SettingsTable):
     gain: Literal["auto", "curve", "constant"] = "auto"
     """Gain of each input: a curve or a number."""
     drive: Literal["auto", "direct", "lag", "delay", "lag+delay", "effect-lag"] = "auto"
-    """How an input reaches the device: at once, behind a first-order lag, a constant delay, or both. With
-    "effect-lag" what the input does lags, as heat or pressure follows a power."""
+    """Dynamics from an input to the device: at once, behind a first-order lag, a constant delay, or both. With
+    "effect-lag" the effect of the input lags, as heat or pressure follows a power."""
     effect: Literal["auto", "plain", "bent", "dead-zone"] = "auto"
-    """How strongly an input acts: in proportion (or by its square), by a curve that is steeper or flatter at
+    """Static curve of an input: in proportion (or by its square), by a curve that is steeper or flatter at
     zero, as of an amplifier, valve or motor that saturates, or past a dead zone in which it does nothing."""
     hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
     """Inputs between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
@@ -297,9 +296,8 @@ class Prototype(SettingsTable):
     @model_validator(mode="after")
     def _read(self) -> "Prototype":
         """Nothing is set that nothing reads; the paper's M and σ_n also decide gates and studies."""
-        identify = self.identify
-        set_here = [f"identify.structure.{key}" for key, value in identify.structure if value != AUTO]
-        set_here += ["identify.time_limit"] if identify.time_limit != _default(Identify, "time_limit") else []
+        set_here = [f"identify.structure.{key}" for key, value in self.identify.structure if value != AUTO]
+        set_here += ["identify.time_limit"] if self.identify.time_limit != _default(Identify, "time_limit") else []
         set_here += ["plant.curves"] if self.plant.curves is not None else []
         if set_here and not {AUTO, "rbf"} & set(self.identify.models):
             raise ValueError(f'{set_here[0]}: is for "rbf", which identify.models does not name')
@@ -319,7 +317,7 @@ class Prototype(SettingsTable):
 
     @property
     def may_be_a_joint(self) -> bool:
-        """Whether the device has the two squared inputs of the joint's equations."""
+        """True if the device has the two squared inputs of the joint's equations."""
         return self.channels.v2 is not None and self.plant.inputs == "squared"
 
     @property
@@ -337,7 +335,7 @@ class Prototype(SettingsTable):
 
 
 def _default(section: type[SettingsTable], key: str) -> Any:
-    """What a key is where it is left out."""
+    """Default of a key."""
     return section.model_fields[key].default
 
 

@@ -11,7 +11,7 @@ from .log import Log
 
 @dataclass(frozen=True)
 class Corrections:
-    """What makes readings true: v → gains·v(t − delay), q → gain_q·q + zero, t → clock·t.
+    """Corrections of readings: v → gains·v(t − delay), q → gain_q·q + zero, t → clock·t.
 
     Attributes
     ----------
@@ -35,7 +35,7 @@ class Corrections:
 
     @property
     def act(self) -> bool:
-        """Whether they change anything."""
+        """True if the corrections change anything."""
         return self != Corrections((1.0,) * len(self.gains))
 
     def then(self, later: "Corrections") -> "Corrections":
@@ -78,8 +78,7 @@ def _delayed(samples: FloatArray, delay: float) -> FloatArray:
     rows = samples.reshape(-1, samples.shape[-1])
     places = np.arange(len(rows), dtype=np.float64)
     at = np.clip(places - delay * len(rows) / len(samples), 0.0, places[-1])
-    later: FloatArray = CubicSpline(places, rows)(at).reshape(samples.shape)
-    return later
+    return np.asarray(CubicSpline(places, rows)(at).reshape(samples.shape))
 
 
 def mirrored(log: Log) -> Log:

@@ -1,10 +1,23 @@
-"""The finding: what was measured of a log or a model, as a code with numbers; `diagnostics.sentences` words it."""
+"""Findings: what was measured of a log or a model, as a code with numbers; what speaks against one log, and remarks.
 
-from collections.abc import Mapping
+The bounds are five times and more what the worst of twelve measured and simulated logs shows (jitter 0.06 steps,
+displacement at its extremes 0.4 % of the samples, masked rows 1 %, no hum above the noise), or where half of a log is
+no measurement.
+"""
+
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+import numpy as np
+
+from ..numerics.arrays import FloatArray
 from ..settings.prototype import Gate
+from ..units.quantity import stamped
+from .columns import Missing
+from .noise import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
+from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
+from .timebase import TimeQuality
 
 Severity = Literal["unseen", "good", "fair", "poor"]
 SEVERITIES: tuple[Severity, ...] = ("unseen", "good", "fair", "poor")
@@ -21,12 +34,12 @@ class Number:
 
 @dataclass(frozen=True)
 class Finding:
-    """What was measured, how bad it is, and of which log.
+    """Measured numbers with their severity and their log.
 
     Attributes
     ----------
     code : str
-        Which finding it is, in snake case, as tests and users of the datasheet compare it.
+        Name of the finding in snake case, as tests and users of the datasheet compare it.
     severity : Severity
         Unseen: the data do not show it.
     log : str
@@ -34,7 +47,7 @@ class Finding:
     subject : str
         The channel, model or fact that it is about, for instance ``v1``; may be empty.
     numbers : mapping of str to Number
-        What was measured, by name.
+        Measured numbers by name.
     gate : Gate or None
         The name under which the settings accept it, where it refuses the data.
     """
@@ -45,6 +58,10 @@ class Finding:
     subject: str = ""
     numbers: Mapping[str, Number] = field(default_factory=dict)
     gate: Gate | None = None
+
+    def value(self, name: str) -> float:
+        """A number of the finding, in SI."""
+        return self.numbers[name].value
 
 
 def refusal(gate: Gate, code: str, numbers: Mapping[str, Number] | None = None, subject: str = "") -> Finding:
@@ -58,3 +75,281 @@ def refusal(gate: Gate, code: str, numbers: Mapping[str, Number] | None = None, 
         As in `Finding`.
     """
     return Finding(code, "poor", subject=subject, numbers=numbers or {}, gate=gate)
+
+
+MOST_MISSING = 0.1
+"""Share of a signal that may be missing."""
+MOST_REPEATED = 0.05
+"""Share of the time stamps that may repeat the one before."""
+_MOST: dict[Gate, float] = {
+    "masked": 0.5, "missing": MOST_MISSING, "repeated": MOST_REPEATED, "dropped": 0.2, "jitter": 0.3, "rails": 0.05,
+    "hum": 0.05,
+}  # fmt: skip
+"""Largest share by gate."""
+COARSEST_STEP = 3.0
+"""Steps of a log in sample intervals of the settings: beyond, most uniform samples would be made up."""
+
+UNTOLD_STEP = 1.2
+"""The same, up to which there is no remark."""
+
+
+def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequence[str] = ()) -> list[Finding]:
+    """Findings against one log.
+
+    Parameters
+    ----------
+    time : TimeQuality
+        Of the displacement's time base.
+    q : SignalQuality
+        Of the displacement.
+    masked : float
+        Share of the uniform rows that are masked or cut off at the log's ends, for whatever reason.
+    few : sequence of str
+        Inputs that have far fewer samples than their step and length give, as if recorded on change only.
+
+    Notes
+    -----
+    Samples at rails that are masked are kept out of the fit, but the motion beyond the sensor's range is missing all
+    the same.
+    """
+    span = q.largest - q.smallest
+    hum = max(q.hum, key=lambda line: line.amplitude, default=None)
+    shares = {
+        "masked": masked,
+        "missing": q.lost / q.n,
+        "repeated": time.repeated / time.n,
+        "dropped": time.dropped / (time.n + time.dropped),
+        "jitter": time.jitter / time.step,
+        "rails": 0.0 if q.constant else q.low_rail + q.high_rail,
+        "hum": hum.amplitude / span if hum is not None and span > 0.0 else 0.0,
+    }
+    notes = {
+        "masked": {name: Number(1.0) for name in few},
+        "hum": {"frequency": Number(hum.frequency if hum else 0.0, "Hz")},
+    }
+    return [
+        refusal(gate, f"{gate}_share", {"share": Number(shares[gate]), "most": Number(most), **notes.get(gate, {})})
+        for gate, most in _MOST.items()
+        if shares[gate] > most
+    ]
+
+
+def missing_findings(beside: Mapping[str, Missing]) -> list[Finding]:
+    """Refusals of signals that are missing for too much of the displacement."""
+    most = Number(MOST_MISSING)
+    return [
+        refusal(
+            "missing",
+            "signal_missing",
+            {"share": Number(lacks.share), "most": most, "not_finite": Number(lacks.not_finite)},
+            name,
+        )
+        for name, lacks in beside.items()
+        if lacks.share > MOST_MISSING
+    ]
+
+
+def coarse_inputs(steps: Mapping[str, float], interval: float) -> list[Finding]:
+    """Inputs whose own steps [s] are longer than `COARSEST_STEP` sample intervals [s]."""
+    return [
+        refusal("rate", "coarse_input", {"step": Number(step, "s"), "interval": Number(interval, "s")}, name)
+        for name, step in steps.items()
+        if step > COARSEST_STEP * interval
+    ]
+
+
+def rate_remarks(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[str]:
+    """That a log is slower than the sample interval, so that rows between its samples are interpolated, or that q moves
+    faster than the interval shows well, in a log that could show it.
+    """
+    made_up = 1.0 - sample_interval / time.step
+    if time.step > UNTOLD_STEP * sample_interval:
+        return [
+            f"the log has a sample every {time.step:.4g} s, so {100.0 * made_up:.0f} % of the rows at [ingest] "
+            f"sample_interval = {sample_interval:g} are interpolated: the noise looks smaller and fits take longer; "
+            f"set sample_interval = {time.step:.4g}"
+        ]
+    if not _unshown(time, q, sample_interval, q.band.most, LEAST_PER_PERIOD):
+        return []
+    return [
+        f"q: moves up to {q.band.most:.3g} Hz (99 % of its power), of which [ingest] sample_interval = "
+        f"{sample_interval:g} s leaves little: set sample_interval = {advised_interval(q.band.most, time.step):g}"
+    ]
+
+
+def _unshown(time: TimeQuality, q: SignalQuality, interval: float, frequency: float, least: float) -> bool:
+    """True if a frequency has fewer samples a period than `least`, and would have more in a finer record of the log."""
+    faster = frequency * interval * least > 1.0  # never of NaN
+    return faster and not q.idle and interval > UNTOLD_STEP * time.step
+
+
+def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[Finding]:
+    """Findings where log and sample interval do not go together.
+
+    A log is too coarse where its unit of time is wrong, and too fine where decimation leaves little of its motion.
+    """
+    if _unshown(time, q, sample_interval, q.band.half, LOST_PER_PERIOD):
+        numbers = {
+            "half": Number(q.band.half, "Hz"),
+            "interval": Number(sample_interval, "s"),
+            "advised": Number(advised_interval(q.band.most, time.step), "s"),
+        }
+        return [refusal("rate", "fast_motion", numbers)]
+    if time.step <= COARSEST_STEP * sample_interval:
+        return []
+    numbers = {
+        "step": Number(time.step, "s"),
+        "lasts": Number(time.stop - time.start, "s"),
+        "interval": Number(sample_interval, "s"),
+        "most": Number(COARSEST_STEP),
+    }
+    return [refusal("rate", "coarse_log", numbers)]
+
+
+def scale_suspicion(span: float, plausible: tuple[float, float] | None) -> float | None:
+    """By what factor numbers look too large, if a unit prefix seems to be wrong.
+
+    Parameters
+    ----------
+    span : float
+        Largest minus smallest value, in SI.
+    plausible : (float, float) or None
+        Least and largest span that such signals show (`Device.plausible_span`).
+
+    Returns
+    -------
+    float or None
+        1000.0: looks 1000 times too large; 0.001: 1000 times too small, and so on; None where the span is
+        plausible, zero, or nothing is known of it.
+    """
+    low, high = plausible or (0.0, np.inf)
+    if not 0.0 < span < np.inf or low <= span <= high:
+        return None
+    prefix = 1000.0 if span > high else 1.0 / 1000.0
+    factor = prefix
+    while max(low * factor / span, span / (high * factor)) > 1.0 and max(factor, 1.0 / factor) < 1e9:
+        factor *= prefix
+    return factor
+
+
+def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
+    """Remarks on an input that is cut off at its largest or smallest value, exactly or beneath noise.
+
+    A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests about
+    zero is not at a rail there: its steps may hide the noise, and an amplifier that is off makes none.
+
+    Parameters
+    ----------
+    time : FloatArray, shape (N,)
+        Time stamps [s].
+    samples : FloatArray, shape (N,)
+        The input.
+    step : float
+        Nominal step [s].
+    unit : str
+        SI unit of the input.
+    """
+    quality = examine_signal(time, samples, step)
+    if quality.constant or quality.stepped or quality.levels or quality.ramped:
+        return []
+    remarks = []
+    for low, high in quality.rails:
+        level = 0.5 * (low + high)
+        if abs(level) <= BOTH_SIGNS * max(abs(quality.smallest), abs(quality.largest)):
+            continue
+        there = (samples >= low) & (samples <= high)
+        first = time[np.argmax(there)]
+        cut = "but for its noise, " if high > low else ""
+        remarks.append(
+            f"{100.0 * np.mean(there):.2g} % of the samples stay at {level:.6g} {unit}, {cut}the first at "
+            f"{first:.6g} s, which they reach at a slope: a saturated probe? What was applied there is not known: "
+            "widen the probe's range, unless this is a command that is limited there"
+        )
+    return remarks
+
+
+_FROZEN_SECONDS = 0.05
+_FROZEN_SAMPLES = 20
+_SHOWS = 1e-4
+"""Share of the range of a signal that a hum is worth a remark from."""
+_MUCH = 10.0
+"""Times the range of an idle channel by which another one of its unit moves, if the idle one is not driven."""
+
+Clock = Literal["s", "samples", ""]
+"""Units of places in a log: seconds, numbers of samples, or a time of which the log states no unit."""
+
+
+@dataclass(frozen=True)
+class Context:
+    """Knowledge of a channel beside its samples.
+
+    Attributes
+    ----------
+    clock : {"s", "samples", ""}
+        Unit of its places.
+    driven : bool
+        True if it may be an input: one that is held, or stays at a limit, was commanded so.
+    alike : float
+        Largest range of another channel of its unit; NaN where there is none.
+    """
+
+    clock: Clock = "s"
+    driven: bool = False
+    alike: float = np.nan
+
+
+def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[str, ...]:
+    """Remarks on a channel for the user."""
+    clock = context.clock
+    remarks = []
+    if quality.not_finite:
+        remarks.append(f"{counted(quality.not_finite, 'sample')} not finite{_first(quality.not_finite_at, clock)}")
+    if quality.constant:
+        return (*remarks, "constant")
+    if quality.levels:
+        values = [f"{value:.6g}" for value in quality.levels]
+        return (*remarks, f"takes {len(values)} values only: {', '.join(values[:-1])} and {values[-1]}")
+    if quality.idle:
+        undriven = not context.driven or context.alike > _MUCH * quality.span
+        remarks.append("nothing but noise: no excitation" if undriven else "white noise, or nothing but noise")
+    if not (context.driven and (quality.stepped or quality.ramped)):
+        remarks += _stays(quality, clock)
+    if quality.spikes:
+        remarks.append(f"{counted(quality.spikes, 'single-sample spike')}{_first(quality.spikes_at, clock)}")
+    remarks += [
+        f"{line.frequency:g} Hz hum {line.above_floor_db:.0f} dB over the spectrum beside it, "
+        f"amplitude {line.amplitude:.3g}"
+        for line in quality.hum
+        if line.stands_out and line.amplitude > _SHOWS * quality.span and clock == "s"
+    ]
+    return tuple(remarks)
+
+
+def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
+    """Remarks on times in which a signal stands still."""
+    remarks = []
+    for rail, share, value in (
+        ("upper", quality.high_rail, quality.usual[1]),
+        ("lower", quality.low_rail, quality.usual[0]),
+    ):
+        if share > 0.0:
+            remarks.append(f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?")
+    long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
+    if clock == "s" and long and not (quality.stepped or quality.rests):
+        remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {stamped(quality.frozen_at)} s on")
+    return remarks
+
+
+def counted(number: int, thing: str) -> str:
+    """A number of things."""
+    return f"{number} {thing}{'' if number == 1 else 's'}"
+
+
+def _first(places: tuple[float, ...], clock: Clock) -> str:
+    """Place of the first event, as text; empty where the time itself is not known there."""
+    if not places or not np.isfinite(places[0]):
+        return ""
+    if clock == "s":
+        return f", the first at {stamped(places[0])} s"
+    place = f"{places[0]:.6g}"
+    return f", the first at {f'sample {place}' if clock == 'samples' else place}"

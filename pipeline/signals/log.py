@@ -1,4 +1,4 @@
-"""A log on a uniform time base: what fits, checks, scores, the Python interface and reports take.
+"""A log, raw with a time base for each signal, then on a uniform one: what all of the program takes.
 
 A log has parts between which its inputs were not recorded, so that nobody knows what the device did there. A short hole
 is bridged by a straight line; behind a longer one fits and free runs start anew, as at the beginning of a log.
@@ -12,6 +12,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval
+from .columns import Signal
 
 SHORTEST = 5
 """Samples of a segment: a shorter one carries no dynamics worth a row in a fit."""
@@ -124,8 +125,7 @@ class Log:
     def segment(self) -> IntArray:
         """The number of the gap-free segment of each row, −1 where the row is not valid, shape (N,)."""
         begins = np.diff(self.valid.astype(np.int64), prepend=0) > 0
-        numbers: IntArray = np.where(self.valid, np.cumsum(begins) - 1, -1)
-        return numbers
+        return np.asarray(np.where(self.valid, np.cumsum(begins) - 1, -1))
 
     def part(self, start: int, stop: int) -> "Log":
         """The samples from `start` to `stop`; the inputs before them are its past."""
@@ -172,7 +172,7 @@ class Log:
 
     @property
     def moves_at_first(self) -> bool:
-        """Whether q moves at the beginning."""
+        """True if q moves at the beginning."""
         first = int(np.argmax(self.valid))
         edge = self.q[first : first + EDGE + 1]
         change = np.nanmax(edge) - np.nanmin(edge)
@@ -180,7 +180,7 @@ class Log:
 
     @property
     def begins_in_motion(self) -> bool:
-        """Whether q moves at the beginning and its velocity is a derivative, which is poor there."""
+        """True if q moves at the beginning and its velocity is a derivative, which is poor there."""
         return self.velocity is None and self.moves_at_first
 
     def to_fit(self) -> "Log":
@@ -201,7 +201,7 @@ class Log:
 
 
 def _farther(whole: Log, later: Log) -> bool:
-    """Whether a log goes farther than its later part by more than `_FARTHER` of its range."""
+    """True if a log goes farther than its later part by more than `_FARTHER` of its range."""
     low = whole.known_q.min()
     high = whole.known_q.max()
     return bool(max(later.known_q.min() - low, high - later.known_q.max()) > _FARTHER * (high - low))
@@ -261,8 +261,7 @@ def log_of(
 def _valid(segment: Any) -> BoolArray:
     """Rows of a segment, shape (N,); where two meet, the first row of the second one parts them."""
     meet = (np.diff(segment, prepend=segment[:1]) != 0) & (segment > 0) & (np.roll(segment, 1) >= 0)
-    valid: BoolArray = (segment >= 0) & ~meet
-    return valid
+    return np.asarray((segment >= 0) & ~meet)
 
 
 def voltages(table: Mapping[str, FloatArray]) -> FloatArray:
@@ -276,3 +275,31 @@ def unknown_rows(t: FloatArray, spans: Sequence[Sequence[float]]) -> BoolArray:
     for start, stop in spans:
         inside[np.searchsorted(t, start, side="right") : np.searchsorted(t, stop)] = True
     return inside
+
+
+@dataclass(frozen=True)
+class RawLog:
+    """A log in SI units before it has a uniform time base; signals with one time base hold the same object.
+
+    Attributes
+    ----------
+    q : Signal
+        Displacement [m or rad].
+    inputs : tuple of Signal
+        Voltages [V], or what the inputs measure.
+    velocity : Signal or None
+        Measured velocity [m/s or rad/s].
+    notes : tuple of str
+        What was masked or interpolated, by the names in a record.
+    """
+
+    q: Signal
+    inputs: tuple[Signal, ...]
+    velocity: Signal | None = None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def beside(self) -> dict[str, Signal]:
+        """All but q, by their names in a record."""
+        named = {f"v{i}": signal for i, signal in enumerate(self.inputs, start=1)}
+        return named if self.velocity is None else {**named, "velocity": self.velocity}

@@ -13,13 +13,15 @@ import numpy as np
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from .columns import BLOCK, Signal, chunks, column, finite, select
 from .noise import CHANCE, REACH, SELDOM, noise_level
-from .rails import IN_A_ROW, in_a_row, runs_between
 from .signal_quality import (
     BESIDE_SPIKE,
+    IN_A_ROW,
     OF_BESIDE,
     SignalQuality,
     bridged,
     examine_signal,
+    in_a_row,
+    runs_between,
     single_spikes,
     spikes_in,
 )
@@ -37,14 +39,14 @@ _LONGEST = 0.25
 
 
 def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArray, step: float) -> bool:
-    """Whether some input has changed just before these times more often than by chance.
+    """True if some input has changed just before these times more often than by chance.
 
     Parameters
     ----------
     times : FloatArray, shape (n,)
-        When the signal jumps [s].
+        Times of the signal's jumps [s].
     inputs : sequence of (FloatArray, FloatArray)
-        Time stamps [s] and samples of what drives the device.
+        Time stamps [s] and samples of the device's inputs.
     stamps : FloatArray, shape (N,)
         Those of the signal [s], by which chance is judged.
     step : float
@@ -63,22 +65,21 @@ def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArra
 
 
 def _changed(signal: Signal, times: FloatArray, step: float, least: float) -> BoolArray:
-    """Whether an input differs at these times [s] by more than `least` from what it was shortly before."""
+    """Mask of the times [s] at which an input differs by more than `least` from its value shortly before."""
     before = np.searchsorted(signal[0], times - max(GAP_STEPS * step, _ANSWER))
     now = np.searchsorted(signal[0], times + step)
     last = signal[1].size - 1
-    changed: BoolArray = np.abs(signal[1][np.minimum(now, last)] - signal[1][np.minimum(before, last)]) > least
-    return changed
+    return np.asarray(np.abs(signal[1][np.minimum(now, last)] - signal[1][np.minimum(before, last)]) > least)
 
 
 @dataclass(frozen=True)
 class Dropouts:
-    """What of a signal within its range is no measurement.
+    """Samples of a signal within its range that are no measurement.
 
     Attributes
     ----------
     bursts, held : IntArray, shape (n, 2)
-        First row and end of each burst at a level, and of each stretch in which the last value was held.
+        First row and end of each burst at a level, and of each segment in which the last value was held.
     levels : tuple of float
         Levels of the bursts, the most frequent first, in the unit of the signal.
     cuts : FloatArray, shape (m, 2)
@@ -213,7 +214,7 @@ def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list
 
 
 def _several(spans: IntArray, singular: str, plural: str = "") -> str:
-    """How many spans and samples."""
+    """Count of spans and samples, as text."""
     noun = singular if len(spans) == 1 else plural or f"{singular}s"
     return f"{len(spans)} {noun} of {int(np.diff(spans).sum())} samples"
 

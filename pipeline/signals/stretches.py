@@ -101,7 +101,7 @@ def advancing_rows(time: FloatArray, time_reversal: TimeReversal, cuts: FloatArr
     usable = repeated = 0
 
     def flags() -> Iterator[BoolArray]:
-        """Which rows advance, chunk by chunk; what is left out is counted beside."""
+        """Masks of the rows that advance in time, chunk by chunk; counts those left out."""
         nonlocal usable, repeated
         last, reached = np.nan, -np.inf  # the last finite stamp, and the latest
         for rows in chunks(time.size):

@@ -21,14 +21,14 @@ _UNIFORM = 1e-3
 
 
 def is_uniform(t: FloatArray, tolerance: float = _UNIFORM) -> bool:
-    """Whether time stamps, shape (N,), rise in steps that differ by at most this share of a step (and rounding)."""
+    """True if time stamps, shape (N,), rise in steps that differ by at most this share of a step (and rounding)."""
     steps = np.diff(t)
     return bool(steps.min() > 0.0 and np.ptp(steps) <= tolerance * steps.mean() + 4 * np.spacing(np.abs(t).max()))
 
 
 @dataclass(frozen=True)
 class TimeQuality:
-    """What a time base looks like; times and durations in the unit of the time base (SI: s).
+    """Quality of a time base; times and durations in its unit (SI: s).
 
     Attributes
     ----------
@@ -80,13 +80,13 @@ class TimeQuality:
 
     @property
     def written_as_minutes(self) -> bool:
-        """Whether time goes on from 59 to 100 at each gap, as numbers written ``hhmmss`` do."""
+        """True if time goes on from 59 to 100 at each gap, as numbers written ``hhmmss`` do."""
         jumps = ((begin % 100.0, (end - begin) % 100.0) for begin, end in self.gaps_at)
         return bool(self.gaps_at) and all(begin >= 59.0 and abs(jump - 40.0) < 1.0 for begin, jump in jumps)
 
     @property
     def regular(self) -> bool:
-        """Whether nothing but the stamps' spacing may be remarked on."""
+        """True if nothing but the stamps' spacing may be remarked on."""
         return not (self.not_finite or self.repeated or self.backward or self.gaps)
 
 
@@ -116,7 +116,7 @@ def default_gap_limit(step: float) -> float:
 
 
 def seldom(count: int, step: float, lasts: float) -> bool:
-    """Whether `count` samples of a usual step cover less than half of a record, as if made on change only."""
+    """True if `count` samples of a usual step cover less than half of a record, as if made on change only."""
     return 2.0 * count * step < lasts
 
 
@@ -200,8 +200,7 @@ def advancing(time: FloatArray, reached: float = -np.inf) -> BoolArray:
     """
     stamps = np.concatenate(([reached], np.where(np.isfinite(time), time, -np.inf)))
     before = np.maximum.accumulate(stamps)[:-1]
-    later: BoolArray = stamps[1:] > before
-    return later
+    return np.asarray(stamps[1:] > before)
 
 
 def unwrapped(time: FloatArray) -> FloatArray:

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from ..errors import DataRefusedError
 from ..numerics.arrays import FloatArray, IntArray
 from .columns import CHUNK
-from .decimation_kernel import REACH
-from .resampling import LEAST_RATIO, uniform_grid
+from .resampling import LEAST_RATIO, REACH, uniform_grid
 from .stretches import (
     NO_CUTS,
     Stream,
@@ -30,7 +29,7 @@ _SMOOTH = ("q", "velocity")  # columns of something with inertia, which has no s
 
 @dataclass(frozen=True)
 class RecordReport:
-    """How a uniform record came about; times in s.
+    """Report on the making of a uniform record; times in s.
 
     Attributes
     ----------
@@ -50,7 +49,7 @@ class RecordReport:
     gaps_at : tuple of (float, float)
         Last time before and first time after a gap, the first `LOCATED` ones.
     segments : int
-        Gap-free stretches of the record.
+        Gap-free segments of the record.
     """
 
     raw_rows: int
@@ -268,7 +267,7 @@ class Resampling:
 
 
 def _method(step: float, interval: float) -> Method:
-    """Whether a log of that nominal step is decimated or passed through; a thousandth is left to rounding."""
+    """Method for a log of that nominal step: decimated or interpolated; a thousandth is left to rounding."""
     return "decimated" if interval >= (LEAST_RATIO - 1e-3) * step else "interpolated"
 
 

@@ -16,7 +16,7 @@ Dtype = Literal["float64", "int32", "int64", "string", "bool"]
 
 @dataclass(frozen=True)
 class Cell:
-    """How the tables for people show a column of the scores; its interval follows where there are columns of one.
+    """Printed form of a column of the scores; its interval follows where there are columns of one.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Where the artifacts of a run lie (contract: run folder)."""
+"""Paths of the artifacts in a run folder."""
 
 import math
 from collections.abc import Mapping
@@ -25,7 +25,7 @@ EXPORTS = "exports"
 
 
 def inside(name: str) -> bool:
-    """Whether a path in a run, with slashes, leads to no other place on any system: no step up, drive or backslash."""
+    """True if a path in a run, with slashes, stays in it on any system: no step up, drive or backslash."""
     path = PureWindowsPath(name)
     return not (path.anchor or ".." in path.parts or "\\" in name)
 
@@ -108,7 +108,7 @@ def baseline(model: str) -> str:
 
 
 def control(title: str) -> str:
-    """What `debist control` found out."""
+    """Path of the results of `debist control`."""
     return f"control/{title}.json"
 
 

@@ -23,7 +23,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, TypeAdapter, ValidationError
 
 from ..errors import CorruptArtifactError, InputError
-from ..settings.former import translated
+from ..settings.file import translated
 from ..system.names import shell_word
 from ..system.package import program_version
 from ..system.plain_files import read_plain
@@ -63,7 +63,7 @@ def recorded_versions() -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Recipe:
-    """What decides an artifact's content; its digest is the cache key.
+    """Inputs that decide an artifact's content; its digest is the cache key.
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ class Recipe:
     inputs: Mapping[str, str]
 
     def differences(self, other: "Recipe") -> list[str]:
-        """Why `self`, wanted now, is not `other`, made before; one reason per change."""
+        """Reasons why `self`, wanted now, is not `other`, made before; one per change."""
         reasons = []
         if self.algorithm != other.algorithm:
             reasons.append(f"algorithm {other.algorithm} became {self.algorithm}")
@@ -236,7 +236,7 @@ def to_json(value: Any) -> Any:
 
 
 def changes(settings: Mapping[str, Any], before: Mapping[str, Any]) -> list[str]:
-    """What differs between settings and those of before, one sentence for each key."""
+    """Differences between settings and those of before, one sentence for each key."""
     mine = dict(flatten(settings, separator="."))
     theirs = dict(flatten(before, separator="."))
     return [
@@ -247,7 +247,7 @@ def changes(settings: Mapping[str, Any], before: Mapping[str, Any]) -> list[str]
 
 
 def stage_file(stage: str) -> str:
-    """Where the manifest of a stage lies in a run."""
+    """Path of the manifest of a stage in a run."""
     return f"{STAGES}/{stage}.json"
 
 
@@ -257,7 +257,7 @@ def stage_text(stage: str, content: Mapping[str, str]) -> str:
 
 
 def staging_place(path: Path) -> Path:
-    """Where a file of a run lies until its commit."""
+    """Path of a file of a run until its commit."""
     return path.with_name(f".{path.name}{STAGED_MARK}")
 
 
@@ -287,7 +287,7 @@ def recover(root: Path) -> None:
 
 
 def is_staged(path: Path, sha256: str) -> bool:
-    """Whether the bytes that belong at `path` are still at its staging place."""
+    """True if the bytes that belong at `path` are still at its staging place."""
     staged = staging_place(path)
     return staged.is_file() and file_sha256(staged) == sha256
 

@@ -79,7 +79,7 @@ def note_written(folder: Path, names: Iterable[str], command: str) -> None:
 
 
 def rebased(path: Path, staged: Path, folder: Path) -> Path:
-    """Where a file goes that was written into the folder of `new_outputs`."""
+    """Final path of a file that was written into the folder of `new_outputs`."""
     return folder / path.relative_to(staged)
 
 
@@ -165,7 +165,7 @@ def _is_known(path: Path, entry: Any, command: str) -> bool:
 
 
 def written_files(folder: Path) -> dict[str, Any]:
-    """What was written into a folder by which command, with its hash; nothing where the list is missing or damaged."""
+    """Files written into a folder, each with its command and hash; empty where the list is missing or damaged."""
     try:
         files = dict(json.loads(read_plain(folder / WRITTEN, _LARGEST_LIST))["files"])
     except (OSError, ValueError, KeyError, TypeError, RecursionError):

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from ..errors import CorruptArtifactError, InputError, SupersededError, warn_user
-from ..settings.former import translated
+from ..settings.file import translated
 from ..settings.prototype import Prototype, parse_prototype
 from ..system.names import shell_word
 from ..system.plain_files import open_plain
@@ -49,7 +49,7 @@ _Read = Callable[[Path], tuple[T, str]]
 
 
 def _look_up(root: Path, path: Path, size: int, sha256: str, read: _Read[T]) -> tuple[T | None, str | None]:
-    """What `read` gives of a file of the run `root`, or what is wrong with it.
+    """Result of `read` for a file of the run `root`, or the problem with the file.
 
     While a commit awaits its completion the file is at its staging place, from which it may just be moved.
 
@@ -165,7 +165,7 @@ class RunFolder:
             raise CorruptArtifactError(f"{error}; run again from the settings file") from None
 
     def path(self, name: str) -> Path:
-        """Where the artifact `name` lies.
+        """Path of the artifact `name`.
 
         Raises
         ------
@@ -191,7 +191,7 @@ class RunFolder:
         return self.manifest.artifacts[name]
 
     def problem(self, name: str) -> str | None:
-        """What is wrong with the file of a recorded artifact, or None.
+        """Problem with the file of a recorded artifact, or None.
 
         Raises
         ------
@@ -256,7 +256,7 @@ class RunFolder:
         return content
 
     def _newer(self, name: str) -> str | None:
-        """What was made anew since an artifact was made from it; None where nothing was."""
+        """Name of an input that was made anew since the artifact was made from it; None where there is none."""
         recipe = self.record(name).recipe
         made_from = {} if recipe.stage == "ingest" else recipe.inputs  # raw files, which may have names of artifacts
         for each, content in made_from.items():
@@ -266,7 +266,7 @@ class RunFolder:
         return None
 
     def _examine(self, name: str, read: _Read[T]) -> tuple[T | None, str | None]:
-        """What `read` gives of the artifact's file, or what is wrong with it.
+        """Result of `read` for the artifact's file, or the problem with the file.
 
         While a commit awaits its completion the file is at its staging place, from which it may just be moved.
         """
@@ -278,7 +278,7 @@ class RunFolder:
         return content, problem
 
     def stage_problem(self, stage: str) -> str | None:
-        """What is wrong with the manifest of a stage, or None; errors as for `problem`."""
+        """Problem with the manifest of a stage, or None; errors as for `problem`."""
         content = self.manifest.stages[stage]
         path = self.path(stage_file(stage))
         text = stage_text(stage, content).encode()
@@ -432,7 +432,7 @@ def in_snapshot(root: Path, work: Callable[[RunFolder], T]) -> T:
 
 
 def holds_run(root: Path) -> bool:
-    """Whether a run is there; else it may begin there.
+    """True if a run is there; else it may begin there.
 
     Raises
     ------
@@ -442,10 +442,7 @@ def holds_run(root: Path) -> bool:
     with reading(root):
         if (root / MANIFEST).exists() or (root / NEXT_MANIFEST).exists():
             return True
-        if root.is_dir() and not all(_may_be_there(entry.name) for entry in root.iterdir()):
+        names = [entry.name for entry in root.iterdir()] if root.is_dir() else []
+        if not all(name.startswith(_NO_RUN_YET) or name.endswith(TEMPORARY_MARK) for name in names):
             raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
     return False
-
-
-def _may_be_there(name: str) -> bool:
-    return name.startswith(_NO_RUN_YET) or name.endswith(TEMPORARY_MARK)

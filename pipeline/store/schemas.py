@@ -121,7 +121,7 @@ _OF_FILES = (
 
 
 def misfit(name: str, table: Mapping[str, np.ndarray[Any, Any]]) -> str | None:
-    """What a table that was read from the artifact `name` holds or lacks otherwise than its schema; None if nothing."""
+    """Difference between a table that was read from the artifact `name` and its schema, in words; None if none."""
     schema = next((schema for pattern, schema in _OF_FILES if fnmatchcase(name, pattern)), None)
     if schema is None:
         return next(

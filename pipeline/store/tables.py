@@ -13,13 +13,11 @@ from .atomic import atomic_path, reading
 from .columns import SCHEMA_VERSION
 from .hashing import ColumnDigest, digests_hash
 from .schemas import Schema
+from .trees import LARGEST_RATIO, SMALL_FILE
 
 Table = dict[str, np.ndarray[Any, Any]]
 
 _ROW_GROUP = 1 << 20
-_SMALL_FILE = 256 << 20
-_LARGEST_RATIO = 200
-"""Bytes that any file may declare, and those for each of its own bytes."""
 _WIDEST = 8
 
 
@@ -195,5 +193,5 @@ def _check_size(metadata: Any, size: int) -> None:
         column = metadata.row_group(i).column(j)
         repeated = column.has_dictionary_page and "BYTE_ARRAY" in column.physical_type
         declared += column.total_uncompressed_size * (column.num_values if repeated else 1)
-    if declared > max(_SMALL_FILE, _LARGEST_RATIO * size):
+    if declared > max(SMALL_FILE, LARGEST_RATIO * size):
         raise ValueError(f"declares {declared / 1e6:.3g} MB in a file of {size / 1e6:.3g} MB")

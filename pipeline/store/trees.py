@@ -26,10 +26,10 @@ _FILTERS = {1, 2, 3}
 _MOST_FROM_GZIP = 1100
 """Bytes from one byte; deflate cannot give more than 1032."""
 _SMALL = 1 << 12
-_LARGEST_RATIO = 200
+LARGEST_RATIO = 200
 _LEAST_ENTRY = 16
 """Bytes that need no look, bytes declared in a file for each of its own, and bytes that an entry takes at least."""
-_SMALL_FILE = 256 << 20
+SMALL_FILE = 256 << 20
 
 
 def write_tree(
@@ -130,11 +130,11 @@ class _Reader:
 
     def __init__(self, size: int) -> None:
         self._entries = size // _LEAST_ENTRY
-        self._bytes = max(_SMALL_FILE, _LARGEST_RATIO * size)
+        self._bytes = max(SMALL_FILE, LARGEST_RATIO * size)
         self._letters = size
 
     def group(self, group: Any) -> Tree:
-        """What lies below a group."""
+        """Tree below a group."""
         import h5py
 
         tree: Tree = {}
@@ -163,7 +163,6 @@ class _Reader:
         import h5py
 
         layout = dataset.id.get_create_plist()
-        width = dataset.dtype.itemsize
         if layout.get_layout() == h5py.h5d.VIRTUAL or layout.get_external_count():
             raise ValueError(f"{name!r} lies in other files")
         filters = [layout.get_filter(i)[0] for i in range(layout.get_nfilters())]
@@ -171,9 +170,9 @@ class _Reader:
             raise ValueError(f"{name!r} is packed as debist packs nothing")
         if dataset.dtype.kind not in "biufO" or (dataset.dtype.kind == "O" and filters):
             raise ValueError(f"{name!r} is of type {dataset.dtype}")
-        declared = (dataset.size or 0) * width
+        declared = (dataset.size or 0) * dataset.dtype.itemsize
         stored = dataset.id.get_storage_size()
-        self._bytes -= max(declared, width * math.prod(dataset.chunks or (1,)))
+        self._bytes -= max(declared, dataset.dtype.itemsize * math.prod(dataset.chunks or (1,)))
         if self._bytes < 0 or (declared > _SMALL and declared > stored * (_MOST_FROM_GZIP if filters else 1)):
             raise ValueError(f"{name!r} declares {declared / 1e6:.3g} MB and stores {stored / 1e6:.3g}")
 

@@ -1,1 +1,1 @@
-"""What differs between systems: processes, files, names, threads."""
+"""Differences between operating systems: processes, files, names, threads."""

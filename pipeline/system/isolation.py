@@ -145,7 +145,7 @@ class Isolated:
         self._folder.cleanup()
 
     def __iter__(self) -> Iterator[Any]:
-        """What the process sends; as nothing is unpickled, it cannot run anything here."""
+        """Messages of the process; as nothing is unpickled, it cannot run anything here."""
         while True:
             try:
                 if not self.channel.poll(self.seconds_left):
@@ -187,7 +187,7 @@ def next_ready(running: Iterable[Running]) -> Running:
 
 
 def death(exit_code: int) -> str:
-    """What ended a process that has sent no answer."""
+    """Cause of the end of a process that has sent no answer."""
     if exit_code >= 0:
         return f"exit code {exit_code if exit_code < 1 << 16 else hex(exit_code)}"  # Windows counts in hex
     is_signal = -exit_code in set(signal.Signals)
@@ -241,7 +241,7 @@ def apart() -> Iterator[None]:
 
 
 def import_path() -> list[str]:
-    """Where this process finds its modules, without the current folder, unless debist or the interpreter lies there."""
+    """Search path of this process for modules; the current folder is left out unless debist or Python lies there."""
     here = _current_folder()
     own = {_HOME, *(sysconfig.get_path(name) for name in _STANDARD)}
     entries = [os.path.join(here or "", entry) for entry in sys.path if entry or here]  # noqa: PTH118

@@ -59,18 +59,6 @@ def slug(name: str) -> str:
     return short if len(short) <= _LONGEST else f"{short[: _LONGEST - 9]}-{digest}"
 
 
-def part_of(text: str) -> tuple[int, int] | None:
-    """Number and count of a part such as ``3/10``, the numbers counted from 1; None if it names none."""
-    match = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text)
-    number, count = map(int, match.groups()) if match else (0, 0)
-    return (number, count) if 1 <= number <= count else None
-
-
-def part_holds(number: int, count: int, name: str) -> bool:
-    """Whether the part `number` of `count` holds a name: other names have no influence on it."""
-    return int.from_bytes(hashlib.sha256(name.encode()).digest()[:8], "big") % count == number - 1
-
-
 def _spelt(letter: str) -> str:
     if SAFE.fullmatch(letter):
         return letter
@@ -127,6 +115,6 @@ Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 Typeface = Literal["sans", "serif"]
 """Of a figure."""
 Well = Literal["left", "right"]
-"""Where a joint rests."""
+"""Well in which a joint rests."""
 Goal = Literal["time", "energy", "voltage"]
 """Quantity that a pulse minimises."""

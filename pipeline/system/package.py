@@ -18,7 +18,7 @@ def module_at(place: str) -> ModuleType:
 
 
 def object_at(place: str) -> Any:
-    """What stands at a place ``module:attribute``, such as ``models.narx.model:NARX``."""
+    """Object at ``module:attribute``, such as ``models.narx:NARX``."""
     module, _, attribute = place.partition(":")
     return getattr(module_at(module), attribute)
 

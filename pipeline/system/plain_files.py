@@ -49,7 +49,7 @@ def read_plain(path: Path, most: int) -> bytes:
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """What a TOML file holds.
+    """Contents of a TOML file.
 
     Raises
     ------

@@ -10,12 +10,19 @@ from typing import Any, Protocol, TypeVar
 
 from ..errors import WARNING, DebistError
 from .isolation import apart, begin, process_context
-from .progress import OnProgress
+
+OnProgress = Callable[[str, float], None]
+"""Called with the present step and the share, 0 to 1, that is done."""
+
+
+def silent(what: str, share: float) -> None:
+    """Report nothing."""
+
 
 Item = TypeVar("Item")
 Made = TypeVar("Made")
 Call = Callable[[OnProgress], Any]
-"""What is done: it takes a callable (current step, share done) for its progress, and returns its result."""
+"""Task: it takes a callable (current step, share done) for its progress, and returns its result."""
 
 
 class Pool(Protocol):
@@ -122,7 +129,7 @@ class _Processes:
 
 
 class _Ended:
-    """How a call ended: its value, or the error that it raised, and the warnings for the user."""
+    """Outcome of a call: its value, or the error that it raised, and the warnings for the user."""
 
     def __init__(self, value: Any, error: Exception | None, texts: list[str]) -> None:
         self._value = value

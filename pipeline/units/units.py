@@ -21,7 +21,7 @@ ACCELERATION = ("m/s²", "rad/s²")
 SIGNALS = ("q", "phi", "qdot", "qddot")
 """Signals by which models are scored, in the order of tables and figures."""
 HORIZONS = {"one_step": (0.0, "one step"), "100ms": (0.1, "0.1 s"), "1s": (1.0, "1 s")}
-"""How far ahead of a measured state models are scored: in s (one sample at least), and in words."""
+"""Horizons of the scores from a measured state: in s (one sample at least), and in words."""
 INPUT = ("V", "A", "N", "N·m", "Pa", "1", *ACCELERATION)
 TIME = ("s",)
 
@@ -180,7 +180,7 @@ def _meant(unit: str, allowed: tuple[str, ...]) -> str:
 
 
 def _measures(unit: str, allowed: tuple[str, ...]) -> bool:
-    """Whether this is a unit of one of these SI units."""
+    """True if the unit converts to one of these SI units."""
     if unit in PLAIN or not _UNIT.fullmatch(unit):
         return unit in PLAIN and PLAIN[unit][1] in allowed
     with suppress(Exception):  # pint raises its own errors, AttributeError and tokenizer errors alike
@@ -191,7 +191,7 @@ def _measures(unit: str, allowed: tuple[str, ...]) -> bool:
 
 
 def _instead(unit: str, allowed: tuple[str, ...], *, velocity: bool) -> str:
-    """What to write instead of a unit of another kind, such as that of a velocity."""
+    """Advice in place of a unit of another dimension, such as that of a velocity."""
     if unit.endswith("Nm") and "N·m" in allowed:
         return f"; write {unit.replace('Nm', 'N*m')!r}"
     if allowed == DISPLACEMENT and velocity:

@@ -11,9 +11,8 @@ from ..settings.file import toml_text
 from ..settings.logs import ROLES, log_label
 from ..settings.prototype import Prototype
 from ..store import layout
-from ..store.atomic import refuse_link
+from ..store.atomic import refuse_link, run_lock
 from ..store.hashing import file_sha256
-from ..store.lock import run_lock
 from ..store.outputs import new_outputs, rebased, written_files
 from ..store.run_folder import RunFolder
 from ..system.names import Target, log_name
@@ -163,8 +162,7 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
 
 def _recorded_parameters(run: RunFolder, name: str) -> str:
     """A file of the parameter set that the run was made with, from its recipes: of the set's file they hold no hash."""
-    from ..device.parameter_sets import parameter_file
-    from ..device.parameters import NOMINAL, VECTOR_NAMES
+    from ..device.parameters import NOMINAL, VECTOR_NAMES, parameter_file
 
     recipes = (record.recipe.settings for record in run.manifest.artifacts.values())
     values = next((recipe["parameters"] for recipe in recipes if recipe.get("parameters")), None)

@@ -4,14 +4,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from pydantic import ValidationError
 
 from ..device.device import Device, device
-from ..device.parameter_sets import parameter_set
-from ..device.parameters import JointParameters
+from ..device.parameters import JointParameters, parameter_set
 from ..errors import DebistError, InputError
 from ..fitting.excitation import Excitation, examine_excitation
 from ..fitting.information import FEW
@@ -21,19 +20,16 @@ from ..rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log
 from ..rig_logs.source import CsvOptions
 from ..scoring.wells import NoWells, Wells
 from ..settings.prototype import Prototype, load_prototype
+from ..signals.findings import Finding
+from ..signals.uniform_record import Resampling, survey
 from ..store.run_folder import RunFolder
 from ..system.names import shell_word
 from ..units.quantity import scale
 from . import stage_ingest as ingest
-from .engine import Observer
+from .engine import Observer, bring_up_to_date
 from .place import load_settings
-from .schedule import bring_up_to_date
 from .si_log import read_si
 from .stage_check import examine
-
-if TYPE_CHECKING:
-    from ..signals.findings import Finding
-
 
 LEAST_SWITCHES = 5
 """Snaps in either direction: each lasts 0.1 s, and nothing else shows the curves between the wells."""
@@ -47,7 +43,7 @@ LEAST_LARGEST = 0.8
 
 @dataclass(frozen=True)
 class Shortfall:
-    """What was not excited, and what to add."""
+    """Missing excitation, and advice what to add."""
 
     finding: str
     add: str
@@ -156,7 +152,7 @@ def _places(excitation: Excitation, rows: slice, factor: float, unit: str) -> st
 
 @dataclass(frozen=True)
 class LogExcitation:
-    """What a log excites, and what it lacks.
+    """Excitation of a log, and its shortfalls.
 
     Attributes
     ----------
@@ -165,13 +161,13 @@ class LogExcitation:
     inputs : tuple of str
         Names of the input channels.
     assumed : bool
-        Whether the channels were taken by their names and units, not from settings.
+        True if the channels were taken by their names and units, not from settings.
     shortfalls : list of Shortfall
-        What was not excited and what to add.
+        Missing excitation, each with advice.
     interval : float
         Interval [s] of the samples that were counted.
     factor, unit : float, str
-        In what q is shown: `factor` × SI.
+        Scale and unit in which q is shown: `factor` × SI.
     si : (str, str)
         SI units of q and of the inputs.
     plant : Device
@@ -219,8 +215,6 @@ def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExc
 
 def _excitation(log: Path, prototype: Prototype, parameters: JointParameters | None) -> LogExcitation:
     """The excitation of a log whose channels the settings name."""
-    from ..signals.uniform_record import Resampling, survey
-
     plant = device(prototype)
     ingest = prototype.ingest
     signals = read_si(log, prototype, parameters)
@@ -253,8 +247,7 @@ def _supposed(inspection: Inspection) -> Prototype:
         raise InputError(NO_CHANNEL)
     units = {channel.name: suggested_unit(channel.name, channel.unit) for channel in inspection.channels}
     channels: dict[str, Any] = {}
-    log = inspection.path
-    name = shell_word(log)
+    name = shell_word(inspection.path)
     settings = f"fill in what `debist init {name} -o P.toml` writes, then `debist inspect {name} --settings P.toml`"
     for role in inspection.suggestions:
         if role.role == "v2" and not role.candidates:
@@ -270,7 +263,7 @@ def _supposed(inspection: Inspection) -> Prototype:
         raise InputError(f"the channels are not clear; {settings}") from error
 
 
-def check(place: Path, observer: Observer) -> "tuple[Prototype, list[Finding]]":
+def check(place: Path, observer: Observer) -> tuple[Prototype, list[Finding]]:
     """Look at the logs of a settings file, or again at those that a run folder holds.
 
     Raises

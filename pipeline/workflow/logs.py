@@ -1,16 +1,21 @@
-"""Logs of a run as fits and free runs take them: kinematics with the inputs between their samples."""
+"""Logs of a run as fits take them, with the inputs between their samples, and the corrections that settings state."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
+from ..device.device import device
+from ..errors import InputError
 from ..numerics.arrays import FloatArray, sample_interval
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
-from ..signals.log import UNKNOWN, Log, log_of, voltages
+from ..signals.columns import scaled
+from ..signals.corrections import Corrections
+from ..signals.log import UNKNOWN, Log, RawLog, log_of, voltages
 from ..store import layout
 from ..store.run_folder import RunFolder
 from ..store.tables import Table
+from ..units.units import TIME, parse_quantity
 
 
 def sources(prototype: Prototype, *roles: Role) -> tuple[str, ...]:
@@ -34,8 +39,7 @@ def load_motion(run: RunFolder, prototype: Prototype, role: Role, log: str) -> L
         Its name in the run.
     """
     kinematics, fine = (run.read_table(artifact(role, log)) for artifact in (layout.kinematics, layout.record))
-    unknown = run.record(layout.record(role, log)).notes.get(UNKNOWN, ())
-    return motion(kinematics, fine, prototype, unknown)
+    return motion(kinematics, fine, prototype, run.record(layout.record(role, log)).notes.get(UNKNOWN, ()))
 
 
 def load_logs(run: RunFolder, prototype: Prototype, *roles: Role) -> list[Log]:
@@ -77,5 +81,45 @@ def between(t: FloatArray, fine: Table) -> FloatArray | None:
     first = int(np.searchsorted(grid, t[0] - 1e-9))
     v = voltages(fine)
     places = np.minimum(first + np.arange(len(t) * refined), len(v) - 1)
-    between: FloatArray = v[places].reshape(len(t), refined, -1)
-    return between
+    return np.asarray(v[places].reshape(len(t), refined, -1))
+
+
+def corrections(prototype: Prototype) -> dict[tuple[Role, str], Corrections]:
+    """Corrections stated in [logs], by each log's role and its name in the run.
+
+    Raises
+    ------
+    InputError
+        A zero in another unit than that of q, or a gain of an input that the device has not.
+    """
+    plant = device(prototype)
+    stated = dict[tuple[Role, str], Corrections]()
+    for role, log, part in layout.log_parts(prototype):
+        where = f"{prototype.name}: logs.{role}: {part.file}"
+        if len(plant.inputs) == 1 and part.gain.v2 != 1.0:
+            raise InputError(f"{where}: gain.v2 is stated, but [channels] has no v2; leave it out")
+        stated[role, log] = Corrections(
+            (part.gain.v1, part.gain.v2)[: len(plant.inputs)],
+            parse_quantity(part.zero, (plant.displacement.symbol,), f"{where}: zero"),
+            part.gain.q,
+            parse_quantity(part.delay, TIME, f"{where}: delay"),
+            part.clock,
+        )
+    return stated
+
+
+def corrected_log(log: RawLog, by: Corrections) -> RawLog:
+    """A raw log whose readings are corrected; a measured velocity is left as its own sensor read it."""
+    made: dict[tuple[int, float], FloatArray] = {}
+
+    def base(time: FloatArray, delay: float = 0.0) -> FloatArray:
+        """A corrected time base, made once, so that signals that shared one do so still."""
+        return made.setdefault((id(time), delay), scaled(time, by.clock, delay))
+
+    inputs = [
+        (base(time, by.delay), scaled(samples, gain, 0.0))
+        for (time, samples), gain in zip(log.inputs, by.gains, strict=True)
+    ]
+    q = base(log.q[0]), scaled(log.q[1], by.gain_q, by.zero)
+    velocity = None if log.velocity is None else (base(log.velocity[0]), log.velocity[1])
+    return RawLog(q, tuple(inputs), velocity, log.notes)

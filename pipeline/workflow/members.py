@@ -1,15 +1,256 @@
-"""Prototypes of a batch: settings files, folders and tables, under the names of their run folders."""
+"""Prototypes of a batch, by name: settings files, folders, and tables of which each row becomes a settings file."""
 
-from collections.abc import Sequence
+import copy
+import csv
+import hashlib
+import re
+import tomllib
+import zipfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..errors import DebistError, InputError
-from ..settings.prototype import load_prototype
+from ..settings.file import read_document, toml_text
+from ..settings.prototype import load_prototype, parse_prototype
 from ..store import layout
-from ..system.names import part_holds, part_of, slug
-from .table import is_table, table_settings
+from ..store.atomic import write_text
+from ..system.names import slug
+from ..system.plain_files import LARGEST_SETTINGS, read_plain
+from .prior_knowledge import read_siblings
+
+_ENDINGS = (".csv", ".tsv", ".xlsx")
+_LARGEST = 1 << 26
+_MOST_ROWS = 100_000
+_SHORT = {"train": "logs.train", "validation": "logs.validation"}
+"""Headings that stand for keys of the settings."""
+_BASE = "base.toml"
+_PATHS = (
+    ("logs", "train"),
+    ("logs", "validation"),
+    ("plant", "parameters"),
+    ("plant", "curves"),
+    ("plant", "siblings"),
+    ("compare", "curves"),
+)
+"""Keys with paths that are relative to the settings file."""
+
+
+def is_table(place: Path) -> bool:
+    """True if a file lists prototypes in rows."""
+    return place.suffix.lower() in _ENDINGS and place.is_file()
+
+
+def table_settings(table: Path, base: Path | None, folder: Path) -> list[Path]:
+    """Write a settings file for each row into `folder`, and return the files in the order of the rows.
+
+    Parameters
+    ----------
+    table : Path
+        CSV or XLSX with a heading: ``name``, ``logs.train``, ``logs.validation`` and other keys of the settings, such
+        as ``differentiate.alpha``. Several logs of a cell are separated by semicolons; an empty cell leaves the base's
+        value. Paths are relative to the table.
+    base : Path or None
+        Settings that all rows share; None: the TOML file beside the table with its name, or ``base.toml`` there.
+    folder : Path
+        Where the settings files go.
+
+    Raises
+    ------
+    InputError
+        The table or its base cannot be read, a heading is missing or doubled, or two rows have one name. A row with
+        another mistake fails when it is run, alone.
+    """
+    shared = _base_of(table, base)
+    document = anchored(read_document(shared), shared.resolve().parent)
+    rows = _rows(table)
+    keys = _keys(table, next(rows, (0, []))[1])
+    written: dict[str, tuple[int, Path]] = {}
+    for number, cells in rows:
+        values = {key: cell for key, cell in zip(keys, cells, strict=False) if key and cell != ""}
+        if not values:
+            continue
+        name = str(values.pop("name", "")).strip()
+        if not name:
+            raise InputError(f"{table}: row {number}: has no name; the name decides the run folder")
+        stem = slug(name)
+        if (before := written.get(stem.casefold())) is not None:
+            raise InputError(f"{table}: row {number}: is named {name!r} as row {before[0]}; change one")
+        try:
+            settings = _settings(document, name, values, table.resolve().parent)
+        except InputError as error:
+            raise InputError(f"{table}: row {number}: {error}") from None
+        written[stem.casefold()] = number, write_settings(folder, stem, settings)
+    if not written:
+        raise InputError(f"{table}: has no rows below its heading")
+    return [path for _, path in written.values()]
+
+
+def _base_of(table: Path, given: Path | None) -> Path:
+    if given is not None:
+        return given
+    beside = [table.with_suffix(".toml"), table.with_name(_BASE)]
+    for path in beside:
+        if path.is_file():
+            return path
+    raise InputError(
+        f"{table}: no base settings; write what all rows share into {beside[0].name} beside it, or name it with --base"
+    )
+
+
+def _keys(table: Path, heading: list[Any]) -> list[str]:
+    keys = [_SHORT.get(text, text) for text in (str(cell).strip() for cell in heading)]
+    named = [key for key in keys if key]
+    if "name" not in named:
+        raise InputError(f"{table}: row 1: has no heading 'name'; it names the prototype of each row")
+    if doubled := next((key for key in named if named.count(key) > 1), None):
+        raise InputError(f"{table}: row 1: has the heading {doubled!r} twice; leave one out")
+    return keys
+
+
+def _settings(base: Mapping[str, Any], name: str, values: Mapping[str, Any], folder: Path) -> dict[str, Any]:
+    """The base with the values of a row, whose paths are relative to `folder`."""
+    typed = {key: _logs(cell) if key.startswith("logs.") else _value(cell) for key, cell in values.items()}
+    row = anchored(with_values({}, typed), folder)
+    return {"name": name} | with_values({**base, "name": name}, {key: _at(row, key) for key in typed})
+
+
+def _at(document: Any, key: str) -> Any:
+    for part in key.split("."):
+        document = document[part]
+    return document
+
+
+def _value(cell: Any) -> Any:
+    if isinstance(cell, str):
+        return toml_value(cell.strip())
+    return int(cell) if isinstance(cell, float) and cell.is_integer() else cell
+
+
+def _logs(cell: Any) -> list[Any]:
+    """The logs of a cell: paths between semicolons or line breaks, or as TOML has them."""
+    text = str(cell).strip()
+    if text[:1] in ("[", "{"):
+        value = toml_value(text)
+        return value if isinstance(value, list) else [value]
+    return [part.strip() for part in text.replace("\n", ";").split(";") if part.strip()]
+
+
+def _rows(table: Path) -> Iterator[tuple[int, list[Any]]]:
+    """Number, counted from 1, and cells of each row."""
+    rows = _workbook_rows(table) if table.suffix.lower() == ".xlsx" else _csv_rows(table)
+    for number, row in enumerate(rows, start=1):
+        if number > _MOST_ROWS:
+            raise InputError(f"{table}: has more than {_MOST_ROWS} rows; divide it")
+        yield number, row
+
+
+def _csv_rows(table: Path) -> Iterator[list[Any]]:
+    try:
+        content = read_plain(table, _LARGEST)
+    except OSError as error:
+        raise InputError(f"{table}: cannot be read: {error.strerror or error}") from error
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(f"{table}: not UTF-8; save it as 'CSV UTF-8'") from None
+    lines = text.splitlines(keepends=True)
+    heading = lines[0] if lines else ""
+    separator = max((",", ";", "\t"), key=heading.count)
+    try:
+        yield from csv.reader(lines, delimiter=separator, strict=True)
+    except csv.Error as error:
+        raise InputError(f"{table}: is no table: {error}") from None
+
+
+def _workbook_rows(table: Path) -> Iterator[list[Any]]:
+    from python_calamine import CalamineError, load_workbook
+
+    try:
+        with zipfile.ZipFile(table) as archive:
+            if sum(entry.file_size for entry in archive.infolist()) > _LARGEST:
+                raise InputError(f"{table}: holds more than {_LARGEST >> 20} MiB; save the rows as CSV")
+        yield from load_workbook(table).get_sheet_by_index(0).to_python(skip_empty_area=False)
+    except (OSError, zipfile.BadZipFile, CalamineError) as error:
+        raise InputError(f"{table}: cannot be read as a workbook: {error}") from None
+
+
+def with_siblings(prototypes: Sequence[Path], siblings: Path, folder: Path) -> list[Path]:
+    """The prototypes with `siblings` in their settings, which are written into `folder`.
+
+    One whose settings cannot be read stays as it is, and fails alone.
+
+    Raises
+    ------
+    InputError
+        There is no such file, or it is not a file of siblings.
+    """
+    read_siblings(siblings)
+    changed = []
+    for path in prototypes:
+        try:
+            document = anchored(read_document(path), path.resolve().parent)
+            document = with_values(document, {"plant.siblings": str(siblings.resolve())})
+            name = parse_prototype(document, str(path)).folder
+            changed.append(write_settings(folder, name, document))
+        except InputError:
+            changed.append(path)
+    return changed
+
+
+def write_settings(folder: Path, stem: str, document: Mapping[str, Any]) -> Path:
+    """Write settings as ``STEM.toml`` into a folder, and return the file."""
+    path = folder / f"{stem}.toml"
+    text = toml_text(document)
+    with suppress(OSError):
+        if read_plain(path, LARGEST_SETTINGS) == text.encode():  # its time stamp means a change to workflow engines
+            return path
+    write_text(path, text, within=folder.parent)
+    return path
+
+
+def toml_value(text: str) -> Any:
+    """A value as TOML has it, or the text itself."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except (tomllib.TOMLDecodeError, KeyError):
+        return text
+
+
+def with_values(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    """A copy of settings with some values, by dotted keys."""
+    changed = copy.deepcopy(document)
+    for key, value in values.items():
+        *sections, last = key.split(".")
+        table = changed
+        for section in sections:
+            table = table.setdefault(section, {})
+            if not isinstance(table, dict):
+                raise InputError(f"{key}: {section!r} is no section of the settings")
+        table[last] = value
+    return changed
+
+
+def anchored(document: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Settings whose paths are absolute."""
+    for section, key in _PATHS:
+        table = document.get(section, {})
+        value = table.get(key) if isinstance(table, dict) else None
+        if isinstance(value, list):
+            table[key] = [_anchored_log(log, folder) for log in value]
+        elif isinstance(value, str) and Path(value).suffix:
+            table[key] = str(folder / value)
+    return document
+
+
+def _anchored_log(log: Any, folder: Path) -> Any:
+    if isinstance(log, str):
+        return str(folder / log)
+    named = isinstance(log, dict) and isinstance(log.get("file"), str)
+    return {**log, "file": str(folder / log["file"])} if named else log
+
 
 FLEET_TABLE = "fleet.parquet"
 FLEET_CSV = "fleet.csv"
@@ -37,13 +278,15 @@ class Shard(NamedTuple):
         InputError
             It names none.
         """
-        if (part := part_of(text)) is None:
+        match = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text)
+        number, count = map(int, match.groups()) if match else (0, 0)
+        if not 1 <= number <= count:
             raise InputError(f"--shard {text}: write number/count such as 3/100; the numbers count from 1")
-        return cls(*part)
+        return cls(number, count)
 
     def holds(self, name: str) -> bool:
-        """Whether the shard holds the prototype `name`, which depends on no other name."""
-        return part_holds(self.number, self.of, name)
+        """True if the shard holds the prototype `name`, which depends on no other name."""
+        return int.from_bytes(hashlib.sha256(name.encode()).digest()[:8], "big") % self.of == self.number - 1
 
     @property
     def lock(self) -> str:

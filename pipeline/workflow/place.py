@@ -1,4 +1,4 @@
-"""Which run folder belongs to which settings file, and the mistakes that can be named before any work."""
+"""Run folder of a settings file, and mistakes that can be named before any work."""
 
 import math
 import stat
@@ -182,15 +182,13 @@ def before_any_work(place: Place, reading_tasks: Sequence[Task], *, replace: boo
     InputError
         The folder holds another prototype's run, a raw file is missing, or a validation log is a training log.
     """
-    prototype = place.prototype
-    prototype_file = place.prototype_file
     root = place.root
     with reading(root):
         continued = holds_run(root) and (root / MANIFEST).is_file() and not replace
     if continued:
-        _refuse_foreign(load_manifest(root), prototype, prototype_file, root)
+        _refuse_foreign(load_manifest(root), place.prototype, place.prototype_file, root)
     require_sources(reading_tasks)
-    refuse_training_as_validation(prototype, prototype_file)
+    refuse_training_as_validation(place.prototype, place.prototype_file)
 
 
 def _refuse_foreign(stored: Manifest, prototype: Prototype, prototype_file: Path, root: Path) -> None:
@@ -216,7 +214,7 @@ def _digest(log: Path) -> str | None:
 
 
 def edited(run: RunFolder) -> list[str]:
-    """What differs between the settings file of today and what the run was made from; nothing if the file is gone.
+    """Differences between the present settings file and the run's settings; empty if the file is gone.
 
     Raises
     ------

@@ -15,7 +15,7 @@ from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import Typeface
 from .run_models import made_control
 from .stage_report import made_studies, prepare
-from .stage_scores import scored_models
+from .stage_validate import scored_models
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Excerpt:
-    """What of a figure is drawn, and how.
+    """Part of a figure to draw, and its typography.
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class RunFigures:
         return plotted(figure, self.models, paper_look(figure, part.typeface), make()).axes
 
     def figure(self, name: str, part: Excerpt = WHOLE) -> Figure:
-        """What a figure shows.
+        """Part of a figure, cut to its models and its segment.
 
         Raises
         ------

@@ -5,7 +5,7 @@ Stage `ingest` writes both into the run, in SI units.
 
 import csv
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -26,9 +26,11 @@ from ..store.trees import read_tree
 from ..system.plain_files import LARGEST_SETTINGS, read_plain
 from ..units.units import curve_units, to_si
 from .engine import Task
-from .steps.training import PriorKnowledge
+from .steps.identify import PriorKnowledge
 
 ALGORITHM = "1"
+Write = Callable[..., Mapping[str, Written]]
+"""Writes the artifact of a file into a run."""
 MOST_ROWS = 100_000
 MEANINGS = {
     "F": "restoring force, positive where it pulls to the left",
@@ -47,7 +49,7 @@ def named_curves(prototype: Prototype) -> list[tuple[str, str]]:
 
 
 def column_units(plant: Device) -> dict[str, tuple[str, ...]]:
-    """What each column may be, in SI."""
+    """Allowed units of each column, in SI."""
     displacement = plant.displacement.symbol
     units = curve_units(displacement, "V", squared=True, mass_known=True)
     slope = (units["dC"],)
@@ -133,14 +135,14 @@ def read_siblings(path: Path) -> dict[str, Any]:
 
 
 def shown_siblings(run: RunFolder, prototype: Prototype) -> NormalPopulation | None:
-    """What siblings teach, for the page; None where the settings name none."""
+    """Prior from other joints, for the page; None where the settings name none."""
     from ..models.hybrid.siblings import from_tree
 
     return None if prototype.plant.siblings is None else from_tree(run.read_tree(layout.SIBLINGS))[1]
 
 
 def taught(tree: dict[str, Any], parameters: JointParameters | None) -> NormalPopulation:
-    """What siblings teach, of the tree of their file.
+    """Prior from other joints, from the tree of its file.
 
     Raises
     ------
@@ -162,7 +164,7 @@ def known_inputs(prototype: Prototype) -> tuple[str, ...]:
 
 
 def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: JointParameters | None) -> PriorKnowledge:
-    """What is known beside the logs.
+    """Prior knowledge beside the logs.
 
     Raises
     ------
@@ -177,7 +179,7 @@ def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: JointPa
 
 
 def prior_knowledge_in(settings_file: Path, prototype: Prototype, parameters: JointParameters | None) -> PriorKnowledge:
-    """What is known beside signals in memory: the files that the settings name, as seen from a settings file.
+    """Prior knowledge beside signals in memory: the files that the settings name, relative to a settings file.
 
     Raises
     ------
@@ -194,26 +196,28 @@ def prior_knowledge_in(settings_file: Path, prototype: Prototype, parameters: Jo
 
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """A task for each file that the settings name."""
-    curves = [
-        _curves_task(prototype, layout.source(name, prototype_file), artifact)
+    plant = device(prototype)
+    titles = {
+        layout.CURVES: ("measured curves", "compare.curves"),
+        layout.KNOWN_CURVES: ("known curves", "plant.curves"),
+    }
+
+    def task(name: str, artifact: str, title: str, key: str, settings: dict[str, Any], write: Write) -> Task:
+        """The task of one file."""
+        path = layout.source(name, prototype_file)
+        work = partial(write, path=path)
+        return Task(
+            "ingest", title, ALGORITHM, settings, (), (artifact,), work, sources={path.name: path}, named_in=key
+        )
+
+    measured = {"displacement": plant.displacement.symbol}
+    made = [
+        task(name, artifact, *titles[artifact], measured, partial(_write_curves, plant=plant, artifact=artifact))
         for name, artifact in named_curves(prototype)
     ]
-    siblings = prototype.plant.siblings
-    return curves if siblings is None else [*curves, _siblings_task(layout.source(siblings, prototype_file))]
-
-
-def _curves_task(prototype: Prototype, path: Path, artifact: str) -> Task:
-    return Task(
-        stage="ingest",
-        title="measured curves" if artifact == layout.CURVES else "known curves",
-        algorithm=ALGORITHM,
-        settings={"displacement": device(prototype).displacement.symbol},
-        inputs=(),
-        sources={path.name: path},
-        named_in="compare.curves" if artifact == layout.CURVES else "plant.curves",
-        outputs=(artifact,),
-        work=partial(_write_curves, path=path, plant=device(prototype), artifact=artifact),
-    )
+    if (siblings := prototype.plant.siblings) is not None:
+        made.append(task(siblings, layout.SIBLINGS, "siblings", "plant.siblings", {}, _write_siblings))
+    return made
 
 
 def _write_curves(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mapping[str, Written]:
@@ -224,20 +228,6 @@ def _write_curves(run: RunFolder, *, path: Path, plant: Device, artifact: str) -
         tuple(Column(name, "", units[name][0], MEANINGS.get(name, "displacement of the joint")) for name in columns),
     )
     return {artifact: run.write_table(artifact, schema, columns, {"source": path.name})}
-
-
-def _siblings_task(path: Path) -> Task:
-    return Task(
-        stage="ingest",
-        title="siblings",
-        algorithm=ALGORITHM,
-        settings={},
-        inputs=(),
-        sources={path.name: path},
-        named_in="plant.siblings",
-        outputs=(layout.SIBLINGS,),
-        work=partial(_write_siblings, path=path),
-    )
 
 
 def _write_siblings(run: RunFolder, *, path: Path) -> Mapping[str, Written]:

@@ -14,8 +14,7 @@ from typing import Literal, NamedTuple
 
 from ..errors import DebistError, InputError
 from ..store import layout
-from ..store.atomic import reading, write_text
-from ..store.lock import HOLDER, LOCK, is_held
+from ..store.atomic import HOLDER, LOCK, is_held, reading, write_text
 from ..store.manifest import MANIFEST, load_manifest
 from ..system.plain_files import read_plain
 from .members import FAILED
@@ -42,7 +41,7 @@ class MemberState:
 
 
 def is_fleet(folder: Path) -> bool:
-    """Whether a folder is no run but holds runs, or failures of a batch."""
+    """True if a folder is no run but holds runs, or failures of a batch."""
     if not folder.is_dir() or (folder / MANIFEST).exists():
         return False
     return bool(_runs(folder) or failed_names(folder))
@@ -70,7 +69,7 @@ def _runs(output: Path) -> list[str]:
 
 
 def _is_file(path: Path) -> bool:
-    """Whether a regular file lies there, and no link, FIFO or folder."""
+    """True if the path is a regular file, and no link, FIFO or folder."""
     try:
         return stat.S_ISREG(path.lstat().st_mode)
     except OSError:
@@ -93,7 +92,7 @@ def _member(output: Path, name: str) -> MemberState:
 
 
 def _time(path: Path) -> datetime | None:
-    """When a file was written."""
+    """Time at which a file was written; None where it cannot be read."""
     try:
         return datetime.fromtimestamp(path.stat().st_mtime, UTC)
     except OSError:
@@ -101,7 +100,7 @@ def _time(path: Path) -> datetime | None:
 
 
 class Failure(NamedTuple):
-    """How a prototype failed: exit code, reason in one line, and when [s since the epoch]."""
+    """Failure of a prototype: exit code, reason in one line, and time [s since the epoch]."""
 
     exit_code: int
     reason: str
@@ -109,7 +108,7 @@ class Failure(NamedTuple):
 
 
 def failure_file(output: Path, name: str) -> Path:
-    """Where the failure of a prototype is kept."""
+    """Path of the file with a prototype's failure."""
     return output / FAILED / f"{name}.txt"
 
 
@@ -140,7 +139,7 @@ def forget_failure(output: Path, name: str) -> None:
 
 
 def failure(output: Path, name: str) -> Failure | None:
-    """How a prototype failed last; None where it did not, or where something was written into its run since."""
+    """Last failure of a prototype; None where there is none, or where something was written into its run since."""
     path = failure_file(output, name)
     try:
         text = read_plain(path, _LARGEST).decode("utf-8", "replace")
@@ -159,7 +158,7 @@ def failed_names(output: Path) -> list[str]:
 
 
 def _changed(run: Path) -> float:
-    """When the manifest of a run was written [s since the epoch]; 0 where there is none."""
+    """Time at which the manifest of a run was written [s since the epoch]; 0 where there is none."""
     with suppress(OSError):
         return (run / MANIFEST).stat().st_mtime
     return 0.0

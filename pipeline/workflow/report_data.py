@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..device.device import Device, device
-from ..diagnostics.facts.run_data import WHY, LogData, RunData, Study
+from ..diagnostics.run_data import WHY, LogData, RunData, Study
 from ..errors import DebistError
 from ..models.base import DynamicModel
 from ..models.model_type import model_from_tree
@@ -67,7 +67,7 @@ def _instruments(run: RunFolder) -> tuple[dict[str, Any], ...]:
 
 
 def measured_curves(run: RunFolder, prototype: Prototype) -> dict[str, FloatArray]:
-    """What was measured on a test stand, to compare with or to keep; one below the other where there are both."""
+    """Curves measured on a test stand, for comparison or as prior knowledge; both below each other where given."""
     named = ((prototype.compare.curves, layout.CURVES), (prototype.plant.curves, layout.KNOWN_CURVES))
     tables = [run.read_table(artifact) for name, artifact in named if name is not None]
     names = dict.fromkeys(name for table in tables for name in table)
@@ -84,7 +84,7 @@ def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:
 
 
 def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
-    """What the quality gates let pass on the settings' word, the logs' first."""
+    """Findings that the quality gates let pass by the settings, those of the logs first."""
     accepted = [
         f"{log_title(role, name)}: {text}"
         for role, name, _ in layout.logs(prototype)
@@ -135,7 +135,7 @@ def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, A
 
 
 def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
-    """Why "auto" chose the model `name`, for people; empty where it chose another or was not asked."""
+    """Reasons why "auto" chose the model `name`, for readers; empty where it chose another or was not used."""
     if choice is None or choice["chosen"] != name:
         return {}
     facts: dict[str, Any] = {WHY: choice["reason"]}
@@ -166,7 +166,7 @@ def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: s
 
 
 def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
-    """Where every number comes from: settings, raw logs, artifacts, versions. No times, no machine's paths."""
+    """Provenance of every number: settings, raw logs, artifacts, versions. No times, no machine's paths."""
     artifacts = []
     sources = []
     for role, name, path in layout.logs(prototype):

@@ -1,23 +1,136 @@
-"""Run: the stages in order, on one locked run folder."""
+"""Run: the stages, one row each, in order on one locked run folder."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal
 
+from ..device.parameters import JointParameters, parameter_set
 from ..errors import DebistError
-from ..settings.prototype import load_prototype
+from ..settings.prototype import Prototype, load_prototype
 from ..store import layout
-from ..store.atomic import sweep
-from ..store.lock import run_lock
+from ..store.atomic import run_lock, sweep
 from ..store.manifest import MANIFEST, load_manifest
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import Typeface
-from . import stage_scores as scores
-from .engine import Observer, Plan, Task, TaskStatus, status, tasks_of
+from . import prior_knowledge as side_files
+from . import stage_check as check
+from . import stage_identify as identify
+from . import stage_ingest as ingest
+from . import stage_instruments as instruments
+from . import stage_report as report
+from . import stage_validate as validate
+from .engine import After, Observer, Plan, Task, TaskStatus, bring_up_to_date, status, tasks_of
 from .place import Place, before_any_work, edited, place_of, run_folder
-from .schedule import bring_up_to_date
-from .stages import STAGE_NAMES, STAGES, Planned, of_stages, plan, reading_tasks
+from .run_models import identified_models, made_control
+
+
+@dataclass(frozen=True)
+class Planned:
+    """Inputs of the plan of a run.
+
+    Attributes
+    ----------
+    run : RunFolder
+        Its artifacts decide which models there are.
+    prototype, prototype_file : Prototype, Path
+        Its settings, and the file that relative paths in them begin at.
+    models : tuple of str, optional
+        The models to score and show, the main model first; empty for all that the settings name.
+    typeface : str, optional
+        Typeface of figures for a paper, where they are wanted although the run holds none.
+    """
+
+    run: RunFolder
+    prototype: Prototype
+    prototype_file: Path
+    models: tuple[str, ...] = ()
+    typeface: Typeface | None = None
+
+    @cached_property
+    def parameters(self) -> JointParameters | None:
+        """The parameter set that the settings name."""
+        return parameter_set(self.prototype, self.prototype_file)
+
+    @property
+    def scored(self) -> tuple[str, ...]:
+        """The models to score and show."""
+        return self.models or (*identified_models(self.run, self.prototype), *self.prototype.baselines)
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A row: name, tasks, and the artifact that decides which tasks those are, or whether there are any.
+
+    Attributes
+    ----------
+    with_it : tuple of str
+        Stages that are brought up to date beside it where it is done alone.
+    """
+
+    name: str
+    tasks: Callable[[Planned], Iterable[Task]]
+    known_after: str = ""
+    with_it: tuple[str, ...] = ()
+
+
+def reading_tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
+    """The tasks that read raw files."""
+    return [*ingest.tasks(prototype, prototype_file), *side_files.tasks(prototype, prototype_file)]
+
+
+def _compare(planned: Planned) -> Iterator[Task]:
+    for name in planned.prototype.baselines:
+        yield identify.baseline_task(planned.prototype, planned.parameters, name)
+        yield validate.task(planned.prototype, planned.parameters, "compare", name, layout.baseline(name))
+
+
+def _report(planned: Planned) -> list[Task]:
+    run = planned.run
+    figures = planned.typeface or report.made_figures(run)
+    return report.tasks(
+        planned.prototype, planned.parameters, planned.scored, report.made_studies(run), figures, made_control(run)
+    )
+
+
+STAGES = (
+    Stage("ingest", lambda p: reading_tasks(p.prototype, p.prototype_file)),
+    Stage("check", lambda p: check.tasks(p.prototype)),
+    Stage("differentiate", lambda p: ingest.differentiate_tasks(p.prototype), with_it=("check",)),
+    Stage("identify", lambda p: identify.tasks(p.prototype, p.parameters), known_after=layout.CHECK),
+    Stage("compare", _compare, with_it=("scores",)),
+    Stage(
+        "instruments",
+        lambda p: [instruments.task(p.prototype, identified_models(p.run, p.prototype))],
+        known_after=layout.MODELS,
+    ),
+    Stage(
+        "validate",
+        lambda p: validate.tasks(p.prototype, p.parameters, identified_models(p.run, p.prototype)),
+        known_after=layout.MODELS,
+        with_it=("instruments", "scores"),
+    ),
+    Stage("scores", lambda p: [validate.scores_task(p.prototype, p.parameters, p.scored)], known_after=layout.MODELS),
+    Stage("report", _report, known_after=layout.MODELS, with_it=("instruments",)),
+)
+STAGE_NAMES = tuple(stage.name for stage in STAGES)
+
+
+def plan(planned: Planned) -> Iterator[Task | After]:
+    """Every task of a run, with a mark before those that the identified models decide."""
+    for stage in STAGES:
+        if stage.known_after:
+            yield After(stage.known_after)
+        yield from stage.tasks(planned)
+
+
+def of_stages(plan: Iterable[Task | After], names: Iterable[str]) -> Iterator[Task | After]:
+    """The tasks of these stages, with all marks."""
+    wanted = set(names)
+    return (entry for entry in plan if isinstance(entry, After) or entry.stage in wanted)
+
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 """Stages that can be done alone."""
@@ -98,7 +211,7 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
     with run_lock(root):
         run = RunFolder.open(root)
         _strike_lost(run, observer)
-        models = () if stage == "compare" else scores.scored_models(run, run.prototype)
+        models = () if stage == "compare" else validate.scored_models(run, run.prototype)
         planned = _as_stored(run, models, figures)
         beside = next(row.with_it for row in STAGES if row.name == stage)
         selected = list(tasks_of(of_stages(plan(planned), (stage, *beside))))
@@ -114,7 +227,7 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
 
 
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
-    """What other commands made into a run, and is damaged or lost, is struck off: no stage makes it anew."""
+    """Strike off damaged or lost artifacts of other commands: no stage makes them anew."""
     run.recover()
     for name in [name for name in run.manifest.artifacts if layout.command_of(name)]:
         if problem := run.strike(name):
@@ -149,7 +262,7 @@ def missing_settings(root: Path) -> str:
 
 
 def run_status(root: Path) -> list[TaskStatus]:
-    """What is stale in a run and why, by the settings file of today; by the stored settings where that file is gone."""
+    """State of a run's tasks by the present settings file, or by the stored settings where that file is gone."""
 
     def judged(run: RunFolder) -> list[TaskStatus]:
         """Its tasks, by the settings file if there is one."""
@@ -161,26 +274,25 @@ def run_status(root: Path) -> list[TaskStatus]:
 
 
 def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
-    """What `run_prototype` would do and why, without doing it.
+    """List what `run_prototype` would do and why, without doing it.
 
     Raises
     ------
     DebistError
-        What `run_prototype` would raise before any work.
+        As `run_prototype` before any work.
     """
     prototype = place.prototype
     prototype_file = place.prototype_file
-    root = place.root
     before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
-    if (root / MANIFEST).is_file():
-        return in_snapshot(root, lambda run: status(run, plan(Planned(run, prototype, prototype_file))))
+    if (place.root / MANIFEST).is_file():
+        return in_snapshot(place.root, lambda run: status(run, plan(Planned(run, prototype, prototype_file))))
     with TemporaryDirectory(prefix="debist-plan-") as empty:
         run = RunFolder.create(Path(empty) / "run", prototype.model_dump(mode="json"), prototype_file)
         return status(run, plan(Planned(run, prototype, prototype_file)))
 
 
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
-    """Whether `run_prototype` would find nothing to do; false where only doing it would show that."""
+    """True if `run_prototype` would find nothing to do; false where only doing it would show that."""
     try:
         prototype = load_prototype(prototype_file)
         run = RunFolder.open(root)
@@ -194,7 +306,7 @@ def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True)
 
 
 def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], str]]:
-    """What is stale in each of many runs; where a run cannot be read, why not instead."""
+    """State of the tasks of each of many runs; the reason instead where a run cannot be read."""
     statuses: list[tuple[Path, list[TaskStatus], str]] = []
     for root in roots:
         try:

@@ -101,11 +101,6 @@ def made_control(run: RunFolder) -> tuple[str, ...]:
     return tuple(t for t, name in names if name in artifacts and present in artifacts[name].recipe.inputs.values())
 
 
-def control_documents(run: RunFolder, titles: Sequence[str]) -> dict[str, dict[str, Any]]:
-    """What was made, by title."""
-    return {title: run.read_document(layout.control(title)) for title in titles}
-
-
 def failed_validations(run: RunFolder, name: str) -> list[str]:
     """On which validation logs a model diverges, or errs by more than `WORST`; a sentence each, none without scores."""
     if layout.SCORES not in run.manifest.artifacts:
@@ -138,8 +133,7 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
     model = load_run_model(run, prototype, chosen)
     check = _check_log(run, prototype)
     logs = load_logs(run, prototype, "train")
-    origin = run.record(artifact).content_hash
-    return subject_on(check, model, prototype, logs, chosen, origin)
+    return subject_on(check, model, prototype, logs, chosen, run.record(artifact).content_hash)
 
 
 def subject_on(
@@ -187,7 +181,7 @@ def _check_log(run: RunFolder, prototype: Prototype) -> Log:
 
 
 def validity_of(logs: Sequence[Log], prototype: Prototype) -> "Validity":
-    """What training logs span."""
+    """Ranges of the training logs."""
     from ..export.subject import Validity
 
     plant = device(prototype)

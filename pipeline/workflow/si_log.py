@@ -2,36 +2,89 @@
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..device.device import Device, device
 from ..device.parameters import JointParameters
-from ..diagnostics.gates import judge
+from ..diagnostics.sentences import judge
 from ..errors import InputError
 from ..numerics.arrays import BoolArray, FloatArray, runs_of
+from ..rig_logs import CsvOptions, Recording, read_recording
 from ..rig_logs.channel_roles import clocks_beside, is_called, suggested_unit
+from ..rig_logs.recording import RecordedChannel
 from ..rig_logs.source import rates_beside, stated_rate
 from ..settings.logs import Channel, LogColumn
 from ..settings.prototype import Prototype
-from ..signals.columns import Signal, chunks, column, equal, finite, held, one_sign, scaled, select, sparse
+from ..signals.columns import (
+    Signal,
+    chunks,
+    code_remarks,
+    codes_in,
+    column,
+    equal,
+    finite,
+    held,
+    masked,
+    one_sign,
+    scaled,
+    select,
+    sparse,
+)
 from ..signals.findings import Number, refusal
-from ..signals.missing import code_remarks, codes_in, masked
-from ..signals.raw_log import RawLog
+from ..signals.log import RawLog
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import span
 from ..signals.timebase import nominal_step, unwrapped
 from ..units.quantity import quantity
 from ..units.units import DISPLACEMENT, INPUT, SECONDS, TIME, VELOCITY, SiUnit, to_si
-from .steps.joint_angle import with_displacement
 
-if TYPE_CHECKING:
-    from ..rig_logs import Recording
-    from ..rig_logs.recording import RecordedChannel
+
+def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | None) -> RawLog:
+    """The log with the displacement of the joint [m] in place of its angle [rad]; one of a length as it is.
+
+    Parameters
+    ----------
+    log : RawLog
+        Its q, and a measured velocity, are those of the angle φ.
+    plant : Device
+        Says what was logged.
+    parameters : JointParameters or None
+        Geometry of the joint; `device` grants that a set is named where an angle is converted.
+
+    Raises
+    ------
+    InputError
+        Most of the angles lie beyond those of the joint, so that their unit, zero or sign is another.
+    """
+    if plant.angle is None or parameters is None:
+        return log
+    from ..models.analytical.statics import displacement_of_rotation, rotation_nodes
+
+    time, phi = log.q
+    low, high = rotation_nodes(parameters)[[0, -1], 1]
+    middle = float(np.nanmedian(phi))
+    if not low <= middle <= high:
+        raise InputError(
+            f"q: the angle is about {np.degrees(middle):.3g}°, but the joint turns from {np.degrees(low):.3g}° to "
+            f"{np.degrees(high):.3g}°; correct unit, offset or scale of q in [channels], or leave plant.parameters out "
+            "for another device"
+        )
+    velocity = log.velocity
+    if velocity is not None:
+        known = np.isfinite(time) & np.isfinite(phi)
+        at = np.interp(velocity[0], time[known], phi[known])
+        velocity = velocity[0], velocity[1] * displacement_of_rotation(at, parameters)[1]
+
+    def displacement() -> Iterator[FloatArray]:
+        """Its parts, so that a long log does not lie in memory."""
+        return (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
+
+    return replace(log, q=(time, column(phi.size, displacement(), np.float64)), velocity=velocity)
+
 
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
 
@@ -60,8 +113,6 @@ def read_si(
     InputError
         The log cannot be read, lacks a channel or a time base, or contradicts a unit of the settings.
     """
-    from ..rig_logs import CsvOptions, read_recording
-
     channels = prototype.channels
     signals = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]
     used = (channels.time, *signals, *(signal.time for signal in signals))
@@ -124,7 +175,7 @@ def _within(time: FloatArray, span: tuple[float, float]) -> "slice | BoolArray":
     return rows[0] if len(rows) == 1 else inside
 
 
-def _clocks_beside(recording: "Recording", prototype: Prototype) -> dict[str, str]:
+def _clocks_beside(recording: Recording, prototype: Prototype) -> dict[str, str]:
     """The column of time that stands beside each channel, where the log has several and the settings name one."""
     channels = prototype.channels
     used = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]
@@ -136,7 +187,7 @@ def _clocks_beside(recording: "Recording", prototype: Prototype) -> dict[str, st
     return beside if several else {}
 
 
-def _clocks_unnamed(recording: "Recording", prototype: Prototype) -> list[str]:
+def _clocks_unnamed(recording: Recording, prototype: Prototype) -> list[str]:
     """Columns that are called time or a sample rate, where the settings give a rate in place of a time."""
     if prototype.ingest.sample_rate is None or prototype.channels.time is not None:
         return []
@@ -144,7 +195,7 @@ def _clocks_unnamed(recording: "Recording", prototype: Prototype) -> list[str]:
 
 
 def _si_log(
-    recording: "Recording", prototype: Prototype, plant: Device, clocks: Mapping[str, str] | None = None
+    recording: Recording, prototype: Prototype, plant: Device, clocks: Mapping[str, str] | None = None
 ) -> RawLog:
     channels = prototype.channels
     signals = [(channels.q, plant.logged), *zip(channels.inputs, plant.inputs, strict=True)]
@@ -164,7 +215,7 @@ def _si_log(
             notes.append("time steps back, as of a counter that begins anew: it goes on by its usual step there")
         bases = [made[id(base)] for base in bases]
     if channels.q.average:
-        bases[0] = _earlier(bases[0], 0.5 * channels.q.average)
+        bases[0] = scaled(bases[0], 1.0, -0.5 * channels.q.average)
         notes.append(f"q: {1e3 * channels.q.average:.4g} ms averaged by its sensor: half of it is taken off its time")
     _check_rate(recording.path, bases[0], prototype.ingest.sample_rate)
     for (channel, _), base, samples in zip(signals, bases, columns, strict=True):
@@ -181,11 +232,6 @@ def _si_log(
     )
     inputs = len(plant.inputs)
     return RawLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
-
-
-def _earlier(time: FloatArray, lead: float) -> FloatArray:
-    """A time base moved back by so much [s]."""
-    return column(time.size, (time[rows] - lead for rows in chunks(time.size)), np.float64)
 
 
 def _without_blanks(signal: Signal, name: str, notes: list[str], *, alone: bool) -> Signal:
@@ -222,7 +268,7 @@ def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
         )
 
 
-def _si(recording: "Recording", log_column: LogColumn, unit: SiUnit, name: str, notes: list[str]) -> FloatArray:
+def _si(recording: Recording, log_column: LogColumn, unit: SiUnit, name: str, notes: list[str]) -> FloatArray:
     """A column in SI units, NaN in place of codes for no value, which are noted under its name in a record."""
     read = recording.channel(log_column.channel)
     factor = unit.factor * log_column.scale
@@ -238,7 +284,7 @@ def _si(recording: "Recording", log_column: LogColumn, unit: SiUnit, name: str, 
 
 
 def _bases(
-    recording: "Recording", channels: Mapping[str, Channel], prototype: Prototype, clocks: Mapping[str, str],
+    recording: Recording, channels: Mapping[str, Channel], prototype: Prototype, clocks: Mapping[str, str],
     notes: list[str],
 ) -> list[FloatArray]:  # fmt: skip
     """The time base of each channel [s]: its own, that of all, or what the log has; equal ones are one object.
@@ -256,9 +302,8 @@ def _bases(
     notes : list of str
         Gets what is remarkable.
     """
-    of_all = prototype.channels.time
     bases = list[FloatArray]()
-    without = [each for each in channels.values() if not (each.time or of_all)]
+    without = [each for each in channels.values() if not (each.time or prototype.channels.time)]
     own = _own_bases(recording, without, prototype.ingest.sample_rate)
     read: dict[LogColumn, FloatArray] = {}
 
@@ -270,7 +315,7 @@ def _bases(
         return read[clock]
 
     for name, channel in channels.items():
-        clock = channel.time or of_all
+        clock = channel.time or prototype.channels.time
         if clock is None:
             bases.append(own.pop(0))
             continue
@@ -306,7 +351,7 @@ def _of_two(
     return of_all
 
 
-def _own_bases(recording: "Recording", channels: list[Channel], rate: float | None) -> list[FloatArray]:
+def _own_bases(recording: Recording, channels: list[Channel], rate: float | None) -> list[FloatArray]:
     """The time bases of a log, or that of a sample rate [Hz]; equal ones become one object."""
     bases: list[FloatArray] = []
     counted: dict[str, int] = {}
@@ -332,8 +377,8 @@ def _own_bases(recording: "Recording", channels: list[Channel], rate: float | No
     return bases
 
 
-def _contradicted_rates(recording: "Recording", channel: str, time: FloatArray, prototype: Prototype) -> list[str]:
-    """What to say of sample rates beside a channel that the log states and its time [s] contradicts.
+def _contradicted_rates(recording: Recording, channel: str, time: FloatArray, prototype: Prototype) -> list[str]:
+    """Messages on stated sample rates beside a channel that its time [s] contradicts.
 
     Raises
     ------
@@ -351,11 +396,10 @@ def _contradicted_rates(recording: "Recording", channel: str, time: FloatArray, 
         return [f"in the log {stated}, but by its time it has {own:.6g} samples per second: is the unit of time right?"]
     numbers = {name: Number(rate, "Hz") for name, rate in rates.items()}
     numbers["settings"] = Number(prototype.ingest.sample_rate, "Hz")
-    finding = refusal("rate", "other_rate", numbers)
-    return judge(f"{recording.path}", [finding], prototype.quality)
+    return judge(f"{recording.path}", [refusal("rate", "other_rate", numbers)], prototype.quality)
 
 
-def _rate_of_column(column: "RecordedChannel", wanted: float) -> dict[str, float]:
+def _rate_of_column(column: RecordedChannel, wanted: float) -> dict[str, float]:
     """The rate [Hz] of a column that is one number, or rises as a clock; nothing for others.
 
     A clock without a unit is taken in that unit which gives the `wanted` rate, if one does; else in s.

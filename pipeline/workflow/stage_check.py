@@ -4,24 +4,25 @@ import json
 from collections.abc import Mapping
 from dataclasses import asdict
 from functools import partial
-from typing import TYPE_CHECKING, Any, get_args
+from typing import Any, get_args
 
 import numpy as np
 
 from ..device.device import device
-from ..diagnostics.gates import accepted_settings, judge
+from ..diagnostics.check import check_logs, check_rows, refusing, remarks
+from ..diagnostics.copies import shared_findings, shared_recordings
+from ..diagnostics.log_sentences import shared_spans
+from ..diagnostics.sentences import accepted_settings, judge
+from ..diagnostics.weak_form import LogSignals
 from ..errors import InputError
 from ..settings.prototype import CheckGate, Prototype
+from ..signals.findings import Finding
 from ..signals.log import voltages
 from ..store import layout
 from ..store.run_folder import RunFolder, Written
 from ..store.tables import Table
 from ..system.names import log_title, true_name
 from .engine import Task
-
-if TYPE_CHECKING:
-    from ..diagnostics.weak_form import LogSignals
-    from ..signals.findings import Finding
 
 ALGORITHM = "27"
 
@@ -50,7 +51,6 @@ def tasks(prototype: Prototype) -> list[Task]:
 
 
 def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
-    from ..diagnostics.rows import check_rows, remarks
 
     findings = examine(run, prototype)
     accepted = assess(findings, prototype)
@@ -60,7 +60,7 @@ def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
     return {layout.CHECK: run.write_text(layout.CHECK, text, notes)}
 
 
-def examine(run: RunFolder, prototype: Prototype) -> "list[Finding]":
+def examine(run: RunFolder, prototype: Prototype) -> list[Finding]:
     """Look at the ingested logs of a run; nothing is written.
 
     Raises
@@ -68,10 +68,6 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[Finding]":
     InputError
         A validation log holds a recording that a training log holds too.
     """
-    from ..diagnostics.check import check_logs
-    from ..diagnostics.copies import shared_findings, shared_recordings
-    from ..diagnostics.log_sentences import shared_spans
-
     logs = signals(run, prototype)
     shared = shared_recordings(logs)
     named = layout.logs(prototype)
@@ -86,7 +82,7 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[Finding]":
     return [*check_logs(logs, device(prototype), prototype.ingest.sample_interval), *twice]
 
 
-def signals(run: RunFolder, prototype: Prototype) -> "list[LogSignals]":
+def signals(run: RunFolder, prototype: Prototype) -> list[LogSignals]:
     """The ingested logs of a run as the checks take them."""
     logs = []
     for role, log, path in layout.logs(prototype):
@@ -95,24 +91,20 @@ def signals(run: RunFolder, prototype: Prototype) -> "list[LogSignals]":
     return logs
 
 
-def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> "LogSignals":
+def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> LogSignals:
     """A uniform record as the checks take it, with what was noted when it was ingested."""
-    from ..diagnostics.weak_form import LogSignals
-
     q = np.where(table["segment"] < 0, np.nan, table["q"])
     sketch = tuple((int(value), float(stamp)) for value, stamp in notes.get("sketch", ()))
     facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"), notes.get("held", 1), sketch)
     return LogSignals(name, table["t"], q, voltages(table), *facts)
 
 
-def assess(findings: "list[Finding]", prototype: Prototype) -> list[str]:
-    """What the settings accept of what would make the model wrong.
+def assess(findings: list[Finding], prototype: Prototype) -> list[str]:
+    """Accepted findings among those that would make the model wrong, as texts.
 
     Raises
     ------
     DataRefusedError
         Something is not accepted.
     """
-    from ..diagnostics.check import refusing
-
     return judge(prototype.name, refusing(findings), prototype.quality)

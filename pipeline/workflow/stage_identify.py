@@ -1,27 +1,26 @@
-"""Identify: models from the kinematics of the training logs."""
+"""Fits to the training logs: identify the models of `model.h5`, and the baselines of compare."""
 
 import json
+import time
 from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any, get_args
+from typing import Any, get_args
 
 from ..device.device import device
-from ..device.parameter_sets import parameter_values
-from ..device.parameters import JointParameters
-from ..diagnostics.gates import accepted_settings
+from ..device.parameters import JointParameters, parameter_values
+from ..diagnostics.sentences import accepted_settings
 from ..models.model_file import columns_of
-from ..models.model_type import MAIN_MODEL
+from ..models.model_type import MAIN_MODEL, model_type
+from ..settings.models import ENTRIES
 from ..settings.prototype import FILM, Prototype, TrainingGate
 from ..store import layout
+from ..store.manifest import TIMES
 from ..store.run_folder import RunFolder, Written
-from ..system.progress import OnProgress
+from ..system.worker_pool import OnProgress
 from .engine import Task
 from .logs import load_logs, sources
 from .prior_knowledge import known_inputs, prior_knowledge_of
-from .steps.identify import CHOICE, IDENTIFIED, identified
-
-if TYPE_CHECKING:
-    pass
+from .steps.identify import CHOICE, IDENTIFIED, identified, training
 
 ALGORITHM = "59"
 
@@ -72,3 +71,38 @@ def _identify(
         tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
     columns = columns_of(plant, {name: type(model) for name, model in models.items()})
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}
+
+
+BASELINE_ALGORITHM = "15"
+
+
+def baseline_task(prototype: Prototype, parameters: JointParameters | None, name: str) -> Task:
+    """The fit of one baseline."""
+    listed = next(model for model in ENTRIES if model.name == name)
+    unread = FILM | {"curves", "siblings"} | (set() if listed.takes_mass else {"mass"})
+    settings = {
+        "model": name,
+        "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
+        "plant": prototype.plant.model_dump(mode="json", exclude=unread),
+        "parameters": parameter_values(parameters) if listed.needs_parameters else None,
+    }
+    return Task(
+        stage="compare",
+        title=f"fit of {name}",
+        algorithm=BASELINE_ALGORITHM,
+        settings=settings,
+        inputs=sources(prototype, "train"),
+        outputs=(layout.baseline(name),),
+        work=partial(_write_fit, prototype=prototype, parameters=parameters, name=name, settings=settings),
+    )
+
+
+def _write_fit(
+    run: RunFolder, prototype: Prototype, parameters: JointParameters | None, name: str, settings: Mapping[str, Any]
+) -> Mapping[str, Written]:
+    began = time.process_time()
+    model = model_type(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
+    notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
+    tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
+    columns = columns_of(device(prototype), {name: type(model)})
+    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, columns)}

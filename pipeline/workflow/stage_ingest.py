@@ -1,32 +1,30 @@
-"""Ingest: raw logs to uniform records in SI units."""
+"""Ingest and differentiate: raw logs to uniform records in SI units, and these to kinematics."""
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, get_args
+from typing import get_args
 
 from ..device.device import device
-from ..device.parameter_sets import parameter_set, parameter_values
-from ..device.parameters import JointParameters
-from ..diagnostics.gates import accepted_settings
+from ..device.parameters import JointParameters, parameter_set, parameter_values
+from ..diagnostics.sentences import accepted_settings
 from ..numerics.arrays import FloatArray
 from ..settings.logs import Role
 from ..settings.prototype import LogGate, Prototype
 from ..signals.corrections import Corrections
-from ..signals.raw_log import RawLog
+from ..signals.log import RawLog
+from ..signals.uniform_record import Resampling
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
 from ..system.names import log_title, true_name
-from ..system.progress import OnProgress
-from .corrections import corrected_log, corrections
+from ..system.worker_pool import OnProgress
 from .engine import Task
+from .logs import corrected_log, corrections
 from .si_log import part_of_log, read_si
+from .steps.differentiate import kinematics
 from .steps.ingest import examined, record_columns, resamplings
-
-if TYPE_CHECKING:
-    from ..signals.uniform_record import Resampling
 
 ALGORITHM = "20"
 
@@ -133,11 +131,41 @@ def _ingest(
 
 
 def _pieces(
-    resampling: "Resampling", names: Sequence[str], on_progress: OnProgress
+    resampling: Resampling, names: Sequence[str], on_progress: OnProgress
 ) -> Iterator[Mapping[str, FloatArray]]:
-    rows = resampling.report.rows
     done = 0
     for piece in resampling.pieces():
         yield record_columns(piece, names)
         done += piece.t.size
-        on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", done / rows)
+        on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", done / resampling.report.rows)
+
+
+DIFFERENTIATE_ALGORITHM = "7"
+
+
+def differentiate_tasks(prototype: Prototype) -> list[Task]:
+    """One task per log."""
+    return [
+        _differentiate_task(prototype, role, log, log_title(role, true_name(path)))
+        for role, log, path in layout.logs(prototype)
+    ]
+
+
+def _differentiate_task(prototype: Prototype, role: Role, log: str, title: str) -> Task:
+    return Task(
+        stage="differentiate",
+        title=title,
+        algorithm=DIFFERENTIATE_ALGORITHM,
+        settings={"differentiate": prototype.differentiate.model_dump(mode="json")},
+        inputs=(layout.record(role, log), layout.signals(role, log)),
+        outputs=(layout.kinematics(role, log),),
+        work=partial(_differentiate, prototype=prototype, role=role, log=log),
+    )
+
+
+def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Mapping[str, Written]:
+    signals = run.read_table(layout.signals(role, log))
+    fine = run.read_table(layout.record(role, log))
+    columns, notes = kinematics(signals, fine, prototype)
+    name = layout.kinematics(role, log)
+    return {name: run.write_table(name, schemas.schema_of(schemas.KINEMATICS, device(prototype)), columns, notes)}

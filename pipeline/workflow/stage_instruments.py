@@ -15,12 +15,11 @@ from ..signals.corrections import Corrections
 from ..signals.log import Log
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
-from .corrections import corrections
 from .engine import Task
-from .logs import load_motion, sources
-from .steps.training import fitted_parts
+from .logs import corrections, load_motion, sources
+from .steps.identify import fitted_parts
 
-ALGORITHM = "5"
+ALGORITHM = "6"
 
 Logs = Mapping[tuple[Role, str], Log]
 """Logs by role and name."""

@@ -6,19 +6,18 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from ..device.parameter_sets import parameter_values
-from ..device.parameters import JointParameters
+from ..device.parameters import JointParameters, parameter_values
+from ..diagnostics.datasheet import Datasheet, make_datasheet
+from ..diagnostics.run_data import RunData
 from ..settings.prototype import Prototype
 from ..store import layout, schemas
 from ..store.columns import StudyName
 from ..store.run_folder import RunFolder, Written
 from ..system.names import Typeface
 from .engine import Task
-from .run_models import control_documents
+from .report_data import read_run
 
 if TYPE_CHECKING:
-    from ..diagnostics.facts.datasheet import Datasheet
-    from ..diagnostics.facts.run_data import RunData
     from ..reporting.figure import Figure
     from ..reporting.plotted import Format
 
@@ -31,8 +30,8 @@ FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 class Prepared:
     """A run as it was read, judged and drawn."""
 
-    data: "RunData"
-    sheet: "Datasheet"
+    data: RunData
+    sheet: Datasheet
     figures: "Mapping[str, Figure]"
 
 
@@ -141,12 +140,10 @@ def prepare(
     control : sequence of str
         Titles of the control documents that are shown.
     """
-    from ..diagnostics.facts.datasheet import make_datasheet
     from ..reporting.run_report import figures_of
-    from .report_data import read_run
 
     data = read_run(run, prototype, models, studies)
-    data = replace(data, control=control_documents(run, control))
+    data = replace(data, control={title: run.read_document(layout.control(title)) for title in control})
     sheet = make_datasheet(data)
     return Prepared(data, sheet, figures_of(data, sheet))
 
@@ -155,12 +152,11 @@ def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared]) -> Mappi
     from ..reporting.run_report import run_report
 
     contents = prepared(run)
-    assessment = contents.sheet.grades
     page = run_report(contents.data, contents.sheet, contents.figures)
     document = json.dumps(contents.sheet.to_json(contents.data), indent=1, ensure_ascii=False, allow_nan=False)
     return {
-        layout.REPORT: run.write_text(layout.REPORT, page, {"verdict": assessment}),
-        layout.DATASHEET: run.write_text(layout.DATASHEET, document + "\n", {"verdict": assessment}),
+        layout.REPORT: run.write_text(layout.REPORT, page, {"verdict": contents.sheet.grades}),
+        layout.DATASHEET: run.write_text(layout.DATASHEET, document + "\n", {"verdict": contents.sheet.grades}),
     }
 
 

@@ -1,28 +1,41 @@
-"""Validate: free runs of the identified models on every log, from its first valid sample under the measured voltages.
+"""Validate: free runs of models on every log, from its first valid sample on, and their scores.
 
 Beside each run stands what it leaves open: errors by horizon, pulses whose well is not sure, states never trained on.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from functools import partial
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from ..device.device import Device, device
-from ..device.parameter_sets import parameter_values
-from ..device.parameters import JointParameters
-from ..diagnostics.facts.characteristics import believed_wells, stable_rests
+from ..device.parameters import JointParameters, parameter_values
+from ..diagnostics.characteristics import believed_wells, stable_rests
 from ..models.analytical.statics import RotationMap, rotation_map
 from ..models.base import DynamicModel, FreeRun
 from ..models.free_runs import Tubes, free_run, tube_columns
 from ..models.model_type import model_from_tree
-from ..scoring.wells import wells_of
+from ..numerics.arrays import FloatArray
+from ..scoring.wells import NoWells, Wells, wells_of
+from ..settings.logs import Role
 from ..settings.prototype import Prototype
-from ..signals.log import Log
+from ..signals.log import Log, log_of
 from ..store import layout, schemas
-from ..store.run_folder import RunFolder, Written
+from ..store.manifest import TIMES
+from ..store.run_folder import RunFolder, Written, in_snapshot
+from ..store.tables import Table
+from ..system.names import with_true_names
+from ..units.units import SIGNALS
 from .engine import Task
 from .logs import load_motion, sources
-from .steps.validate import validated
+from .run_models import identified_models
+from .steps.score import ComparedRun, rows_of_log, validated
+
+if TYPE_CHECKING:
+    from ..reporting.tables import Format, NrmseTable
 
 ALGORITHM = "29"
 
@@ -106,3 +119,125 @@ def _write(
     outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s}
     schema = schemas.schema_of(schemas.PREDICTIONS, plant, phi=rotation is not None, tubes=tubes is not None)
     return run.write_table(artifact, schema, columns, {**outcome, **notes})
+
+
+SCORES_ALGORITHM = "11"
+
+
+def scores_task(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> Task:
+    """Score these models, the main model first, on every log."""
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    return Task(
+        stage="scores",
+        title="NRMSE table",
+        algorithm=SCORES_ALGORITHM,
+        settings={"models": list(models), "parameters": parameter_values(parameters)},
+        inputs=tuple(
+            name
+            for role, log in logs
+            for name in (layout.kinematics(role, log), *(layout.predictions(role, log, model) for model in models))
+        ),
+        outputs=(layout.SCORES,),
+        work=partial(_score, prototype=prototype, parameters=parameters, models=models),
+    )
+
+
+def scored_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
+    """The identified models, and those baselines whose free runs belong to the kinematics of today."""
+    baselines = [
+        model
+        for model in prototype.baselines
+        if all(_fresh(run, role, log, model) for role, log, _ in layout.logs(prototype))
+    ]
+    return (*identified_models(run, prototype), *baselines)
+
+
+def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
+    record = run.manifest.artifacts.get(layout.predictions(role, log, model))
+    source = layout.kinematics(role, log)
+    return record is not None and record.recipe.inputs.get(source) == run.record(source).content_hash
+
+
+def _score(
+    run: RunFolder, prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]
+) -> Mapping[str, Written]:
+    rotation = rotation_map(parameters)
+    names = [(role, log) for role, log, _ in layout.logs(prototype)]
+    logs = [(role, log, log_of(run.read_table(layout.kinematics(role, log)))) for role, log in names]
+    plant = device(prototype)
+    rows = []
+    wells = _wells(run, [measured for _, _, measured in logs], plant, layout.logs(prototype)[0][:2], models)
+    for role, log, measured in logs:
+        runs = {}
+        for model in models:
+            name = layout.predictions(role, log, model)
+            runs[model] = ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
+        for row in rows_of_log(plant, measured, runs, wells):
+            rows.append({"log": log, "role": role, "headline": row["model"] == models[0]} | row)
+    columns = {column.key: [row.get(column.key) for row in rows] for column in schemas.SCORES.columns}
+    return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
+
+
+def _wells(
+    run: RunFolder, logs: Sequence[Log], plant: Device, log: tuple[Role, str], models: Sequence[str]
+) -> Wells | NoWells:
+    """The wells in the data, unless the first of these models with curves has no two wells, as its notes state."""
+    from ..diagnostics.characteristics import believed_wells
+
+    rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
+    judge = next((model for model in models if rests[model] is not None), models[0])
+    return believed_wells(wells_of(logs, plant=plant), judge, rests[judge], plant=plant)
+
+
+def _pairs(
+    measured: Log, calculated: Table, rotation: RotationMap | None
+) -> Mapping[str, tuple[FloatArray, FloatArray]]:
+    pairs = {name: (getattr(measured, name), calculated[name]) for name in ("q", "qdot", "qddot")}
+    if rotation is not None:
+        pairs["phi"] = (np.asarray(rotation(measured.q)), calculated["phi"])
+    return {name: pairs[name] for name in SIGNALS if name in pairs}
+
+
+def score_text(root: Path, form: "Format") -> str:
+    """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
+    from ..reporting.tables import render, scores_csv
+
+    if form == "csv":
+        return scores_csv(
+            *in_snapshot(root, lambda run: ((records := run.read_records(layout.SCORES)), _times(run, records)))
+        )
+    return "\n".join(render(table, form) for table in score_tables(root))
+
+
+def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
+    """Errors with fitting and simulation times, and behaviour of all models on all logs."""
+    from ..reporting.tables import behaviour_table, nrmse_table
+
+    times, shown = in_snapshot(
+        root, lambda run: (_times(run, records := run.read_records(layout.SCORES)), _shown(run, records))
+    )
+    return tuple(table for table in (nrmse_table(shown, times), behaviour_table(shown)) if table.rows)
+
+
+def shown_scores(root: Path) -> list[dict[str, Any]]:
+    """The score rows of a run as people read them: the logs by their true names."""
+    return in_snapshot(root, lambda run: _shown(run, run.read_records(layout.SCORES)))
+
+
+def _shown(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    return with_true_names(scores, [(role, log) for role, _, log in layout.logs(run.prototype)])
+
+
+def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dict[str, float | None]]:
+    """Processor time [s] of each model's fit and of its longest free run, as noted when they were made."""
+    times: dict[str, dict[str, float | None]] = {}
+    for score in scores:
+        model = score["model"]
+        fitted = run.manifest.artifacts.get(layout.baseline(model))
+        notes = fitted.notes if fitted else run.record(layout.MODELS).notes.get(model, {})
+        seconds = (
+            run.record(layout.predictions(score["role"], score["log"], model)).notes.get(TIMES, {}).get("simulate_s")
+        )
+        longest = max(filter(None, (seconds, times.get(model, {}).get("simulate_s"))), default=None)
+        times[model] = {"fit_s": notes.get(TIMES, {}).get("fit_s"), "simulate_s": longest}
+    return times

@@ -6,9 +6,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..errors import InputError, SupersededError
-from ..store.atomic import TEMPORARY_MARK
+from ..store.atomic import HOLDER, LOCK, TEMPORARY_MARK, is_held
 from ..store.hashing import file_sha256
-from ..store.lock import HOLDER, LOCK, is_held
 from ..store.manifest import MANIFEST, NEXT_MANIFEST, STAGED_MARK, STAGES, load_manifest, stage_file
 from ..store.outputs import EXTRA_FOLDERS, WRITTEN, written_files
 from ..store.run_folder import RunFolder, in_snapshot
@@ -16,7 +15,7 @@ from ..store.run_folder import RunFolder, in_snapshot
 
 @dataclass(frozen=True)
 class Verified:
-    """What a look at everything in a run folder gave.
+    """Result of the check of a whole run folder.
 
     Attributes
     ----------

@@ -14,6 +14,8 @@ from ..system.worker_pool import in_processes
 
 COST = 30.0
 """Processor time [s] that a first run spends on compilation, roughly."""
+_DT = 0.01
+"""A sample interval [s], as of most logs."""
 
 
 def warm_up(jobs: int, on_progress: Callable[[float], None] | None = None) -> float:
@@ -48,13 +50,12 @@ def _hybrid() -> None:
     k = constants(NOMINAL, nominal_deviations(), static_slope_ratio(NOMINAL))
     basis = np.array([-0.01, 0.01, 0.01])
     weights = np.zeros((9, 3))
-    dt = 0.01
-    substeps(k, basis, weights, dt)
+    substeps(k, basis, weights, _DT)
     u = np.zeros((2, 5, 2))
     undisturbed = instruments(np.zeros(len(nominal_deviations())))
     for shape in ((2, 2), (3, 10, 2)):
-        u = DrivingVoltages(np.zeros(shape), dt).squared(1, undisturbed, 1.0)[None]
-    stepping = Stepping(dt, 1, 0.05, 1.0)
+        u = DrivingVoltages(np.zeros(shape), _DT).squared(1, undisturbed, 1.0)[None]
+    stepping = Stepping(_DT, 1, 0.05, 1.0)
     for joints in (1, 2):
         run_joints(
             Laws(np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis),
@@ -67,17 +68,17 @@ def _hybrid() -> None:
 
 
 def _without_parameter_set() -> None:
-    from ..models.narx.model import NarxModel
+    from ..models.narx import NarxModel
     from ..models.paper.model import LaggedLaw, lagged_rbf_run
     from ..models.polynomial_dynamics import PolynomialDynamics, free_run
 
     v = np.zeros((3, 2))
-    lagged_rbf_run(LaggedLaw(np.zeros(2), np.zeros((2, 4)), 1.0, 1.0), v, 0.01, 1, (0.0, 0.0), (-1.0, 1.0))
+    lagged_rbf_run(LaggedLaw(np.zeros(2), np.zeros((2, 4)), 1.0, 1.0), v, _DT, 1, (0.0, 0.0), (-1.0, 1.0))
     still = PolynomialDynamics(np.zeros((1, 7), dtype=np.int64), np.zeros((2, 1)), np.ones(7), (), True, -1.0, 1.0)
-    free_run(still, v, 0.01, 0.0, 0.0)
+    free_run(still, v, _DT, 0.0, 0.0)
     narx = NarxModel(
         structure=np.array([1, 1, 1, 2]), exponents=np.zeros((1, 4), dtype=np.int64), coefficients=np.zeros(1),
-        scales=np.ones(4), interval_s=0.01, inputs="squared", bounds=np.array([-1.0, 1.0]),
+        scales=np.ones(4), interval_s=_DT, inputs="squared", bounds=np.array([-1.0, 1.0]),
     )  # fmt: skip
     narx.run(v, 0.0, 0.0)
 
@@ -96,7 +97,7 @@ def _network() -> None:
     joint = Coefficients(curves, single, single, single, two, single, 1.0, -1.0, 1.0, two, 0.0, none, curves[:2], two)
     drive = Drive(u, np.zeros((0, 3, 2)), np.zeros(2), False)
     coupling = Coupling(x, x, 0.0)
-    observed_run(joint, drive, coupling, (0.0, 0.0), 0.01, 1, no_sensitivities())
+    observed_run(joint, drive, coupling, (0.0, 0.0), _DT, 1, no_sensitivities())
     basis_rows(x, joint)
     slid(x, 1.0)
 
@@ -121,14 +122,14 @@ def _analytical() -> None:
 
 
 def _measured() -> None:
-    """What looks at measured motions: differentiation, and the lag and basis of the paper."""
+    """Compile the kernels for measured motions: differentiation, and the lag and basis of the paper."""
     from ..fitting.regression import basis_values
     from ..numerics.linear_filters import first_order_lag
     from ..signals.differentiate import differentiate
 
-    samples = np.sin(0.1 * np.arange(40.0)) + 0.01 * (np.arange(40) % 3)
+    samples = np.sin(0.1 * np.arange(40.0)) + _DT * (np.arange(40) % 3)
     differentiate(samples, 0.001)
-    first_order_lag(samples, 0.01, 1.0)
+    first_order_lag(samples, _DT, 1.0)
     basis_values(samples, np.zeros(2), 1.0)
 
 

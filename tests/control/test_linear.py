@@ -10,7 +10,7 @@ import pytest
 from control_joints import model
 
 from pipeline.control.plant import equilibria, held, jacobian, plant_of, wells_and_saddle
-from pipeline.diagnostics.facts.events import ring_down
+from pipeline.diagnostics.events import ring_down
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.models.hybrid.parameters import NAMES

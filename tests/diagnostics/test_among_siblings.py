@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.diagnostics.facts.calibrated import SHOWN, places_among
+from pipeline.diagnostics.calibrated import SHOWN, places_among
 from pipeline.fitting.population import NormalPopulation
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import NAMES

@@ -5,8 +5,7 @@ from typing import Any
 
 import pytest
 
-from pipeline.diagnostics.facts.causes import instrument_findings
-from pipeline.diagnostics.facts.model_quality import model_checks
+from pipeline.diagnostics.model_quality import instrument_findings, model_checks
 from pipeline.diagnostics.sentences import sentences
 from pipeline.scoring.wells import Wells
 from pipeline.system.names import log_title

@@ -8,8 +8,7 @@ import pytest
 
 from pipeline.device import device as joint
 from pipeline.device.device import Device
-from pipeline.diagnostics.check import check_logs, refusing
-from pipeline.diagnostics.rows import check_rows
+from pipeline.diagnostics.check import check_logs, check_rows, refusing
 from pipeline.diagnostics.sentences import sentences
 from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.diagnostics.facts.calibrated import calibrated
-from pipeline.diagnostics.facts.characteristics import intervals, shares
-from pipeline.diagnostics.facts.datasheet import DatasheetFact, distance, fact_checks
+from pipeline.diagnostics.calibrated import calibrated
+from pipeline.diagnostics.characteristics import intervals, shares
+from pipeline.diagnostics.datasheet import DatasheetFact, distance, fact_checks
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS
 from pipeline.numerics.metrics import NORMAL_90

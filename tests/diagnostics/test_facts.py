@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from pipeline.device.device import JOINT
-from pipeline.diagnostics.facts.characteristics import Curves, device_facts, equilibria, intervals
-from pipeline.diagnostics.facts.datasheet import drawn_ring_downs, make_datasheet
-from pipeline.diagnostics.facts.events import rest_facts, ring_down, voltage_switches
-from pipeline.diagnostics.facts.model_quality import model_checks
-from pipeline.diagnostics.facts.phase_plane import basins
-from pipeline.diagnostics.facts.run_data import LogData
+from pipeline.diagnostics.characteristics import Curves, device_facts, equilibria, intervals
+from pipeline.diagnostics.datasheet import drawn_ring_downs, make_datasheet
+from pipeline.diagnostics.events import rest_facts, ring_down, voltage_switches
+from pipeline.diagnostics.model_quality import model_checks
+from pipeline.diagnostics.phase_plane import basins
+from pipeline.diagnostics.run_data import LogData
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.units.units import SiUnit
 from tests.reporting.synthetic import (

@@ -11,9 +11,7 @@ from pipeline.diagnostics.copies import shared_recordings, sketch
 from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
-from pipeline.signals.findings import Finding
-from pipeline.signals.quality_gates import saturation
-from pipeline.signals.remarks import remarks_on
+from pipeline.signals.findings import Finding, remarks_on, saturation
 from pipeline.signals.signal_quality import examine_signal
 from tests.double_well import DoubleWell
 from tests.prototypes import motion

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from pipeline.device.parameters import NOMINAL
-from pipeline.diagnostics.facts.series import RunFact, instrument_facts
 from pipeline.diagnostics.instruments import SIGNIFICANCE, InstrumentTest, Reading
+from pipeline.diagnostics.series import RunFact, instrument_facts
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS as PARAMETERS
 from pipeline.models.hybrid.parameters import NAMES as DEVIATIONS
@@ -105,6 +105,26 @@ def test_of_two_training_logs_each_is_the_reference_of_the_other(model: HybridMo
     first, second = (instruments.of_training(number).estimate[0] for number in (0, 1))
     assert second == pytest.approx(-0.03, rel=0.1)
     assert first == pytest.approx(0.03, rel=0.1)
+
+
+def test_what_training_logs_differ_by_is_no_sure_reading_of_another(model: HybridModel, logs: list[Log]) -> None:
+    """Readings x₁ − x₂ = 0.03 have the variance 0.03²/2, and a third one less their mean 1.5 times that."""
+    wrong = corrected(logs[1], Corrections((0.97, 1.0)))
+    alike, unlike = (InstrumentTest(model, [[logs[0]], [second]]).of([logs[2]]) for second in (logs[1], wrong))
+    assert unlike.standard_error[0] == pytest.approx(0.03 * np.sqrt(0.75), rel=0.1)
+    assert alike.standard_error[0] < 1e-3
+    assert unlike.standard_error[1] < 2e-3
+
+
+def test_small_errors_of_a_model_on_one_training_log_hide_no_instrument(model: HybridModel, logs: list[Log]) -> None:
+    """They are sure, as nothing errs in the other log, but below what an instrument causes at its limit."""
+    bent = replace(logs[1], q=logs[1].q + 30e-6 * np.sin(10.0 * np.pi * logs[1].t))
+    instruments = InstrumentTest(model, [[logs[0]], [corrected(bent, Corrections((0.97, 1.0)))]])
+    first, second = (instruments.of_training(number) for number in (0, 1))
+    assert first.unlike < -1.0
+    assert second.unlike > 1.0
+    assert first.estimate[0] == pytest.approx(0.03, rel=0.1)
+    assert second.estimate[0] == pytest.approx(-0.03, rel=0.1)
 
 
 def test_a_log_of_another_device_is_recognised(instruments: InstrumentTest) -> None:

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.diagnostics.facts.data_quality import data_checks
-from pipeline.diagnostics.facts.grades import Check
+from pipeline.diagnostics.data_quality import data_checks
+from pipeline.diagnostics.grades import Check
 from pipeline.scoring.wells import NoWells
 from tests.reporting.synthetic import run_data
 

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.diagnostics.facts.data_quality import data_checks
-from pipeline.diagnostics.facts.run_data import LogData, RunData
+from pipeline.diagnostics.data_quality import data_checks
+from pipeline.diagnostics.run_data import LogData, RunData
 from pipeline.scoring.wells import NoWells
 from tests.reporting.synthetic import run_data
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter, welch
 
-from pipeline.diagnostics.facts.residual_analysis import analyse_residual
+from pipeline.diagnostics.residual_analysis import analyse_residual
 
 DT, N = 0.01, 4000
 

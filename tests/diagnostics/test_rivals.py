@@ -3,8 +3,8 @@
 from dataclasses import replace
 from typing import Any
 
-from pipeline.diagnostics.facts.grades import Check
-from pipeline.diagnostics.facts.model_quality import model_checks
+from pipeline.diagnostics.grades import Check
+from pipeline.diagnostics.model_quality import model_checks
 from pipeline.scoring.wells import NoWells
 from tests.reporting.synthetic import run_data
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.diagnostics.facts.phase_plane import settled
+from pipeline.diagnostics.phase_plane import settled
 from tests.models.hybrid.test_hybrid import joint
 from tests.reporting.synthetic import WELL, double_well
 

@@ -8,14 +8,13 @@ import numpy as np
 import pytest
 
 from pipeline.device.device import device
-from pipeline.device.parameter_sets import parameter_set
+from pipeline.device.parameters import parameter_set
 from pipeline.settings.prototype import parse_prototype
 from pipeline.store import layout, schemas
 from pipeline.store.manifest import Recipe
 from pipeline.store.run_folder import RunFolder
-from pipeline.workflow import stage_scores as scores
 from pipeline.workflow import stage_validate as validate
-from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.engine import bring_up_to_date
 from tests.export.joints import hybrid, paper, pulses
 from tests.prototypes import Silent
 
@@ -57,6 +56,6 @@ def planted_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     run.commit(Recipe("test", "1", {}, {}), written)
     parameters = parameter_set(prototype, folder)
     models = ("hybrid", "rbf-paper")
-    made = [*validate.tasks(prototype, parameters, models), scores.task(prototype, parameters, models)]
+    made = [*validate.tasks(prototype, parameters, models), validate.scores_task(prototype, parameters, models)]
     bring_up_to_date(run, made, Silent())
     return run.root

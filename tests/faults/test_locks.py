@@ -12,13 +12,13 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError, RunLockedError
-from pipeline.store.lock import is_held, run_lock
+from pipeline.store.atomic import is_held, run_lock
 from tests.faults.system_calls import Kind
 
 HOLD = """
 import sys, time
 from pathlib import Path
-from pipeline.store.lock import run_lock
+from pipeline.store.atomic import run_lock
 with run_lock(Path(sys.argv[1])):
     print("held", flush=True)
     time.sleep(60)

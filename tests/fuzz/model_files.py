@@ -20,7 +20,7 @@ from pipeline.export.templates import words
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.base import HasCurves, predictor
 from pipeline.models.model_type import model_from_tree
-from pipeline.models.narx.model import NarxModel
+from pipeline.models.narx import NarxModel
 from pipeline.store.hashing import flatten
 from pipeline.store.trees import parse_tree
 from tests.export import joints

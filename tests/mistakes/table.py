@@ -16,7 +16,7 @@ from pipeline.diagnostics.sentences import sentences
 from pipeline.errors import DebistError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import parse_prototype
-from pipeline.signals.raw_log import RawLog
+from pipeline.signals.log import RawLog
 from pipeline.workflow.stage_check import log_signals
 from pipeline.workflow.steps.ingest import examined, record_columns, resamplings
 from tests.double_well import DoubleWell

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.models.narx.model import NARX, NarxModel, identify_narx
+from pipeline.models.narx import NARX, NarxModel, identify_narx
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.signals.log import Log

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from pipeline.device.device import device
-from pipeline.diagnostics.facts.datasheet import Datasheet, make_datasheet
-from pipeline.diagnostics.facts.run_data import LogData, RunData
+from pipeline.diagnostics.datasheet import Datasheet, make_datasheet
+from pipeline.diagnostics.run_data import LogData, RunData
 from pipeline.fitting.regression import basis_values
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray

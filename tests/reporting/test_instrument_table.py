@@ -8,7 +8,7 @@ import pytest
 from pipeline.reporting.instrument_table import entry, instrument_table
 from pipeline.settings.logs import LogPart
 from pipeline.settings.prototype import parse_prototype
-from pipeline.workflow.corrections import corrections
+from pipeline.workflow.logs import corrections
 
 VALUES = {"gain_v1": 1.0530, "zero_q": -3.2e-4, "gain_q": 0.98042, "delay": -2.54e-3, "clock": 0.99003}
 
@@ -72,8 +72,8 @@ def test_a_log_as_it_was_wired_has_its_line_of_settings(other: dict[str, str], a
     assert list(table.entries) == advised
 
 
-def test_of_two_training_logs_that_differ_one_is_to_be_corrected() -> None:
+def test_of_training_logs_that_differ_one_is_to_be_corrected() -> None:
     logs = [_rows("clock", role="train", log=log) for log in ("first", "second")]
     parts = {("train", log): LogPart(file=f"{log}.mat") for log in ("first", "second")}
     table = instrument_table([*logs[0], *logs[1]], parts, "m")
-    assert "one of them, not both" in table.explanation
+    assert "correct one of them" in table.explanation

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.diagnostics.facts.datasheet import Datasheet, make_datasheet
-from pipeline.diagnostics.facts.run_data import RunData
+from pipeline.diagnostics.datasheet import Datasheet, make_datasheet
+from pipeline.diagnostics.run_data import RunData
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import extreme_places
 from pipeline.reporting.fleet_report import LISTED, Summary, fleet_report, summary

@@ -18,8 +18,8 @@ from pipeline.store.manifest import Recipe
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow import stage_check as check
 from pipeline.workflow import stage_report as report
+from pipeline.workflow.engine import bring_up_to_date
 from pipeline.workflow.report_data import load_datasheet
-from pipeline.workflow.schedule import bring_up_to_date
 from tests.faults.small_run import drawn_once
 from tests.prototypes import Silent
 from tests.reporting.synthetic import HOSTILE, double_well, log_data

@@ -7,7 +7,7 @@ import pytest
 from scipy.signal import lfilter
 
 from pipeline.device.device import JOINT
-from pipeline.diagnostics.facts.events import rest_facts
+from pipeline.diagnostics.events import rest_facts
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import (
     NoWells,

@@ -10,7 +10,7 @@ from pydantic import BaseModel
 from pipeline.errors import InputError
 from pipeline.settings import logs as settings_logs
 from pipeline.settings import prototype as settings
-from pipeline.settings.former import translated
+from pipeline.settings.file import translated
 from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.store import layout
 

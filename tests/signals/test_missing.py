@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 from pipeline.errors import DataRefusedError
-from pipeline.signals.columns import CHUNK
-from pipeline.signals.missing import missing
-from pipeline.signals.quality_gates import missing_findings
+from pipeline.signals.columns import CHUNK, missing
+from pipeline.signals.findings import missing_findings
 
 STEP, N = 1e-3, 2 * CHUNK + 17
 T = 100.0 + STEP * np.arange(N)

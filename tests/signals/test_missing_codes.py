@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.signals.columns import sparse
-from pipeline.signals.missing import codes_in, masked
+from pipeline.signals.columns import codes_in, masked, sparse
 
 TIME = 0.002 * np.arange(5000)
 PULSES = np.where(TIME % 1.0 < 0.2, 2800.0, 0.0)

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.signals.decimation_kernel import REACH, filtered_samples, kernel, sharpened
-from pipeline.signals.resampling import decimate, interpolate, uniform_grid
+from pipeline.signals.resampling import REACH, decimate, filtered_samples, interpolate, kernel, sharpened, uniform_grid
 
 T = 0.01
 

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from pipeline.device.device import JOINT
-from pipeline.signals.noise import is_idle, resolution
-from pipeline.signals.quality_gates import saturation, scale_suspicion
+from pipeline.signals.findings import saturation, scale_suspicion
+from pipeline.signals.noise import hum, is_idle, resolution
 from pipeline.signals.signal_quality import examine_signal, usual_span
-from pipeline.signals.spectrum import hum
 from tests.prototypes import motion
 
 RATE = 10_000.0

@@ -15,11 +15,9 @@ from typer.testing import CliRunner
 from cli import app, debist
 from pipeline.errors import InputError
 from pipeline.system.machine import ONE_THREAD
-from pipeline.workflow.batch import Execution, run_batch
-from pipeline.workflow.fleet import write_fleet_tables
+from pipeline.workflow.batch import Execution, Outcome, Worker, run_batch, write_fleet_tables
 from pipeline.workflow.members import Member, members, prototype_files
 from pipeline.workflow.progress import failure_file
-from pipeline.workflow.worker import Outcome, Worker
 from tests.prototypes import content, motion_prototype
 
 RUNNER = CliRunner()

@@ -8,10 +8,10 @@ import pytest
 from pipeline.errors import InputError
 from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.signals.corrections import Corrections
-from pipeline.signals.raw_log import RawLog
+from pipeline.signals.log import RawLog
 from pipeline.store.run_folder import RunFolder
-from pipeline.workflow.corrections import corrected_log, corrections
 from pipeline.workflow.engine import Unheard
+from pipeline.workflow.logs import corrected_log, corrections
 from pipeline.workflow.run import run_prototype
 
 

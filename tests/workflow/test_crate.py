@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.device.parameter_sets import joint_parameters
+from pipeline.device.parameters import joint_parameters
 from pipeline.errors import InputError
 from pipeline.settings.file import toml_text
 from pipeline.settings.prototype import load_prototype

@@ -8,17 +8,15 @@ from pathlib import Path
 import pytest
 
 from cli import debist
-from pipeline.device.parameter_sets import joint_parameters
+from pipeline.device.parameters import joint_parameters
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.settings.prototype import load_prototype
 from pipeline.store.manifest import MANIFEST, load_manifest
 from pipeline.system.plain_files import read_plain
-from pipeline.workflow.batch import Execution, run_batch
-from pipeline.workflow.fleet import write_fleet_tables
+from pipeline.workflow.batch import Execution, Outcome, Worker, run_batch, write_fleet_tables
 from pipeline.workflow.members import FLEET_CSV, members, prototype_files
 from pipeline.workflow.progress import fleet_progress, is_fleet
 from pipeline.workflow.run import run_prototype
-from pipeline.workflow.worker import Outcome, Worker
 from tests.prototypes import Silent
 
 CHANNELS = """

@@ -11,9 +11,8 @@ from pipeline.reporting.joint_figures import COLOURED
 from pipeline.reporting.plotted import paper_figure
 from pipeline.settings.prototype import Compare, Prototype, parse_prototype
 from pipeline.store.run_folder import RunFolder
-from pipeline.workflow.engine import tasks_of
-from pipeline.workflow.schedule import bring_up_to_date
-from pipeline.workflow.stages import STAGE_NAMES, Planned, of_stages, plan
+from pipeline.workflow.engine import bring_up_to_date, tasks_of
+from pipeline.workflow.run import STAGE_NAMES, Planned, of_stages, plan
 from pipeline.workflow.studies.paper import FIGURES, joint_figures, paper_settings, run_paper
 
 PRINTED = {"q": 2.1, "phi": 2.0, "qdot": 4.1, "qddot": 5.0}

@@ -8,7 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.diagnostics.gates import judge
+from pipeline.diagnostics.sentences import judge
 from pipeline.errors import DataRefusedError
 from pipeline.settings.prototype import Quality
 from pipeline.signals.findings import refusal

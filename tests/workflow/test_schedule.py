@@ -9,8 +9,7 @@ import pytest
 
 from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.store.run_folder import RunFolder, Written
-from pipeline.workflow.engine import After, Task
-from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.engine import After, Task, bring_up_to_date
 from tests.prototypes import Silent
 
 

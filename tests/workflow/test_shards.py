@@ -10,9 +10,9 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
-from pipeline.store.lock import run_lock
+from pipeline.store.atomic import run_lock
 from pipeline.store.manifest import MANIFEST
-from pipeline.workflow.fleet import collect_batch
+from pipeline.workflow.batch import collect_batch
 from pipeline.workflow.members import Member, Shard
 from pipeline.workflow.progress import failure, fleet_progress, keep_failure
 

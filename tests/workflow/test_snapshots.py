@@ -9,13 +9,12 @@ import numpy as np
 import pytest
 
 from pipeline.errors import InputError, SupersededError
+from pipeline.store.atomic import run_lock
 from pipeline.store.columns import Column
-from pipeline.store.lock import run_lock
 from pipeline.store.manifest import Recipe
 from pipeline.store.run_folder import RunFolder, in_snapshot
 from pipeline.store.schemas import Schema
-from pipeline.workflow.engine import Task
-from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.engine import Task, bring_up_to_date
 from pipeline.workflow.verify import verify_everything
 from tests.prototypes import Silent
 

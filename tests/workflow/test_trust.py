@@ -9,7 +9,7 @@ from pipeline.device.device import JOINT
 from pipeline.models.free_runs import drawn_runs
 from pipeline.scoring.wells import wells_of
 from pipeline.signals.log import Log
-from pipeline.workflow.steps.validate import trust_notes
+from pipeline.workflow.steps.score import trust_notes
 
 N, INTERVAL = 600, 0.01
 

@@ -8,7 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.store.lock import run_lock
+from pipeline.store.atomic import run_lock
 from pipeline.workflow.verify import Verified, verify_everything
 from tests.faults.conftest import Bench, spoil
 from tests.faults.small_run import drawn_once

@@ -12,6 +12,7 @@ from ...numerics.arrays import BoolArray, FloatArray
 from ...numerics.continuation import Branch, Residual, SpecialPoint, trace_branch
 from ...numerics.stiff import RITZ
 from .statics import (
+    FULL_VOLTAGE,
     TYPICAL_SHAPE,
     StaticPath,
     describe_path,
@@ -23,7 +24,7 @@ from .statics import (
 )
 
 _SEEDS = 7
-_HIGHEST = 6000.0  # V
+_HIGHEST = 2.0 * FULL_VOLTAGE
 SHOWN = np.linspace(-0.02, 0.02, 161)
 """Displacements [m] at which curves over q are shown."""
 
@@ -102,7 +103,7 @@ def over_voltage(parameters: JointParameters, side: int) -> Family:
         capacitance(qm, p, farads, jacobian)
         return np.asarray(-jacobian[side] * value)
 
-    return Family(lambda value: (p, value * on, 0.0), slope, 3000.0)
+    return Family(lambda value: (p, value * on, 0.0), slope, FULL_VOLTAGE)
 
 
 def over_force(parameters: JointParameters, v: FloatArray) -> Family:
@@ -170,7 +171,7 @@ def equilibrium_diagram(family: Family, bounds: tuple[float, float]) -> list[Equ
 
 
 def _lies_on(branch: Branch, qm: FloatArray, value: float, scale: FloatArray, unit: float) -> bool:
-    """Whether (q_m, λ) is within the chord error of a traced curve."""
+    """True if (q_m, λ) is within the chord error of a traced curve."""
     x = np.column_stack([branch.y / scale, branch.parameter / unit])
     along = np.diff(x, axis=0)
     target = np.append(qm / scale, value / unit)
@@ -193,7 +194,7 @@ def bistable_from(parameters: JointParameters) -> float | None:
     return _smallest_with_two_wells(parameters, np.zeros(2), 0.01)
 
 
-def switchable_to(parameters: JointParameters, voltage: float = 3000.0) -> float | None:
+def switchable_to(parameters: JointParameters, voltage: float = FULL_VOLTAGE) -> float | None:
     """z_b,max [m]: the largest z_b at which `voltage` [V] on either side leaves one well; None if beyond 15 mm."""
     sides = np.array([voltage, 0.0]), np.array([0.0, voltage])
     limits = [_smallest_with_two_wells(parameters, v, 0.015) for v in sides]
@@ -269,7 +270,7 @@ class Characteristics:
     diagrams: dict[str, list[EquilibriumBranch]]
 
 
-def characteristics(parameters: JointParameters, *, voltage: float = 3000.0) -> Characteristics:
+def characteristics(parameters: JointParameters, *, voltage: float = FULL_VOLTAGE) -> Characteristics:
     """Equilibrium diagram, F(q), C_i(q) and what they say as numbers, at a driving voltage [V]."""
     rest = equilibria(parameters, np.zeros(2))
     wells = [e.energy for e in rest if e.stable]

@@ -222,7 +222,7 @@ one that blows up would never end."""
 
 
 class Inputs(NamedTuple):
-    """What drives a joint: sample times [s] (N,), voltages [V] (N, 2) and force along q [N] (N,), linear in between."""
+    """Inputs of a joint: sample times [s] (N,), voltages [V] (N, 2) and force along q [N] (N,), linear in between."""
 
     t: FloatArray
     v: FloatArray

@@ -28,7 +28,7 @@ from ...numerics.linear_filters import first_order_lag
 from ...numerics.metrics import nrmse
 from ...numerics.stiff import INTERNAL, RITZ
 from .full_order import FullOrderMotion, rest_state, simulate
-from .statics import StaticPath, equilibria, static_path
+from .statics import FULL_VOLTAGE, StaticPath, equilibria, static_path
 
 CURVES = ("m_q", "d", "f", "lambda3_1", "lambda3_2", "C_1", "C_2")
 """Order of the curves: m_q [kg], d [N·s/m], f [N], λ_{3,i} [1], C_i [F]."""
@@ -269,6 +269,10 @@ def _slid(q: float, before: float, zeta: float, length: float) -> float:
     return float(_dahl_move((zeta, q - before, length))[0])
 
 
+LONGEST_STEP = 1e-3
+"""Longest step [s]: it resolves the joint's 2.8 Hz, and 9 Hz ring-downs, to 1e-7."""
+
+
 def simulate_reduced(
     reduced: ReducedJoint,
     t: FloatArray,
@@ -277,7 +281,6 @@ def simulate_reduced(
     qdot0: float,
     *,
     force: FloatArray | None = None,
-    max_step: float = 1e-3,
 ) -> ReducedMotion:
     """Free run of the reduced joint, voltages and force linear between samples.
 
@@ -291,12 +294,10 @@ def simulate_reduced(
         Initial displacement [m] and velocity [m/s]; the Maxwell elements have relaxed.
     force : FloatArray, shape (N,), optional
         External force [N].
-    max_step : float
-        Longest step [s]. 1 ms resolves the joint's 2.8 Hz, and 9 Hz ring-downs, to 1e-7.
     """
     parameters = reduced.parameters
-    interval = sample_interval(t) if t.size > 1 else max_step
-    steps = max(1, int(np.ceil(interval / max_step - 1e-9)))
+    interval = sample_interval(t) if t.size > 1 else LONGEST_STEP
+    steps = max(1, int(np.ceil(interval / LONGEST_STEP - 1e-9)))
     inputs = np.column_stack([v, np.zeros(t.size) if force is None else force])
     e = np.full((t.size, 2), np.nan)
     out = np.full((t.size, 3, 1), np.nan)
@@ -344,7 +345,7 @@ def friction_state(q: FloatArray, s_c: float) -> FloatArray:
 
 
 def pulse_sequence(
-    voltage: float = 3000.0, *, pulse: float = 0.5, pause: float = 1.0, count: int = 4, dt: float = 1e-3
+    voltage: float = FULL_VOLTAGE, *, pulse: float = 0.5, pause: float = 1.0, count: int = 4, dt: float = 1e-3
 ) -> tuple[FloatArray, FloatArray]:
     """Times [s] and voltages (N, 2) [V]: left, right, left … pulses of `pulse` [s] with pauses, as in figure 7.
 

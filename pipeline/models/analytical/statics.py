@@ -23,6 +23,7 @@ STEEPEST = np.pi / 4
 TYPICAL_SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
 """Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""
 REACH = 0.03
+FULL_VOLTAGE = 3000.0  # V, of the supply
 """Largest deflection [m] of the shapes that Newton's method starts from."""
 TIP_VALUES = TIP.outputs["values"]
 """q [m], φ [rad], u_y [m] and both stretches."""

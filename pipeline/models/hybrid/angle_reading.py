@@ -19,7 +19,7 @@ ANGLE_IS_READ = (
     "{name} was identified from the angle of the joint, and {what} of it take a measured displacement; measure q, or "
     "take another model"
 )
-"""What uses of a model that read q alone refuse it with."""
+"""Message with which uses of a model that read q alone refuse it."""
 _NEWTON = 4
 """Steps from linear interpolation of 0.25 mm to rounding."""
 

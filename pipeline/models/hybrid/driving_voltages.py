@@ -42,7 +42,7 @@ class DrivingVoltages:
 
     @property
     def refined(self) -> bool:
-        """Whether they are known between the samples."""
+        """True if the voltages are known between the samples."""
         return self._per_sample > 1
 
     def squared(self, steps: int, seen: Instruments, largest: float) -> FloatArray:

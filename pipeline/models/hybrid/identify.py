@@ -225,7 +225,7 @@ def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _
 
 
 def _corrections_help(errors: "dict[str, _HeldOut]", *, always: bool) -> bool:
-    """Whether corrections were fitted and do not harm on held-out data; `always`: whatever they do there."""
+    """True if corrections were fitted and do not harm on held-out data; with `always`, if they were fitted at all."""
     if WITH_RBF not in errors:
         return False
     return errors[WITH_RBF].coupled < (np.inf if always else HARMFUL_RATIO) * errors[ALONE].coupled
@@ -332,7 +332,7 @@ class _Search:
         return problem.held_share
 
     def follows(self, fit: HomotopyFit, share: float) -> bool:
-        """Whether a fit runs freely within a share of the operating range."""
+        """True if the error of a fit's free run is below a share of the operating range."""
         low, high = operating_range(self.records)
         return _free_error(fit) < 1e3 * share * (high - low)
 

@@ -16,8 +16,8 @@ from scipy.interpolate import CubicSpline
 from ...fitting.posterior import first_order_curves, posterior_draws
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
-from ...signals.decimation_kernel import filtered_samples
 from ...signals.log import Log
+from ...signals.resampling import filtered_samples
 from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, Unit, tree_of
 from . import parameters as condensed_parameters
@@ -77,7 +77,7 @@ class HybridModel:
     rotation: Annotated[FloatArray, Table("K 2", -1e3, 1e3), Unit("SI")] = field(
         default_factory=lambda: np.empty((0, 2))
     )
-    """Where the angle of the joint was measured: q and the angle at rest, by which it was made a displacement."""
+    """q [m] and angle [rad] at rest, by which a measured angle was converted to a displacement; else empty."""
     diagnostics: Facts = field(default_factory=dict)
     tube: TubeScale = NO_TUBES
     constants: str = " | ".join(CONSTANTS)

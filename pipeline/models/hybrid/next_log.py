@@ -1,4 +1,4 @@
-"""What one more log would show of an identified joint, and how sure free runs would then be, to first order.
+"""Value of one more log of an identified joint: the variance of free runs after it, to first order.
 
 The posterior of θ has the covariance S Sᵀ. A log whose free run has the derivatives J by θ shows H = JᵀJ / (s² τ), with
 the RMS s of the fit's residual and its autocorrelation time τ. A programme with the derivatives G then has the variance
@@ -45,7 +45,7 @@ def slopes(model: HybridModel, t: FloatArray, v: FloatArray, start: float) -> Fl
 
 @dataclass(frozen=True)
 class Uncertainty:
-    """What the logs of a joint leave open of its free run in a programme.
+    """Uncertainty of a joint's free run in an excitation sequence, after its logs.
 
     Attributes
     ----------
@@ -92,7 +92,7 @@ class Uncertainty:
 
 
 def uncertainty(model: HybridModel, t: FloatArray, v: FloatArray, start: float, interval: float) -> Uncertainty | None:
-    """What is open of the free run under `v` from rest at `start`; None where it diverges.
+    """Uncertainty of the free run under `v` from rest at `start`; None where it diverges.
 
     Parameters
     ----------

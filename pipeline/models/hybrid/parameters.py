@@ -58,7 +58,7 @@ class Deviation:
 
     @property
     def logarithm(self) -> bool:
-        """Whether the logarithm of the quantity is estimated."""
+        """True if the logarithm of the quantity is estimated."""
         return self.name.rpartition(".")[2].startswith("log ")
 
     @property

@@ -14,8 +14,8 @@ from ...device.parameters import JointParameters
 from ...fitting.descent import PARAMETER_STEP
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import BoolArray, FloatArray, samples_of
-from ...signals.decimation_kernel import sharpened
 from ...signals.log import Log
+from ...signals.resampling import sharpened
 from . import parameters as condensed_parameters
 from .angle_reading import AngleReading
 from .columns import INSTRUMENTS
@@ -100,7 +100,7 @@ class CondensedJoint:
 
     @property
     def angle(self) -> AngleReading | None:
-        """How the log's displacement is read, where it was made of an angle."""
+        """Reading of the log's displacement from an angle; None where q itself was measured."""
         return AngleReading(self.rotation, self.lead) if len(self.rotation) else None
 
     def reading(self, log: Log) -> Log:

@@ -221,7 +221,7 @@ class Driving(NamedTuple):
 
 
 class Followed(NamedTuple):
-    """What an `observer` follows.
+    """Measurement that an `observer` follows.
 
     Attributes
     ----------

@@ -36,7 +36,7 @@ _WORDS = {
     "eta_v": "membrane viscosity", "b": "mount distance b", "a": "mount distance a", "e_x": "mount offset e_x",
     "e_z": "mount offset e_z",
 }  # fmt: skip
-"""What people call quantities that equations call by a letter."""
+"""Names of quantities that are letters in the equations."""
 
 
 _SUSPECTS = ("length", "voltage", "E", "Y", "C0", "Y_MW", "weight", "laser offset", "delay", "charging time", "probe 1",
@@ -78,7 +78,7 @@ class Odd:
 
 @dataclass(frozen=True)
 class LearntQuantity:
-    """What is known of one deviation: mean and spread of the next joint, and that spread over the prior's."""
+    """Prediction of one deviation: mean and spread for the next joint, and that spread over the prior's."""
 
     name: str
     mean: float
@@ -89,7 +89,7 @@ class LearntQuantity:
 
 @dataclass(frozen=True)
 class Learnt:
-    """What siblings teach.
+    """Population of joints, learnt from other joints.
 
     Attributes
     ----------
@@ -116,7 +116,7 @@ def usual_prior() -> NormalPopulation:
 
 
 def information_of(model: HybridModel) -> Information:
-    """What the training logs show of the deviations of a joint that was identified without siblings.
+    """Information of the training logs on the deviations of a joint that was identified without siblings.
 
     The corrections are integrated out. The fit takes its noise to be `NOISE_INFLATION` times the RMS of the residual,
     its posterior √τ times that, for the autocorrelation time τ. In units of the prior a direction of precision λ in the
@@ -138,7 +138,7 @@ def information_of(model: HybridModel) -> Information:
 
 
 def learn(models: Mapping[str, HybridModel]) -> Learnt:
-    """What identified siblings teach.
+    """Learn the population of joints from identified siblings.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
 
 
 def title(entry: int) -> str:
-    """What people call a deviation: ``left capacitance``."""
+    """Name of a deviation for readers: ``left capacitance``."""
     side, dot, name = DEVIATIONS[entry].quantity.rpartition(".")
     return f"{side}{' ' if dot else ''}{_WORDS.get(name, name)}"
 
@@ -203,7 +203,7 @@ def _quantities(population: NormalPopulation, prior: NormalPopulation) -> tuple[
 
 
 def to_tree(learnt: Learnt, parameters: JointParameters, origins: Mapping[str, str]) -> dict[str, Any]:
-    """What is filed; `origins` has the content hash of each sibling's model."""
+    """Tree for the file of a prior; `origins` has the content hash of each sibling's model."""
     return {
         "parameters": tree_of(parameters),
         "deviations": " | ".join(NAMES),

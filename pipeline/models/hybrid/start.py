@@ -40,7 +40,7 @@ WELLS_DIFFER = 0.1
 
 @dataclass(frozen=True)
 class NoJoint:
-    """Why the joint's equations are no candidate for a device."""
+    """Reason why the joint's equations are no candidate for a device."""
 
     reason: str
 

@@ -225,7 +225,7 @@ class RbfPaperModel(ModelFile):
     mass_kg: Annotated[Positive, Unit("{m}")] = 1.0
     """Moving mass or inertia; 1 if it is unknown, and curves are then per unit mass."""
     inputs: InputLaw = "squared"
-    """Whether inputs act squared or linear."""
+    """Action of the inputs: squared or linear."""
     basis: Literal["gaussian"] = "gaussian"
     """Basis function."""
     spread: Annotated[FloatArray, Table("W S", -_LARGEST, _LARGEST), Unit("{c}, {d}, {g}")] = np.empty((0, 0))

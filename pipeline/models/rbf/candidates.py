@@ -47,7 +47,7 @@ class Candidate:
 
     @property
     def centred(self) -> bool:
-        """Whether q = 0 is its mirror plane."""
+        """True if q = 0 is the mirror plane of the candidate."""
         return self.population or self.symmetry is not None
 
 

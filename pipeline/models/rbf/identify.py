@@ -20,7 +20,7 @@ from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90, rms
 from ...settings.models import RBF_TIME_LIMIT
 from ...signals.log import Log, operating_range
-from ...system.progress import OnProgress, silent
+from ...system.worker_pool import OnProgress, silent
 from ..free_runs import scale_on
 from ..model_type import KnownCurves, ModelType, Training
 from .candidates import (
@@ -146,7 +146,7 @@ def _search_limit(limit: float, records: Sequence[Log]) -> float:
 
 
 def _begins_driven(records: Sequence[Log]) -> bool:
-    """Whether an input of any log is more than next to nothing at its first sample."""
+    """True if an input of any log is not negligible at its first sample."""
     return any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
 
 

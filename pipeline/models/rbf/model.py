@@ -54,7 +54,7 @@ class RbfModel:
 
     @property
     def fine_voltages(self) -> bool:
-        """Whether the inputs between the samples are those of the finer record."""
+        """True if the inputs between the samples are those of the finer record."""
         return self.parameters.structure.hold == "record"
 
     @property

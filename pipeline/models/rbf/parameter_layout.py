@@ -49,7 +49,7 @@ class ParameterLayout:
     structure: JointStructure
     scales: JointScales
     law: InputLaw
-    """Whether inputs act squared or linear."""
+    """Action of the inputs: squared or linear."""
     signs: Annotated[
         tuple[Annotated[int, Field(ge=-1, le=1)], ...],
         BeforeValidator(listed), Field(min_length=1, max_length=MOST_INPUTS), Unit("1"),
@@ -211,12 +211,12 @@ class ParameterLayout:
 
     @property
     def held(self) -> bool:
-        """Whether what acts jumps at the samples and is constant between them."""
+        """True if the acting inputs jump at the samples and are constant between them."""
         return self.structure.hold == "zero" and not self.structure.input_lag
 
     @property
     def squares_first(self) -> bool:
-        """Whether the squares of the inputs act before any lag, so that the record's nodes are those of squares."""
+        """True if the squares of the inputs act before any lag, so that the record's nodes are those of squares."""
         return self.law == "squared" and (self.structure.effect_lags or not self.structure.input_lag)
 
     def delay(self, theta: FloatArray) -> float:

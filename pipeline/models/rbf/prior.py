@@ -208,7 +208,7 @@ class Population:
     root: FloatArray
 
     def knows(self, structure: JointStructure) -> bool:
-        """Whether it is one of this structure, whose two inputs pull opposite ways by their squares."""
+        """True if the prior is one of this structure, whose two inputs pull in opposite directions by their squares."""
         p = ParameterLayout(structure, JointScales(0.0, 1.0, 1.0, 1.0), "squared", (1, -1))
         return blocks_of(p) == self.blocks and structure.smoothing == self.smoothing and not structure.overdamped
 

@@ -15,9 +15,9 @@ from scipy.interpolate import CubicSpline
 
 from ...errors import InputError
 from ...numerics.arrays import BoolArray, FloatArray, bridged
-from ...signals.decimation_kernel import sharpened
 from ...signals.log import Log
 from ...signals.noise import noise_std
+from ...signals.resampling import sharpened
 from .coefficients import basis_rows, no_sensitivities
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
@@ -252,7 +252,7 @@ class JointProblem:
         return seconds
 
     def is_chaotic(self, theta: FloatArray) -> bool:
-        """Whether the free run of any log diverges from one that starts beside it."""
+        """True if the free run of any log diverges from one that starts beside it."""
         for log in self.logs:
             beside = replace(log, start=log.start + _NUDGE * self.parameters.scales.frequency)
             first, second = (

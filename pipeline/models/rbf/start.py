@@ -138,7 +138,7 @@ def starting_joint(
 
 
 def is_bistable_pair(records: Sequence[Log], law: InputLaw) -> bool:
-    """Whether two squared inputs pull opposite ways at a device with two wells, as the membranes of a joint do.
+    """True if two squared inputs pull in opposite directions at a device with two wells, as a joint's membranes do.
 
     The convex fit of the accelerations shows: without inputs its force must cross zero rising, near the middle of the
     range, between two places where it falls. Other devices with two inputs have one well, or none (two propellers on a
@@ -163,7 +163,7 @@ def is_bistable_pair(records: Sequence[Log], law: InputLaw) -> bool:
 
 
 def looks_overdamped(records: Sequence[Log], law: InputLaw) -> bool:
-    """Whether displacement and inputs tell more of the velocity than they and the velocity tell of the acceleration.
+    """True if displacement and inputs explain more of the velocity than all three explain of the acceleration.
 
     Shares of the mean squares that a convex fit explains are compared. Cost: two of them, 2 ms for 4,000 samples.
     """

@@ -55,36 +55,36 @@ class JointStructure:
     slips: _Elements = 1
     """States of Dahl friction."""
     arc: bool = True
-    """Whether the inertia may vary with the displacement (a tip on an arc)."""
+    """True if the inertia may vary with the displacement (a tip on an arc)."""
     drag: bool = False
-    """Whether a fluid's drag acts, by the square of the speed."""
+    """True if a fluid's drag acts, by the square of the speed."""
     stops: bool = False
-    """Whether the motion may meet two end stops."""
+    """True if the motion may meet two end stops."""
     input_lag: bool = False
-    """Whether the inputs act through a first-order lag (a propeller, a slow drive)."""
+    """True if the inputs act through a first-order lag (a propeller, a slow drive)."""
     effect_lags: bool = False
-    """Whether that lag follows what the inputs do, as heat or pressure follows a power, instead of the inputs."""
+    """True if that lag follows the effect of the inputs, as heat or pressure follows a power."""
     turning_arm: bool = False
-    """Whether q is the angle of an arm on which weight acts: sin q and cos q instead of x and x² in the basis."""
+    """True if q is the angle of an arm on which weight acts: sin q and cos q instead of x and x² in the basis."""
     force: ForceShape = "curve"
     """Shape of the restoring force."""
     constant_damping: bool = False
-    """Whether the damping is a number instead of a curve."""
+    """True if the damping is a number instead of a curve."""
     constant_gain: bool = False
-    """Whether the input gains are numbers instead of curves."""
+    """True if the input gains are numbers instead of curves."""
     hold: Hold = "linear"
     """Course of the inputs between samples."""
     rest_at_zero: bool = False
-    """Whether hidden states start as after a long rest without inputs, instead of under the first ones."""
+    """True if hidden states start as after a long rest without inputs, instead of under the first ones."""
     input_delay: bool = False
-    """Whether the inputs act later than they were measured by a constant time."""
+    """True if the inputs act later than they were measured by a constant time."""
     bent_input: bool = False
-    """Whether the inputs act by a curve of their own, steeper or flatter at zero than a line."""
+    """True if the inputs act by a curve of their own, steeper or flatter at zero than a line."""
     dead_zone: bool = False
-    """Whether small inputs do nothing."""
+    """True if small inputs have no effect."""
     overdamped: bool = False
-    """Whether damping is expected to hold the motion so much that inertia hardly matters (a soft actuator, a level, a
-    temperature); the equation is the same, its start and its scales are of the velocity."""
+    """True if inertia is expected to hardly matter beside damping (a soft actuator, a level, a temperature). The
+    equation is the same; its start and its scales are those of the velocity."""
 
     @model_validator(mode="after")
     def _elements(self) -> Self:
@@ -94,7 +94,7 @@ class JointStructure:
 
     @property
     def remembers_inputs(self) -> bool:
-        """Whether a hidden state depends on what the inputs were before the first sample."""
+        """True if a hidden state depends on the inputs before the first sample."""
         return self.input_lag or self.shape_elements > 0
 
 

@@ -12,7 +12,7 @@ from ...fitting.regression import InputLaw
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import Log
-from ...system.progress import OnProgress, silent
+from ...system.worker_pool import OnProgress, silent
 from ..model_type import KnownCurves
 from .candidates import Candidate, Offer
 from .parameter_layout import ParameterLayout
@@ -192,7 +192,7 @@ def search(
         return tried[option.label]
 
     def better(option: Candidate, than: Candidate) -> bool:
-        """Whether an option replaces the best so far; a lag or a delay that does nothing is no reason."""
+        """True if an option replaces the best so far; a lag or a delay without effect is no reason."""
         if any(not getattr(than.structure, time) for time in judged(option).idle):
             return False
         smaller = size(option) < size(than)
@@ -261,7 +261,7 @@ class _Judged:
 
 
 def _preferred(new: _Judged, old: _Judged, *, smaller: bool) -> bool:
-    """Whether one candidate is to be preferred to another: surely not worse if smaller, surely better if larger."""
+    """True if one candidate is preferred to another: if smaller, not surely worse; if larger, surely better."""
     coupled, free = (_in_equal_units(new, old, kind) for kind in (0, -1))
     if smaller:
         far = rms(free[0]) > FAR * rms(free[1]) and surely_smaller(*coupled[::-1])
@@ -404,7 +404,7 @@ def _quick_fit(
 
 
 def _alike(p: ParameterLayout, near: ParameterLayout) -> bool:
-    """Whether the fit of another structure is a good start; what the inputs do decides where all else must go."""
+    """True if the fit of another structure is a good start: its inputs act alike, its scales and signs are equal."""
     a = p.structure
     b = near.structure
     drive = all(getattr(a, name) == getattr(b, name) for name in ("effect_lags", "rest_at_zero", *TIMES))

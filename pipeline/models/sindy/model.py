@@ -65,7 +65,7 @@ class SindyModel(ModelFile):
     mass_kg: Annotated[Positive, Unit("{m}")] = 1.0
     """Moving mass or inertia; 1 if it is unknown, and curves are then per unit mass."""
     inputs: Literal["squared", "linear"]
-    """Whether inputs act squared or linear."""
+    """Action of the inputs: squared or linear."""
     bounds: Annotated[Span, Unit("{q}")]
     """Smallest and largest displacement, beyond which a run counts as diverged."""
     units: Units = ("m", "V")
@@ -140,7 +140,7 @@ class SindyModel(ModelFile):
 
     @property
     def fine_voltages(self) -> bool:
-        """Whether it takes the voltages between the samples: pysindy as it comes does not."""
+        """True if the model takes the voltages between the samples: pysindy's own model does not."""
         return self.name == "sindy"
 
     @checked

@@ -7,6 +7,7 @@ import numpy as np
 from ...device.device import device
 from ...numerics.arrays import FloatArray, sample_interval
 from ...settings.prototype import Differentiate, Prototype
+from ...signals.differentiate import PAPER_EPSILON, differentiate
 from ...store.tables import Table
 from ...units.units import ALPHA_UNIT
 
@@ -79,8 +80,6 @@ def derivatives(
     notes : dict
         For each segment its parameters, noise (in the same unit) and convergence.
     """
-    from ...signals.differentiate import differentiate
-
     settings = prototype.differentiate
     measured = "velocity" in fine
     grid = fine["t"]
@@ -118,8 +117,6 @@ def differentiator(settings: Differentiate, *, measured: bool, unit: float) -> d
     """Arguments of the differentiator. A `measured` velocity has its own: one order less, 2 or 3, and an alpha that its
     noise chooses, as one that was set is of q.
     """
-    from ...signals.differentiate import PAPER_EPSILON
-
     chosen = measured or settings.alpha == "auto"
     return {
         "method": settings.method,

@@ -1,27 +1,99 @@
 """Identify: models of the training logs, the main one first."""
 
 import time
-from collections.abc import Collection, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ...device.device import device
 from ...device.parameters import JointParameters
-from ...diagnostics.gates import judge
-from ...diagnostics.sentences import not_converged
+from ...diagnostics.sentences import judge, not_converged
 from ...errors import DataRefusedError
-from ...models.model_type import StoredModel, Training, model_type
+from ...fitting.excitation import excitation_findings
+from ...fitting.population import NormalPopulation
+from ...models.analytical.statics import rotation_nodes
+from ...models.choose import Choice, choose, main_model
+from ...models.model_type import KnownCurves, StoredModel, Training, model_type
 from ...settings.models import AUTO, ENTRIES
 from ...settings.prototype import Prototype
 from ...signals.findings import Finding
-from ...signals.log import Log
+from ...signals.log import EDGE, Log
 from ...store.manifest import TIMES
-from ...system.progress import OnProgress, silent
-from .training import PriorKnowledge, training
+from ...store.tables import Table
+from ...system.worker_pool import OnProgress, silent
 
-if TYPE_CHECKING:
-    from ...models.choose import Choice
+_LEAST_PART = 5 * EDGE
+"""Valid samples of a part of a log that is no more than its beginning."""
+
+
+@dataclass(frozen=True)
+class PriorKnowledge:
+    """Inputs of a fit beside the logs: measured characteristic curves, and a prior from other joints."""
+
+    curves: Table | None = None
+    siblings: NormalPopulation | None = None
+
+
+def training(
+    logs: Sequence[Log],
+    prototype: Prototype,
+    parameters: JointParameters | None,
+    prior_knowledge: PriorKnowledge | None = None,
+    on_progress: OnProgress = silent,
+) -> Training:
+    """The training data of a prototype.
+
+    Parameters
+    ----------
+    logs : sequence of Log
+        The training logs.
+    prototype : Prototype
+        Settings.
+    parameters : JointParameters or None
+        Parameter set of the analytical joint.
+    prior_knowledge : PriorKnowledge, optional
+        What is known beside the logs.
+    on_progress : callable
+        Receives what a fit is doing.
+    """
+    plant = device(prototype)
+    beside = prior_knowledge or PriorKnowledge()
+    parts = [part for log in logs for part in log.parts()]
+    return Training(
+        segments=tuple(segment for log in logs for segment in log.segments()),
+        records=tuple(part.to_fit() for part in _long_enough(parts)),
+        units=(plant.displacement.symbol, plant.inputs[0].symbol),
+        inputs=plant.action,
+        known_mass=plant.known_mass,
+        parameters=parameters,
+        known_curves=None if beside.curves is None else _known_curves(beside.curves, len(plant.inputs)),
+        siblings=beside.siblings,
+        identify=prototype.identify,
+        compare=prototype.compare,
+        log_units=(plant.displacement.factor, plant.inputs[0].factor),
+        inputs_before=prototype.plant.inputs_before,
+        rotation=None if plant.angle is None or parameters is None else rotation_nodes(parameters),
+        on_progress=on_progress,
+    )
+
+
+def _long_enough(parts: Sequence[Log]) -> list[Log]:
+    """The parts of logs that hold more than their beginning, or else the longest of them."""
+    long_enough = [part for part in parts if np.count_nonzero(part.valid) > _LEAST_PART]
+    return long_enough or [max(parts, key=lambda part: len(part.t))]
+
+
+def fitted_parts(log: Log) -> list[Log]:
+    """The parts of a log as fits take them."""
+    return [part.to_fit() for part in _long_enough(log.parts())]
+
+
+def _known_curves(table: Table, inputs: int) -> KnownCurves:
+    slopes = [table.get(f"dC{k}_dq") for k in range(1, inputs + 1)]
+    return KnownCurves(table["q"], table.get("F"), tuple(None if slope is None else 0.5 * slope for slope in slopes))
+
 
 IDENTIFIED = "identified"
 """Note of ``model.h5``: names of its models, the main model first."""
@@ -109,8 +181,6 @@ def identified(
 
 def _put_first(models: Mapping[str, StoredModel], whole: Training, notes: dict[str, Any]) -> None:
     """The main model first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
-    from ...models.choose import main_model
-
     names = notes[IDENTIFIED]
     best, reason = main_model({name: models[name] for name in names}, whole)
     if best == names[0]:
@@ -147,8 +217,7 @@ def _asked(
         return None
 
 
-def _choose(given: Training, data: list[Log], prototype: Prototype) -> "Choice":
-    from ...models.choose import Choice, choose
+def _choose(given: Training, data: list[Log], prototype: Prototype) -> Choice:
 
     if given.known_curves is not None:
         return Choice(_network(given, data, prototype), "only rbf keeps the measured curves of plant.curves", {})
@@ -162,9 +231,7 @@ def _network(given: Training, data: list[Log], prototype: Prototype) -> StoredMo
 
 
 def _findings(data: list[Log], prototype: Prototype) -> list[Finding]:
-    """What speaks against the training logs, taken together."""
-    from ...fitting.excitation import excitation_findings
-
+    """Findings against the training logs, taken together."""
     numbers = [log.segment for log in data]
     first = np.cumsum([0, *(segment.max() + 1 for segment in numbers[:-1])])
     segments = [np.where(segment < 0, -1, segment + k) for segment, k in zip(numbers, first, strict=True)]

@@ -2,26 +2,37 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...device.device import device
-from ...diagnostics.gates import judge
+from ...diagnostics.copies import sketch
+from ...diagnostics.sentences import judge, sentences
 from ...errors import DataRefusedError
 from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
-from ...signals.log import LONGEST_BRIDGE, UNKNOWN
-from ...signals.raw_log import RawLog
+from ...signals.columns import finite, missing, select
+from ...signals.findings import (
+    Finding,
+    coarse_inputs,
+    counted,
+    log_findings,
+    missing_findings,
+    rate_findings,
+    rate_remarks,
+    remarks_on,
+    saturation,
+    scale_suspicion,
+)
+from ...signals.log import LONGEST_BRIDGE, UNKNOWN, RawLog
+from ...signals.noise import held_samples, mains_at_another_rate, resolution
+from ...signals.outliers import Trusted, dropout_remarks, trusted, without_spikes
+from ...signals.signal_quality import SignalQuality, examine_signal, span
+from ...signals.stretches import TimeRows
+from ...signals.timebase import TimeQuality, examine, nominal_step, seldom
+from ...signals.uniform_record import Resampling, Survey, UniformRecord, inputs_unknown, survey
 from ...units.quantity import stamped
-
-if TYPE_CHECKING:
-    from ...signals.findings import Finding
-    from ...signals.outliers import Trusted
-    from ...signals.signal_quality import SignalQuality
-    from ...signals.stretches import TimeRows
-    from ...signals.timebase import TimeQuality
-    from ...signals.uniform_record import Resampling, Survey, UniformRecord
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
@@ -33,7 +44,7 @@ _MUCH_DISCARDED = 0.03
 class Examined:
     """A raw log that was not refused: its usable segments, its nominal step [s], and what was noticed."""
 
-    usable: "Survey"
+    usable: Survey
     raw_step: float
     notes: dict[str, Any]
 
@@ -46,11 +57,6 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
     DataRefusedError
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
-    from ...diagnostics.sentences import sentences
-    from ...signals.quality_gates import log_findings, rate_findings, rate_remarks
-    from ...signals.timebase import examine, nominal_step
-    from ...signals.uniform_record import Resampling, inputs_unknown, survey
-
     settings = prototype.ingest
     try:
         raw_step = nominal_step(signals.q[0])
@@ -87,16 +93,14 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
         findings = [finding for finding in findings if finding.gate != "rails"]
     accepted = judge(where, findings, prototype.quality)
     notes = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
-    notes |= left_out | {"cut_off_s": ends, UNKNOWN: _with_cuts(unknown, trusted, settings.sample_interval)}
+    # An interval around each place where rows are missing belongs to what is not known of the inputs.
+    around = [(a - settings.sample_interval, b + settings.sample_interval) for a, b in trusted.dropouts.cuts.tolist()]
+    notes |= left_out | {"cut_off_s": ends, UNKNOWN: sorted([*unknown, *around])}
     return Examined(usable, raw_step, notes | _sensor(signals, quality))
 
 
 def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
     """The log with its inputs' single-sample spikes bridged, and noted."""
-    from ...signals.outliers import without_spikes
-    from ...signals.remarks import counted
-    from ...signals.timebase import nominal_step
-
     texts = list[str]()
     inputs = []
     for k, signal in enumerate(signals.inputs if settings.spikes == "mask" else (), start=1):
@@ -107,23 +111,17 @@ def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
     return replace(signals, inputs=tuple(inputs), notes=(*signals.notes, *texts)) if texts else signals
 
 
-def _trusted(signals: RawLog, prototype: Prototype, raw_step: float) -> "Trusted":
+def _trusted(signals: RawLog, prototype: Prototype, raw_step: float) -> Trusted:
     """The displacement without what is masked by the settings."""
-    from ...signals.outliers import trusted
-    from ...signals.signal_quality import examine_signal
-
     masked = {name: getattr(prototype.ingest, name) == "mask" for name in ("rails", "lost", "spikes")}
     inert = device(prototype).displacement.symbol != "V"
     return trusted(signals.q, signals.inputs, examine_signal(*signals.q, raw_step), raw_step, inert=inert, **masked)
 
 
-def _few_samples(signals: RawLog, interval: float) -> tuple[list[str], "list[Finding]"]:
+def _few_samples(signals: RawLog, interval: float) -> tuple[list[str], list[Finding]]:
     """Inputs with stamps of their own that may have been recorded on change only, and those with too long steps for a
     sample interval [s].
     """
-    from ...signals.quality_gates import coarse_inputs
-    from ...signals.timebase import nominal_step, seldom
-
     own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q[0]}
     steps = {name: nominal_step(time) for name, time in own.items()}
     lasts = {name: float(time[-1] - time[0]) for name, time in own.items()}
@@ -145,48 +143,37 @@ def _refuse_no_record(where: str, span: tuple[float, float], interval: float, co
         )
 
 
-def _refuse_other_clock(where: str, clock: "TimeQuality", quality: "SignalQuality", prototype: Prototype) -> None:
+def _refuse_other_clock(where: str, clock: TimeQuality, quality: SignalQuality, prototype: Prototype) -> None:
     """Refuse stamps that are no seconds, before a record is made of them."""
-    from ...signals.quality_gates import rate_findings
-
-    interval = prototype.ingest.sample_interval
     if clock.written_as_minutes:
         raise DataRefusedError(
             f"{where}: time jumps by 40 s at each of its minutes, as stamps written hhmmss do: write them as hh:mm:ss, "
             "or give what lies on both sides of such a gap as logs of their own"
         )
-    if clock.step > _MOST_EMPTY * interval:  # a record would hardly be one
-        judge(where, rate_findings(clock, quality, interval), prototype.quality)
+    if clock.step > _MOST_EMPTY * prototype.ingest.sample_interval:  # a record would hardly be one
+        judge(where, rate_findings(clock, quality, prototype.ingest.sample_interval), prototype.quality)
 
 
-def _sensor(signals: RawLog, quality: "SignalQuality") -> dict[str, Any]:
-    """What is known of the sensor of q: its noise and steps [m or rad], the mains lines in it [Hz], for how many
-    samples each value is held, and a sketch of the samples by which a copy is recognised.
+def _sensor(signals: RawLog, quality: SignalQuality) -> dict[str, Any]:
+    """Facts of the sensor of q: its noise and steps [m or rad], the mains lines in it [Hz], the number of samples for
+    which each value is held, and a sketch of the samples by which a copy is recognised.
     """
-    from ...diagnostics.copies import sketch
-    from ...diagnostics.held_values import held_samples
-    from ...signals.noise import resolution
-
     lines = [line.frequency for line in quality.hum if line.stands_out]
     step = resolution(signals.q[1])
     held = held_samples(signals.q[1], step)
     return {"noise": quality.noise, "resolution": step, "hum": lines, "held": held, "sketch": sketch(*signals.q)}
 
 
-def _cut_off(usable: "Survey", clock: "TimeQuality") -> float:
+def _cut_off(usable: Survey, clock: TimeQuality) -> float:
     """Time [s] at both ends of a log in which no sample of q is left; clock: that of q."""
     edges = usable.groups[0].edges
     return max(0.0, float(edges[0, 0]) - clock.start) + max(0.0, clock.stop - float(edges[-1, 1]))
 
 
-def _lacking(signals: RawLog, interval: float) -> tuple[list[str], "list[Finding]"]:
-    """What to say of samples that signals beside q lack, and of more than an interval [s] at which only q is known; and
-    what of it speaks against the log.
+def _lacking(signals: RawLog, interval: float) -> tuple[list[str], list[Finding]]:
+    """Messages on missing samples beside q, and on more than an interval [s] at which only q is known; and the
+    findings against the log.
     """
-    from ...signals.missing import missing
-    from ...signals.quality_gates import missing_findings
-    from ...signals.remarks import counted
-
     beside = missing(signals.q, signals.beside)
     texts = []
     for name, lacks in beside.items():
@@ -199,11 +186,10 @@ def _lacking(signals: RawLog, interval: float) -> tuple[list[str], "list[Finding
     return texts, missing_findings(beside)
 
 
-def _discarded(rows: "TimeRows") -> list[str]:
-    """What to say of rows that are left out where time steps back."""
+def _discarded(rows: TimeRows) -> list[str]:
+    """Messages on rows that are left out where time steps back."""
     if not rows.turns.size:
         return []
-    from ...signals.remarks import counted
 
     share = rows.backward / rows.time.size
     places = counted(int(rows.turns.size), "place")
@@ -214,10 +200,8 @@ def _discarded(rows: "TimeRows") -> list[str]:
     ]
 
 
-def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[str]:
-    """What to say of gaps in time, and of spans [s] in which the inputs are not known."""
-    from ...signals.remarks import counted
-
+def _gaps(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> list[str]:
+    """Messages on gaps in time, and on spans [s] in which the inputs are not known."""
     kinds = [
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
         (
@@ -236,18 +220,8 @@ def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[
     return texts
 
 
-def _with_cuts(
-    unknown: Sequence[tuple[float, float]], trusted: "Trusted", interval: float
-) -> list[tuple[float, float]]:
-    """The spans [s] in which the inputs are not known, and those around places where rows are missing."""
-    return sorted([*unknown, *((a - interval, b + interval) for a, b in trusted.dropouts.cuts.tolist())])
-
-
-def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> dict[str, int]:
-    """How many samples of q were masked as no measurements, with a warning added for each kind."""
-    from ...signals.outliers import dropout_remarks
-    from ...signals.remarks import counted
-
+def _left_out(trusted: Trusted, warnings: list[str], prototype: Prototype) -> dict[str, int]:
+    """Counts of samples of q that were masked as no measurements; adds a warning for each cause."""
     rails, lost, spikes = trusted.left_out
     plant = device(prototype)
     unit = "mm" if plant.angle else prototype.channels.q.unit
@@ -266,7 +240,7 @@ def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> 
     return {"masked_at_rails": rails, "masked_without_target": trusted.left_out[1], "masked_spikes": spikes}
 
 
-def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, FloatArray]:
+def record_columns(piece: UniformRecord, names: Sequence[str]) -> dict[str, FloatArray]:
     """The columns of a record's table; `names` are those beside q."""
     beside = {name: np.ascontiguousarray(column) for name, column in zip(names, piece.v.T, strict=True)}
     if "velocity" in beside:
@@ -275,10 +249,7 @@ def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, Fl
 
 
 def _hum_against_rate(signals: RawLog, rate: float | None) -> list[str]:
-    """What mains hum on the inputs says against a sample rate [Hz] of the settings, which nothing else confirms."""
-    from ...signals.columns import finite, select
-    from ...signals.spectrum import mains_at_another_rate
-
+    """Warnings where mains hum on the inputs contradicts the sample rate [Hz] of the settings."""
     texts = []
     for k, (_, samples) in enumerate(signals.inputs if rate else (), start=1):
         found = mains_at_another_rate(select(samples, finite(samples)), 1.0 / (rate or 1.0))
@@ -292,13 +263,8 @@ def _hum_against_rate(signals: RawLog, rate: float | None) -> list[str]:
     return texts
 
 
-def _warnings(signals: RawLog, prototype: Prototype, trusted: "Trusted") -> list[str]:
-    """What is suspicious about the signals; nothing is corrected."""
-    from ...signals.quality_gates import saturation, scale_suspicion
-    from ...signals.remarks import remarks_on
-    from ...signals.signal_quality import span
-    from ...signals.timebase import nominal_step
-
+def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> list[str]:
+    """Warnings on suspicious signals; nothing is corrected."""
     warnings = [f"q: {remark}" for remark in remarks_on(trusted.quality)]
     plant = device(prototype)
     warnings += _hum_against_rate(signals, prototype.ingest.sample_rate)
@@ -318,13 +284,11 @@ def _warnings(signals: RawLog, prototype: Prototype, trusted: "Trusted") -> list
     return warnings
 
 
-def resamplings(examined_log: Examined, settings: Ingest) -> "tuple[Resampling, Resampling]":
+def resamplings(examined_log: Examined, settings: Ingest) -> tuple[Resampling, Resampling]:
     """A log brought to two uniform grids: that of the fine record, and that of the signals.
 
     The interval of the fine record is a whole fraction of the sample interval, and never finer than the log.
     """
-    from ...signals.uniform_record import Resampling
-
     finest = max(settings.record_interval, examined_log.raw_step * (1.0 - 1e-3))
     fine = settings.sample_interval / max(1, int(settings.sample_interval / finest + 1e-9))
     return Resampling(examined_log.usable, fine), Resampling(examined_log.usable, settings.sample_interval)

@@ -1,1 +1,1 @@
-"""What a person tries with a finished run: studies, folds, excitation, control, the paper's figures."""
+"""Studies of a finished run: sweeps, folds, excitation, control, the paper's figures."""

@@ -60,8 +60,7 @@ def virtual_joint(where: str) -> VirtualJoint:
         return VirtualJoint(kind, _NAMED[kind](), Bench())
     if kind in get_args(Family) and seed.isdigit():
         rng = np.random.default_rng(int(seed))
-        joint = random_joint(rng, cast(Family, kind))
-        return VirtualJoint(f"{kind}-{seed}", joint, random_bench(rng))
+        return VirtualJoint(f"{kind}-{seed}", random_joint(rng, cast(Family, kind)), random_bench(rng))
     given = Path(where)
     folder = given if given.is_dir() else given.parent
     path = folder / "truth" / "truth.json"
@@ -91,11 +90,10 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
         if time.samples.size < 1 or np.any(np.diff(time.samples) <= 0.0) or not np.isfinite(target.samples).all():
             raise InputError(f"{path}: a reference needs times that advance and targets that are finite")
         return time.samples - time.samples[0], scale * target.samples
-    places = joint.places
     steps = []
     for part in text.split(","):
         at, colon, value = part.rpartition(":")
-        place = places.get(value.strip())
+        place = joint.places.get(value.strip())
         when = parse_quantity(at, ("s",), "--target") if colon else 0.0
         if place is None and not any(letter.isdigit() for letter in value):
             raise InputError(f"--target: no place is called {value!r}; give left, right, saddle, or a length as 2mm")
@@ -103,7 +101,7 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
     t, target = np.array(steps).T
     if np.any(np.diff(t) <= 0.0) or t[0] < 0.0:
         raise InputError(f"--target {text}: the times must rise from 0 s on")
-    start = places["left"]
+    start = joint.places["left"]
     return (t, target) if t[0] == 0.0 else (np.insert(t, 0, 0.0), np.insert(target, 0, start))
 
 
@@ -171,8 +169,7 @@ def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
 
 def with_side(scenario: Scenario, joint: VirtualJoint) -> Scenario:
     """The scenario from the well that lies nearer to its first target."""
-    places = joint.places
-    near = abs(scenario.target[0] - places["right"]) < abs(scenario.target[0] - places["left"])
+    near = abs(scenario.target[0] - joint.places["right"]) < abs(scenario.target[0] - joint.places["left"])
     return replace(scenario, side=1 if near else -1)
 
 
@@ -180,11 +177,11 @@ class TipForce(SettingsTable):
     """A force on the tip."""
 
     start_s: Number = Field(ge=0.0)
-    """When it begins."""
+    """Start [s]."""
     force_N: Number
     """Its size, of a hand at its greatest, of a table its amplitude."""
     length_s: Number = Field(gt=0.0)
-    """How long it lasts."""
+    """Length [s]."""
 
 
 class Shake(TipForce):
@@ -198,13 +195,13 @@ class Loss(SettingsTable):
     """A time without readings."""
 
     start_s: Number = Field(ge=0.0)
-    """When it begins."""
+    """Start [s]."""
     length_s: Number = Field(gt=0.0)
-    """How long it lasts."""
+    """Length [s]."""
 
 
 class ScenarioFile(SettingsTable):
-    """What is rare in a closed loop: the TOML file of `debist rig closed-loop --scenario`."""
+    """Rare settings of a closed loop: the TOML file of `debist rig closed-loop --scenario`."""
 
     start: Literal["left", "right"] | None = None
     """Well in which the joint rests at first; left out, the one nearest to the first target."""
@@ -225,9 +222,9 @@ class ScenarioFile(SettingsTable):
     friction: Number = Field(default=1.0, ge=0.0)
     """Factor on the joint's own friction."""
     lost: tuple[Loss, ...] = ()
-    """When the laser gives no value."""
+    """Times at which the laser gives no value."""
     frozen: tuple[Loss, ...] = ()
-    """When the laser gives its last value."""
+    """Times at which the laser gives its last value."""
     barrier_percent: Number = Field(default=0.0, gt=-100.0, lt=1000.0)
     """Change of the energy barrier to the end of the run."""
     noise: Number = Field(default=1.0, ge=0.0)

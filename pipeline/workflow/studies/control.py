@@ -23,7 +23,7 @@ from ...numerics.metrics import BAND, step_metrics
 from ...rig.excitation import ENDINGS, Sequence, save_sequence
 from ...store.outputs import new_outputs, rebased
 from ...system.names import Goal, Well
-from ...system.progress import OnProgress
+from ...system.worker_pool import OnProgress
 from ..engine import Observer
 from .controlled_run import ControlRun, ControlSettings, control_run, kept_document
 
@@ -230,7 +230,7 @@ SETTLES = 0.3
 
 
 def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
-    """What the controller misses on the model itself; a joint that differs will not do better."""
+    """Goals that the controller misses on the model itself; a joint that differs will not do better."""
     misses = []
     for place, step in zip(("right well", "left well"), predicted["steps"], strict=False):
         if step["settling_s"] is None or step["settling_s"] > SETTLES:
@@ -257,7 +257,7 @@ def _thin(held: Margins | None) -> list[str]:
 
 
 def _too_much(law: Law, saddle: float, average: float | None) -> list[str]:
-    """Where the unstable equilibrium (reading, m) takes more voltage for long than its mean may be."""
+    """Warning where the unstable equilibrium (reading, m) takes more voltage for long than its mean may be."""
     needed = law.holding_voltage(saddle - law.number("offset"))
     if average is None or needed <= average:
         return []

@@ -59,7 +59,7 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Change:
-    """What stands under one key in each run; None where a run has no such key."""
+    """Values of one key in each run; None where a run has no such key."""
 
     key: str
     values: tuple[Any, ...]
@@ -90,7 +90,7 @@ class RunDifferences:
 
     @property
     def equal(self) -> bool:
-        """Whether nothing differs by more than rounding but the page and the figures of numbers that do not."""
+        """True if nothing differs by more than rounding, the page and figures of equal numbers apart."""
         changed = self.settings or self.versions or self.sources
         states = {comparison.state for of_run in self.artifacts for comparison in of_run}
         return not changed and states <= {"equal", "close", "drawn"}
@@ -113,10 +113,9 @@ Pairs = Mapping[tuple[str, str], str]
 
 def _log_contents(run: RunFolder) -> dict[tuple[str, str], str]:
     """By role and name of each log of a run, the hash of the raw log; empty where nothing was read."""
-    artifacts = run.manifest.artifacts
     contents: dict[tuple[str, str], str] = {}
     for role, name, _ in layout.logs(run.prototype):
-        record = artifacts.get(layout.record(role, name))
+        record = run.manifest.artifacts.get(layout.record(role, name))
         contents[role, name] = ", ".join(record.recipe.inputs.values()) if record else ""
     return contents
 
@@ -211,18 +210,17 @@ def _paired(roots: Sequence[Path]) -> list[dict[tuple[str, str], str]]:
 
 
 def _facts(run: RunFolder, *, pairs: Pairs) -> dict[str, dict[str, Any]]:
-    """What is compared of a run, by the attributes of `RunDifferences`."""
+    """Compared facts of a run, by the attributes of `RunDifferences`."""
     manifest = run.manifest
-    prototype = run.prototype
 
     def title(role: str, log: str) -> str:
-        """What the log is called beside the first run."""
+        """Title of the log beside the first run."""
         return log_title(role, pairs.get((role, log), log))
 
     rows = run.read_records(layout.SCORES) if layout.SCORES in manifest.artifacts else []
     sheet = json.loads(run.read_bytes(layout.DATASHEET)) if layout.DATASHEET in manifest.artifacts else {"facts": []}
     return {
-        "settings": dict(flatten(prototype.model_dump(mode="json"), separator=".")),
+        "settings": dict(flatten(run.prototype.model_dump(mode="json"), separator=".")),
         "versions": dict(manifest.versions),
         "sources": {title(*log): content for log, content in _log_contents(run).items() if content},
         "scores": {f"{title(r['role'], r['log'])} · {r['model']} · {r['signal']}": r["nrmse"] for r in rows},
@@ -326,7 +324,7 @@ def _deviation(first: np.ndarray[Any, Any], second: np.ndarray[Any, Any]) -> flo
 
 
 def _within_a_unit(first: np.ndarray[Any, Any], second: np.ndarray[Any, Any]) -> bool:
-    """Whether two columns differ by no more than rounding to `DIGITS` may move a number."""
+    """True if two columns differ by no more than rounding to `DIGITS` may move a number."""
     apart, largest = _apart(first, second)
     largest = max(largest, _apart(second, first)[1])
     return apart <= (10.0 ** (np.floor(np.log10(largest)) + 1 - DIGITS) if largest else 0.0)

@@ -9,8 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from ...device.device import device
-from ...device.parameter_sets import joint_parameters
-from ...device.parameters import JointParameters
+from ...device.parameters import JointParameters, joint_parameters
 from ...errors import InputError
 from ...export.subject import Subject
 from ...models.analytical.reduced_order import reduce_joint, simulate_reduced
@@ -24,15 +23,14 @@ from ...settings.prototype import FIELD_LIMIT, Prototype
 from ...store.outputs import check_places, new_outputs, rebased
 from ...store.run_folder import RunFolder
 from ..run_models import subject
-from .excitation_design import Assessment, Design, Requirements, Simulator, design_excitation
-from .next_log import NextLog, design_next_log
+from .excitation_design import Assessment, Design, NextLog, Requirements, Simulator, design_excitation, design_next_log
 
 _COMMAND = "rig excite"
 
 
 @dataclass(frozen=True)
 class ExcitationLimits:
-    """What must not be exceeded: voltage of a converter [V], field in an undeformed film [V/m].
+    """Limits: voltage of a converter [V], field in an undeformed film [V/m].
 
     Without a field that of the run's settings holds, or the paper's.
     """
@@ -47,7 +45,7 @@ class ExcitationLimits:
 
 @dataclass(frozen=True)
 class ExcitationSource:
-    """What the design is simulated with: a parameter set, or a model of a run; the number of joints and the seed.
+    """Model that simulates the design: a parameter set, or a model of a run; the number of joints and the seed.
 
     Attributes
     ----------
@@ -74,10 +72,10 @@ class ExcitationSource:
 
 
 class DesignFile(SettingsTable):
-    """What is rare in a design: the TOML file of `debist rig excite --design`."""
+    """Rare settings of a design: the TOML file of `debist rig excite --design`."""
 
     model: str | None = None
-    """Which model of the run is simulated; left out, the main model."""
+    """Model of the run that is simulated; left out, the main model."""
     joints: Whole = Field(default=4, ge=1, le=20)
     """Joints with workshop tolerances to design for at once."""
     seed: Whole = Field(default=1, ge=0)

@@ -6,27 +6,35 @@ greedy D-optimal design with experiments as candidates (Fedorov 1972; Wynn 1970,
 simulator is not the device, and near the separatrix a little more voltage sends the joint into the other well, so the
 criterion is the mean over several simulators that differ as devices of one drawing do (Pronzato & Walter 1985,
 doi:10.1016/0025-5564(85)90068-9).
+
+The next log of an identified joint is built in the same way, but starts from the posterior that the run has: the
+criterion is the expected standard deviation of the free run in a stated programme (`pipeline.models.hybrid.next_log`).
 """
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 
 from ...device.device import JOINT
 from ...errors import InputError
 from ...fitting.information import FEW, Conditioning, Coverage, ScaledRegressor, conditioning, coverage, log_information
+from ...models.hybrid.model import HybridModel
+from ...models.hybrid.next_log import Uncertainty, slopes, uncertainty
 from ...numerics.arrays import FloatArray
 from ...rig.bench import Converter
 from ...rig.excitation import (
     BURSTS,
+    EXCITATIONS,
     Burst,
     BurstKind,
     alternating_pulses,
     command,
     draw_burst,
     draw_pause,
+    load_sequence,
     random_excitation,
 )
 from ...scoring.wells import NoWells, Wells, find_wells, snaps
@@ -42,7 +50,7 @@ _FADE_OUT = 0.2  # s without voltage at the end
 
 @dataclass(frozen=True)
 class Requirements:
-    """What is to be designed.
+    """Requirements on the sequence.
 
     Attributes
     ----------
@@ -77,7 +85,7 @@ class Requirements:
 
 @dataclass(frozen=True)
 class Assessment:
-    """What a sequence does to the simulated joints.
+    """Effect of a sequence on the simulated joints.
 
     Attributes
     ----------
@@ -252,8 +260,7 @@ def assess(
     mean = float(np.mean([log_information(matrix) for matrix in information]))
     covered = float(np.mean([_covered(coverage) for coverage in coverages]))
     crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
-    judged = conditioning(information[0])
-    return Assessment(mean + covered, mean, covered, coverages[0], judged, crossings)
+    return Assessment(mean + covered, mean, covered, coverages[0], conditioning(information[0]), crossings)
 
 
 def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
@@ -279,8 +286,7 @@ def _simulated(simulate: Simulator, bursts: list[Burst], duration: float) -> tup
 
 def behind_converters(u: FloatArray, dt: float) -> FloatArray:
     """Voltages (N, 2) [V] of usual converters under commands every `dt` [s]."""
-    v: FloatArray = np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), dt) for side in (0, 1)], axis=1)
-    return v
+    return np.asarray(np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), dt) for side in (0, 1)], axis=1))
 
 
 def _criterion(
@@ -305,8 +311,7 @@ def _coverage(weights: ScaledRegressor, run: tuple[FloatArray, FloatArray, Float
 
 def _covered(visits: Coverage) -> float:
     """Share of the centres, and of the pairs (input, centre), with at least `FEW` visits."""
-    cells = np.concatenate((visits.visits[None], visits.driven))
-    return float(np.mean(cells >= FEW))
+    return float(np.mean(np.concatenate((visits.visits[None], visits.driven)) >= FEW))
 
 
 def probed_wells(simulate: Simulator, voltage: float) -> Wells:
@@ -337,3 +342,111 @@ def _weights(simulate: Simulator, plain: list[Burst], wanted: Requirements) -> S
         raise InputError("the simulator follows no full pulse; take another model or a lower voltage")
     largest = np.full(2, wanted.voltage)
     return ScaledRegressor.over(q, qdot, largest, basis_functions=wanted.basis_functions, smoothing=wanted.smoothing)
+
+
+LOG_INTERVAL = 0.01  # s, of the simulated samples
+DRAWS = 3
+"""Training excitations that a designed log is compared with."""
+
+
+@dataclass(frozen=True)
+class NextLog:
+    """A designed log and what it is expected to bring.
+
+    Attributes
+    ----------
+    wanted : Requirements
+    bursts : list of Burst
+    programme : str
+        The programme whose free run is to become surer: an excitation, or a file.
+    now, designed, usual : float
+        Standard deviation [m] of that free run, RMS: with the logs at hand, with the designed log as well, and with one
+        of the usual excitation instead (mean of `DRAWS`).
+    stroke : float
+        Range [m] of the free run.
+    """
+
+    wanted: Requirements
+    bursts: list[Burst]
+    programme: str
+    now: float
+    designed: float
+    usual: float
+    stroke: float
+
+
+def design_next_log(
+    model: HybridModel,
+    start: float,
+    interval: float,
+    programme: str,
+    rng: np.random.Generator,
+    wanted: Requirements,
+    *,
+    report: Callable[[float], None] | None = None,
+) -> NextLog:
+    """Design the log after those that a joint was identified from.
+
+    Parameters
+    ----------
+    model : HybridModel
+        Identified.
+    start : float
+        Where it rests before a log [m].
+    interval : float
+        Sample interval [s] of its logs.
+    programme : str
+        A name in `pipeline.rig.excitation.EXCITATIONS`, from which one is drawn, or a file with voltages.
+    rng : Generator
+        Draws the programme, the candidates and the usual logs.
+    wanted : Requirements
+        Length, limits, shapes, effort.
+    report : callable, optional
+        Receives the share that is designed.
+
+    Raises
+    ------
+    InputError
+        A programme that cannot be read, or one that the model cannot follow.
+
+    Notes
+    -----
+    Cost: about 20 places × candidates × 0.1 s.
+    """
+    t, v = _voltages(programme, wanted, rng)
+    unsure = uncertainty(model, t, v, start, interval)
+    if unsure is None:
+        raise InputError(f"--programme {programme}: the free run of the model diverges; take another programme")
+    expected = partial(_expected, unsure, start)
+    bursts = greedy_bursts(lambda bursts, end: -2.0 * np.log(expected(bursts, end)), rng, wanted, report=report)
+    usual = [
+        expected(random_excitation(rng, duration=wanted.duration, top=wanted.voltage), wanted.duration)
+        for _ in range(DRAWS)
+    ]
+    designed = expected(bursts, wanted.duration)
+    mean = float(np.mean(usual))
+    return NextLog(wanted, bursts, programme, unsure.error(), designed, mean, 1e-3 * unsure.stroke)
+
+
+def _expected(unsure: Uncertainty, start: float, bursts: list[Burst], duration: float) -> float:
+    """Standard deviation [m] after a log of these bursts; infinite where the model cannot follow them."""
+    t = _clock(duration)
+    by_theta = slopes(unsure.model, t, behind_converters(command(bursts, t), LOG_INTERVAL), start)
+    return np.inf if by_theta is None else unsure.error(unsure.shown(by_theta, LOG_INTERVAL))
+
+
+def _voltages(programme: str, wanted: Requirements, rng: np.random.Generator) -> tuple[FloatArray, FloatArray]:
+    """Times [s] and voltages [V] of the programme."""
+    if programme in EXCITATIONS:
+        t = _clock(wanted.duration)
+        drawn = random_excitation(rng, duration=wanted.duration, excitation=programme, top=wanted.voltage)
+        return t, behind_converters(command(drawn, t), LOG_INTERVAL)
+    if not Path(programme).is_file():
+        raise InputError(f"--programme {programme}: no such file; name one, or one of {', '.join(EXCITATIONS)}")
+    sequence = load_sequence(Path(programme))
+    t = _clock(sequence.duration)
+    return t, behind_converters(sequence.at(t), LOG_INTERVAL)
+
+
+def _clock(duration: float) -> FloatArray:
+    return LOG_INTERVAL * np.arange(round(duration / LOG_INTERVAL), dtype=np.float64)

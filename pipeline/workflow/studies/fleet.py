@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ...device.device import device
-from ...diagnostics.facts.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
 from ...diagnostics.instruments import InstrumentTest, ObservedModel
+from ...diagnostics.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
 from ...errors import DataRefusedError, DebistError, InputError
 from ...models.base import DynamicModel
 from ...models.hybrid.model import HybridModel
@@ -25,7 +25,7 @@ from ...system.names import shell_word
 from ..logs import load_logs
 from ..prior_knowledge import read_siblings
 from ..run_models import load_run_model, model_artifact
-from ..steps.training import fitted_parts
+from ..steps.identify import fitted_parts
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def _sibling(run: RunFolder) -> tuple[str, str, HybridModel]:
 
 
 def series_of(roots: Sequence[Path], at: str | None) -> Series:
-    """How the facts of one device change from run to run.
+    """Changes of the facts of one device from run to run.
 
     Parameters
     ----------

@@ -10,9 +10,8 @@ from typing import Any, Literal
 import numpy as np
 
 from ...device.device import device
-from ...device.parameter_sets import parameter_set, parameter_values
-from ...device.parameters import JointParameters
-from ...diagnostics.facts.characteristics import believed_wells, stable_rests
+from ...device.parameters import JointParameters, parameter_set, parameter_values
+from ...diagnostics.characteristics import believed_wells, stable_rests
 from ...errors import DataRefusedError, DebistError, InputError
 from ...models.model_type import model_type
 from ...numerics.arrays import BoolArray
@@ -30,19 +29,17 @@ from ...scoring.wells import NoWells, Wells, wells_of
 from ...settings.prototype import FILM, Prototype
 from ...signals.log import Log
 from ...store import layout, schemas
-from ...store.lock import run_lock
+from ...store.atomic import run_lock
 from ...store.manifest import TIMES
 from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
 from ...system.worker_pool import in_processes
-from .. import stage_compare as compare
 from .. import stage_identify as identify
-from ..engine import Observer, Task
+from ..engine import Observer, Task, bring_up_to_date
 from ..logs import load_logs, sources
 from ..prior_knowledge import known_inputs, prior_knowledge_of
 from ..run_models import identified_models
-from ..schedule import bring_up_to_date
-from ..steps.training import PriorKnowledge, training
+from ..steps.identify import PriorKnowledge, training
 from .study import StudyResult, study_result
 
 ALGORITHM = "5"
@@ -52,7 +49,7 @@ By = Literal["blocks", "logs"]
 
 @dataclass(frozen=True)
 class Folds:
-    """What is left out.
+    """Parts of the logs that are held out in turn.
 
     Attributes
     ----------
@@ -129,7 +126,7 @@ def _task(prototype: Prototype, parameters: JointParameters | None, split: Folds
         "model": model,
         "identify": {"algorithm": identify.ALGORITHM, **prototype.identify.model_dump(mode="json", exclude={"models"})},
         "compare": {
-            "algorithm": compare.ALGORITHM,
+            "algorithm": identify.BASELINE_ALGORITHM,
             **prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
         },
         "plant": prototype.plant.model_dump(mode="json", exclude=FILM),
@@ -235,8 +232,7 @@ def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
         }
 
     settings = {"folds": vars(split), "models": list(models)}
-    inputs = tuple(map(layout.folds, models))
-    return Task("study", "all folds", ALGORITHM, settings, inputs, (name,), work)
+    return Task("study", "all folds", ALGORITHM, settings, tuple(map(layout.folds, models)), (name,), work)
 
 
 def _summary(tables: Mapping[str, Table]) -> list[dict[str, Any]]:

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 
 from ...device.device import device
-from ...device.parameter_sets import parameter_set
-from ...device.parameters import JointParameters
-from ...diagnostics.facts.run_data import RunData, wells_of_run
+from ...device.parameters import JointParameters, parameter_set
+from ...diagnostics.run_data import RunData, wells_of_run
 from ...errors import InputError
 from ...fitting.regression import basis_values
 from ...models.analytical.bifurcation import characteristics
@@ -30,14 +29,13 @@ from ...settings.models import CENTRES, SMOOTHING
 from ...settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
 from ...signals.differentiate import AlphaStudy, alpha_study
 from ...store import layout, schemas
-from ...store.lock import run_lock
+from ...store.atomic import run_lock
 from ...store.run_folder import RunFolder, Written
 from ...units.units import ALPHA_UNIT
-from .. import stage_scores as scores
-from ..engine import Observer, Task, TaskStatus, tasks_of
+from .. import stage_validate as validate
+from ..engine import Observer, Task, TaskStatus, bring_up_to_date, tasks_of
 from ..report_data import read_run
-from ..schedule import bring_up_to_date
-from ..stages import STAGE_NAMES, Planned, of_stages, plan
+from ..run import STAGE_NAMES, Planned, of_stages, plan
 from .study import study_task
 
 ALGORITHM = "4"
@@ -45,7 +43,7 @@ RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6)
 """§ 5.1: TVRegDiff with α = 0.01 and ε = 1e-6 for q in mm, applied twice, on samples at 10 ms."""
 SAMPLE_INTERVAL = 0.01
 BY_RECIPE = "{} by § 5.1"
-"""How Table 2 calls a model: `debist run` differentiates otherwise, so its errors differ."""
+"""Name of a model in Table 2: `debist run` differentiates otherwise, so its errors differ."""
 ALPHAS = (1e-4, 1e-3, 1e-2, 1e-1, 1.0)
 """Regularisation parameters of figure 11c [mm·s]."""
 PAIR = ("analytical-calibrated", "rbf-paper")
@@ -74,7 +72,7 @@ ENDINGS: tuple[Format, ...] = ("svg", "pdf")
 
 @dataclass(frozen=True)
 class PaperRun:
-    """Where the figures are, and Table 2 with the printed values beside the computed ones."""
+    """Paths of the figures, and Table 2 with the printed values beside the computed ones."""
 
     root: Path
     page: Path
@@ -168,7 +166,7 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
 def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> Mapping[str, Written]:
     from ...reporting.joint_figures import COLOURED
 
-    data = read_run(run, prototype, scores.scored_models(run, prototype))
+    data = read_run(run, prototype, validate.scored_models(run, prototype))
     figures: dict[str, tuple[Figure, Sequence[str]]] = {
         name: (figure, COLOURED) for name, figure in joint_figures(parameters).items()
     }
@@ -206,7 +204,6 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
 
     training = data.role("train")[0]
     network = data.models["rbf-paper"]
-    settings = prototype.identify
     assert isinstance(network, RbfPaperModel)  # noqa: S101 - the recipe identifies it
     wells = wells_of_run(data)
     compared = {
@@ -214,7 +211,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         for role in ROLES
         if (logs := data.role(role))
     }
-    study = schemas.STUDIES["basis"], (settings.basis_functions, settings.smoothing)
+    study = schemas.STUDIES["basis"], (prototype.identify.basis_functions, prototype.identify.smoothing)
     units = {column.key: column.unit for column in schemas.schema_of(study[0], device(prototype)).columns}
     begin = float(training.kinematics["t"][0])
     q = np.linspace(network.centres[0], network.centres[-1], 241)

@@ -2,25 +2,28 @@
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from pydantic import Field
 
+from ...device.parameters import QUANTITIES, JointParameters, parameter_file
 from ...errors import InputError
+from ...models.analytical.bifurcation import SHOWN
+from ...models.analytical.calibration import Calibration
+from ...models.analytical.calibration import calibrate as fit
+from ...models.analytical.reduced_order import Motions, pulse_sequence, simulate_both
+from ...models.analytical.statics import static_path
 from ...numerics.arrays import FloatArray
 from ...settings.logs import SettingsTable, Whole
-
-if TYPE_CHECKING:
-    from ...device.parameters import JointParameters
-    from ...models.analytical.calibration import Calibration
-    from ...models.analytical.reduced_order import Motions
-    from ...signals.log import Log
-    from ...store.tables import Table
+from ...signals.log import Log, log_of
+from ...store.outputs import new_outputs
+from ...store.tables import Table, read_table
+from ..logs import between
 
 
 def energy_over_q(
-    joint: "JointParameters", *, v1: float, v2: float, force: float
+    joint: JointParameters, *, v1: float, v2: float, force: float
 ) -> tuple[FloatArray, FloatArray] | None:
     """Displacement q [m] and the total potential U − ½ΣC_i v_i² − F q [J] of the joint whose tip is held at q.
 
@@ -35,9 +38,6 @@ def energy_over_q(
     force : float
         External force along q [N].
     """
-    from ...models.analytical.bifurcation import SHOWN
-    from ...models.analytical.statics import static_path
-
     try:
         path = static_path(joint, SHOWN, np.array([v1, v2]))
     except InputError:
@@ -45,10 +45,8 @@ def energy_over_q(
     return path.q, path.energy - force * path.q
 
 
-def _columns(path: Path, *needed: str) -> "Table":
+def _columns(path: Path, *needed: str) -> Table:
     """A table of a run that has these columns."""
-    from ...store.tables import read_table
-
     if path.suffix != ".parquet" or not path.is_file():
         raise InputError(f"{path}: no table of a run; name one such as runs/P1/train/LOG/kinematics.parquet")
     table = read_table(path)
@@ -70,13 +68,11 @@ def measured_voltages(signals: Path) -> tuple[FloatArray, FloatArray, float | No
     return table["t"], np.column_stack([table["v1"], table["v2"]]), float(q[0]) if q.size else None
 
 
-def simulate(parameters: "JointParameters", voltage: float, signals: Path | None = None) -> "Motions":
+def simulate(parameters: JointParameters, voltage: float, signals: Path | None = None) -> Motions:
     """The full-order and the reduced model under the voltages of a run, or under pulses of `voltage` [V].
 
     The motion starts at rest: at the first measured q, or in the left well.
     """
-    from ...models.analytical.reduced_order import pulse_sequence, simulate_both
-
     if signals is None:
         return simulate_both(parameters, *pulse_sequence(voltage))
     t, v, start = measured_voltages(signals)
@@ -84,7 +80,7 @@ def simulate(parameters: "JointParameters", voltage: float, signals: Path | None
 
 
 class SearchFile(SettingsTable):
-    """How the calibration searches: the TOML file of `debist physics calibrate --search`."""
+    """Search of the calibration: the TOML file of `debist physics calibrate --search`."""
 
     starts: Whole = Field(default=3, ge=1, le=100)
     """Starts of the search, the first at the given set."""
@@ -96,12 +92,12 @@ class SearchFile(SettingsTable):
 
 def calibrate(
     kinematics: Sequence[Path],
-    parameters: "JointParameters",
+    parameters: JointParameters,
     *,
     names: Sequence[str],
     search: SearchFile,
     report: Callable[[str, float], None] | None = None,
-) -> "Calibration":
+) -> Calibration:
     """Fit the named parameters to the gap-free segments of `kinematics.parquet` files.
 
     Voltages between the samples come from the ``record.parquet`` beside each, where there is one.
@@ -124,11 +120,8 @@ def calibrate(
     InputError
         A table lacks a column, or none has a segment of motion.
     """
-    from ...models.analytical.calibration import calibrate as fit
-    from ...signals.log import log_of
-    from ..logs import between
 
-    def motion(path: Path) -> "Log":
+    def motion(path: Path) -> Log:
         """A log, with the voltages between its samples where the run's record is beside it."""
         table = _columns(path, "t", "q", "qdot", "qddot", "v1", "v2", "segment")
         record = path.with_name("record.parquet")
@@ -141,20 +134,15 @@ def calibrate(
     return fit(motions, parameters, rng, names=names, starts=search.starts, jobs=search.threads, report=report)
 
 
-def write_parameters(fit: "Calibration", target: Path) -> None:
+def write_parameters(fit: Calibration, target: Path) -> None:
     """Write a calibrated set as TOML with its standard errors as comments; errors as for `new_outputs`."""
-    from ...device.parameter_sets import parameter_file
-    from ...store.outputs import new_outputs
-
     errors = {name: f"± {error:.2g}" for name, error in zip(fit.names, fit.standard_errors, strict=True)}
     with new_outputs(target.parent, "physics calibrate", force=None, names=(target.name,)) as staged:
         (staged / target.name).write_text(parameter_file(fit.parameters, errors), encoding="utf-8", newline="\n")
 
 
-def calibration_document(fit: "Calibration") -> dict[str, Any]:
+def calibration_document(fit: Calibration) -> dict[str, Any]:
     """The result of a calibration for `--json`: values and standard errors in SI units."""
-    from ...device.parameters import QUANTITIES
-
     rows = zip(fit.names, fit.values, fit.standard_errors, strict=True)
     return {
         "parameters": [

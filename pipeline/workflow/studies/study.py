@@ -19,18 +19,16 @@ from ...settings.prototype import Prototype
 from ...signals.differentiate import alpha_study, differentiate
 from ...signals.log import Log, operating_range
 from ...store import layout, schemas
-from ...store.atomic import refuse_link, write_bytes
+from ...store.atomic import refuse_link, run_lock, write_bytes
 from ...store.columns import StudyName, Sweep
-from ...store.lock import run_lock
 from ...store.outputs import new_outputs
 from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
 from ...system.worker_pool import in_processes
 from ...units.units import ALPHA_UNIT
-from ..engine import Observer, Task
+from ..engine import Observer, Task, bring_up_to_date
 from ..logs import load_logs, sources
 from ..report_data import read_study
-from ..schedule import bring_up_to_date
 from ..steps.differentiate import differentiator
 
 ALGORITHM = "2"
@@ -87,9 +85,8 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
     """
     with run_lock(root):
         run = RunFolder.open(root)
-        prototype = run.prototype
-        bring_up_to_date(run, [study_task(prototype, name, jobs)], observer)
-        return study_result(run, prototype, name)
+        bring_up_to_date(run, [study_task(run.prototype, name, jobs)], observer)
+        return study_result(run, run.prototype, name)
 
 
 def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
@@ -128,7 +125,7 @@ def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
 
 
 def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
-    """What a study reads of the settings beside what its inputs were made with."""
+    """Settings that a study reads beside those that its inputs were made with."""
     if name == "alpha":
         return {"order": prototype.differentiate.order}
     plant = {"plant": prototype.plant.model_dump(mode="json", include={"mass", "inputs", "inputs_before"})}
@@ -191,10 +188,9 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
 
 def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
     """Arguments of `identify_rbf_paper` by the settings."""
-    settings = prototype.identify
     return {
-        "basis_functions": settings.basis_functions,
-        "smoothing": settings.smoothing,
+        "basis_functions": prototype.identify.basis_functions,
+        "smoothing": prototype.identify.smoothing,
         "mass": plant.mass,
         "inputs": plant.action,
     }

@@ -4,8 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.device.parameter_sets import joint_parameters, parameter_file
-from pipeline.device.parameters import NOMINAL, VECTOR_NAMES
+from pipeline.device.parameters import NOMINAL, VECTOR_NAMES, joint_parameters, parameter_file
 from pipeline.errors import InputError
 
 

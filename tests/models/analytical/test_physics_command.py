@@ -8,8 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from pipeline.commands.physics import app
-from pipeline.device.parameter_sets import joint_parameters
-from pipeline.device.parameters import NOMINAL, TABLE1
+from pipeline.device.parameters import NOMINAL, TABLE1, joint_parameters
 from pipeline.errors import InputError
 from pipeline.models.analytical.calibration import Calibration
 from pipeline.models.analytical.full_order import rest_state, simulate

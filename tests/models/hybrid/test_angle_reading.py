@@ -16,8 +16,8 @@ from pipeline.models.hybrid.problem import CondensedJoint
 from pipeline.rig.joint import simulate
 from pipeline.rig.parameters import nominal
 from pipeline.settings.prototype import Prototype
-from pipeline.signals.raw_log import RawLog
-from pipeline.workflow.steps.joint_angle import with_displacement
+from pipeline.signals.log import RawLog
+from pipeline.workflow.si_log import with_displacement
 from tests.models.hybrid.test_hybrid import pulses
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.device.parameters import NOMINAL
-from pipeline.diagnostics.facts.calibrated import calibrated
+from pipeline.diagnostics.calibrated import calibrated
 from pipeline.errors import CorruptArtifactError, DataRefusedError
 from pipeline.models.base import predictor
 from pipeline.models.choose import choose

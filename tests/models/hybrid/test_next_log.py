@@ -9,8 +9,7 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.next_log import slopes, uncertainty
 from pipeline.models.hybrid.parameters import NAMES
 from pipeline.numerics.arrays import FloatArray
-from pipeline.workflow.studies.excitation_design import Requirements
-from pipeline.workflow.studies.next_log import design_next_log
+from pipeline.workflow.studies.excitation_design import Requirements, design_next_log
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture
 from tests.export.joints import hybrid, pulses
 

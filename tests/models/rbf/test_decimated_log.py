@@ -10,8 +10,8 @@ from pipeline.models.rbf.problem import JointProblem
 from pipeline.models.rbf.structure import JointScales
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
-from pipeline.signals.decimation_kernel import filtered_samples
 from pipeline.signals.log import Log
+from pipeline.signals.resampling import filtered_samples
 from tests.models.rbf.test_evidence_search import double_well
 
 RATIO = 20

@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from ...models.base import DynamicModel, SimulatesMany
-from ...numerics.arrays import FloatArray, runs_of
-from ...signals.log import voltages
+from ..models.base import DynamicModel, SimulatesMany
+from ..numerics.arrays import FloatArray, runs_of
+from ..signals.log import voltages
 from .run_data import LogData, RunData
 
 BASIN_COLUMNS = 81
@@ -138,7 +138,7 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
 
 def moves_unforced(data: RunData) -> bool:
-    """Whether the logs show a motion without input that is visible in the plane."""
+    """True if the logs show a motion without input that is visible in the plane."""
     places = [q[np.isfinite(q)] for q, _ in (unforced(data, log) for log in data.logs)]
     low, high = _ends(data, "q")
     if sum(q.size for q in places) < LEAST_SHARE * sum(len(log.kinematics["q"]) for log in data.logs):
@@ -153,7 +153,7 @@ def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatA
     """
 
     def outcomes(states: FloatArray) -> Classes:
-        """Where the model comes to rest."""
+        """Class of each state: 0 and 1 for rest left and right of the saddle, 2 for none."""
         ends = settled(model, states, BASIN_TIME, BASIN_STEP, len(data.inputs))
         return np.where(np.isnan(ends), 2, ends > saddle).astype(np.int8)
 
@@ -165,8 +165,7 @@ def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatA
 def _span(data: RunData, name: str, count: int) -> FloatArray:
     """Grid lines over all that was measured of a signal, and a little more."""
     low, high = _ends(data, name)
-    grid: FloatArray = np.linspace(low - MARGIN * (high - low), high + MARGIN * (high - low), count)
-    return grid
+    return np.asarray(np.linspace(low - MARGIN * (high - low), high + MARGIN * (high - low), count))
 
 
 def _ends(data: RunData, name: str) -> tuple[float, float]:

@@ -6,14 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from ...device.device import Device
-from ...models.base import DynamicModel
-from ...numerics.arrays import FloatArray
-from ...numerics.metrics import NORMAL_90
-from ...scoring.wells import NoWells, Wells
-from ...signals.findings import Finding, Number
-from ...signals.log import voltages
-from ...store.columns import FACT_COLUMNS, STABLE
+from ..device.device import Device
+from ..models.base import DynamicModel
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import NORMAL_90
+from ..scoring.wells import NoWells, Wells
+from ..signals.findings import Finding, Number
+from ..signals.log import voltages
+from ..store.columns import FACT_COLUMNS, STABLE
 from .characteristics import (
     COVERAGE,
     Curves,
@@ -114,7 +114,7 @@ def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
 
 
 def _compared(fact: DatasheetFact) -> dict[str, Number]:
-    """What is compared of a fact."""
+    """Compared numbers of a fact: measured, and of the free run or the model."""
     assert fact.measured is not None  # noqa: S101 - as it has a distance
     numbers = {"measured": Number(fact.measured, fact.unit, fact.measured_spread), "events": Number(fact.events)}
     if fact.free_run is not None:
@@ -140,7 +140,7 @@ def distance(fact: DatasheetFact) -> float | None:
 
 @dataclass(frozen=True)
 class Datasheet:
-    """What is known of a device, and how good data and model are.
+    """Facts of a device, and grades of data and model.
 
     Attributes
     ----------
@@ -164,7 +164,7 @@ class Datasheet:
 
     @property
     def refused(self) -> bool:
-        """Whether the facts come from a model that the assessment rejects."""
+        """True if the facts come from a model that the assessment rejects."""
         return self.model == self.main_model and is_refused([vars(check) for check in self.checks])
 
     @property
@@ -203,7 +203,7 @@ class Datasheet:
 
 
 def is_refused(checks: Iterable[Mapping[str, Any]]) -> bool:
-    """Whether the checks of an assessment, as its JSON has them, say not to use the model: a constant does better."""
+    """True if the checks of an assessment, as in its JSON, reject the model: a constant does better."""
     return any(check["name"] == "constant" and check["grade"] == "poor" for check in checks)
 
 
@@ -390,10 +390,9 @@ def _listed(values: Mapping[str, float | None]) -> Iterator[tuple[str, str, str]
 
 
 def _scattered(places: FloatArray, motions: Sequence[FloatArray]) -> bool:
-    """Whether places of rest are too far apart for one: of a drive that stays anywhere, or of a log without rests."""
+    """True if places of rest are too far apart for one: of a drive that stays anywhere, or of a log without rests."""
     low = min(float(np.nanmin(q)) for q in motions)
-    high = max(float(np.nanmax(q)) for q in motions)
-    return bool(np.std(places) > SCATTERED * (high - low))
+    return bool(np.std(places) > SCATTERED * (max(float(np.nanmax(q)) for q in motions) - low))
 
 
 def _measured(rests: RestFacts, wells: Wells | NoWells) -> dict[str, FloatArray]:

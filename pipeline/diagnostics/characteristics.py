@@ -9,13 +9,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...device.device import Device
-from ...errors import InputError
-from ...models.base import DynamicModel, HasCurveDraws, HasCurves
-from ...numerics.arrays import BoolArray, FloatArray
-from ...numerics.continuation import outermost_pair
-from ...scoring.wells import NoWells, Wells
-from ...store.columns import STABLE
+from ..device.device import Device
+from ..errors import InputError
+from ..models.base import DynamicModel, HasCurveDraws, HasCurves
+from ..numerics.arrays import BoolArray, FloatArray
+from ..numerics.continuation import outermost_pair
+from ..scoring.wells import NoWells, Wells
+from ..store.columns import STABLE
 from .run_data import RunData
 
 COVERAGE = 0.9  # share of the draws inside a band or an interval
@@ -53,8 +53,7 @@ class Curves:
         """U [J] = ∫F dq, zero at its lowest point, shape (n,)."""
         steps = np.diff(self.q) * (self.force[1:] + self.force[:-1]) / 2.0
         total = np.concatenate(([0.0], np.cumsum(steps)))
-        lowest: FloatArray = total - total.min()
-        return lowest
+        return np.asarray(total - total.min())
 
 
 @dataclass(frozen=True)
@@ -66,7 +65,7 @@ class CurveEquilibrium:
 
     @property
     def stable(self) -> bool:
-        """Whether the device stays there."""
+        """True if the device stays there."""
         return self.stiffness > 0.0
 
 
@@ -166,8 +165,7 @@ def jumps(force: FloatArray) -> BoolArray:
     change = np.abs(np.diff(force))
     beside = np.maximum(np.roll(change, 2), np.roll(change, -2))
     beside[:2], beside[-2:] = change[2:4], change[-4:-2]
-    jumping: BoolArray = (change > STEEP * beside) & (change > SMALL * np.ptp(force))
-    return jumping
+    return np.asarray((change > STEEP * beside) & (change > SMALL * np.ptp(force)))
 
 
 def equilibria(q: FloatArray, force: FloatArray) -> list[CurveEquilibrium]:

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...numerics.arrays import FloatArray, longest_run, samples_of
-from ...numerics.metrics import NORMAL_99
-from ...signals.log import voltages
+from ..numerics.arrays import FloatArray, longest_run, samples_of
+from ..numerics.metrics import NORMAL_99
+from ..signals.log import voltages
 from .run_data import LogData, RunData
 
 LONGEST_LAG = 1.0

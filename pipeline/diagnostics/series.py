@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from ...fitting.trends import Trend, smoothed, trend
-from ...models.base import DynamicModel, HasCurveDraws, HasCurves
-from ...numerics.arrays import FloatArray
-from ...numerics.metrics import NORMAL_90
-from ...signals.log import Log
-from ..instruments import InstrumentTest
+from ..fitting.trends import Trend, smoothed, trend
+from ..models.base import DynamicModel, HasCurveDraws, HasCurves
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import NORMAL_90
+from ..signals.log import Log
 from .calibrated import calibrated
+from .instruments import InstrumentTest
 
 ALARM = 0.05
 """Probability with which a series of an unchanged device has any change claimed."""
@@ -124,7 +124,7 @@ def facts_of(
 
 
 def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
-    """What the instruments of a later run read, beside those of the first run, by the first run's model.
+    """Changes of the instruments in a later run against the first run, by the first run's model.
 
     Nothing where the device has changed so that no instrument explains it: that is for the facts to show.
 

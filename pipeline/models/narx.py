@@ -19,15 +19,15 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import model_validator
 
-from ...errors import InputError
-from ...numerics.arrays import FloatArray, IntArray, sample_interval
-from ...numerics.compiled import compiled
-from ...numerics.fixed_step import escape_bounds, run_status
-from ...numerics.linear_filters import finite_difference
-from ...scoring.cross_validation import free_run_error, held_out_blocks, simplest_within_one_standard_error
-from ...signals.log import Log, operating_range
-from ..base import FreeRun, checked
-from ..model_file import (
+from ..errors import InputError
+from ..numerics.arrays import FloatArray, IntArray, sample_interval
+from ..numerics.compiled import compiled
+from ..numerics.fixed_step import escape_bounds, run_status
+from ..numerics.linear_filters import finite_difference
+from ..scoring.cross_validation import free_run_error, held_out_blocks, simplest_within_one_standard_error
+from ..signals.log import Log, operating_range
+from .base import FreeRun, checked
+from .model_file import (
     MOST_INPUTS,
     Exponents,
     ModelFile,
@@ -38,8 +38,8 @@ from ..model_file import (
     Table,
     Unit,
 )
-from ..model_type import ModelType
-from ..polynomial_dynamics import monomials
+from .model_type import ModelType
+from .polynomial_dynamics import monomials
 
 MOST_LAGS = 64
 """Increments, or lags of an input."""
@@ -141,7 +141,7 @@ class NarxModel(ModelFile):
     interval_s: Annotated[Positive, Unit("s")]
     """Sample interval of the equation."""
     inputs: Literal["squared", "linear"]
-    """Whether inputs act squared or linear."""
+    """Action of the inputs: squared or linear."""
     bounds: Annotated[Span, Unit("{q}")]
     """Smallest and largest displacement, beyond which a run counts as diverged."""
 

@@ -4,16 +4,16 @@ import re
 
 import numpy as np
 
-from ...fitting.information import coverage
-from ...numerics.arrays import FloatArray, sample_interval
-from ...scoring.wells import NoWells, Wells, snaps
-from ...signals.findings import Finding, Number
-from ...signals.log import voltages
-from ...signals.noise import below_resolution, noise_std, rounding
-from ...signals.signal_quality import examine_signal
-from ..sentences import MASKS
+from ..fitting.information import coverage
+from ..numerics.arrays import FloatArray, sample_interval
+from ..scoring.wells import NoWells, Wells, snaps
+from ..signals.findings import Finding, Number
+from ..signals.log import voltages
+from ..signals.noise import below_resolution, noise_std, rounding
+from ..signals.signal_quality import examine_signal
 from .grades import Check, graded, of_finding
 from .run_data import LogData, RunData
+from .sentences import MASKS
 
 NOT_DECIMATED = 0.9
 """Least sample interval of a log over that of its kinematics at which both have the same noise."""

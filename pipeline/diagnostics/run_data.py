@@ -6,15 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from ...device.device import Device
-from ...fitting.population import NormalPopulation
-from ...models.base import DynamicModel
-from ...numerics.arrays import sample_interval
-from ...scoring.wells import NoWells, Wells, wells_of
-from ...settings.prototype import Prototype
-from ...signals.log import log_of
-from ...store.columns import StudyName
-from ...system.names import log_title, true_name
+from ..device.device import Device
+from ..fitting.population import NormalPopulation
+from ..models.base import DynamicModel
+from ..numerics.arrays import sample_interval
+from ..scoring.wells import NoWells, Wells, wells_of
+from ..settings.prototype import Prototype
+from ..signals.log import log_of
+from ..store.columns import StudyName
+from ..system.names import log_title, true_name
 
 Columns = Mapping[str, Any]
 WHY = "chosen because"
@@ -56,7 +56,7 @@ class LogData:
 
     @property
     def title(self) -> str:
-        """What people call it, as in tables."""
+        """Name of the log for readers, as in tables."""
         return log_title(self.role, true_name(self.source))
 
     @property
@@ -134,7 +134,7 @@ class RunData:
 
     @property
     def why_chosen(self) -> str:
-        """Why "auto" chose the main model; empty where it had no choice, as the joint has two squared inputs."""
+        """Reason of "auto" for the main model; empty where it had no choice, as the device cannot be the joint."""
         choice = self.choice or {}
         shown = self.prototype.may_be_a_joint or choice.get("held_out_error")
         return str(choice.get("reason") or "") if shown else ""

@@ -10,9 +10,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...numerics.arrays import FloatArray, runs_of, sample_interval, samples_of
-from ...numerics.metrics import rms, robust_std
-from ...signals.noise import REACH, noise_std
+from ..numerics.arrays import FloatArray, runs_of, sample_interval, samples_of
+from ..numerics.metrics import rms, robust_std
+from ..signals.noise import REACH, noise_std
 
 BLOCK = 2e-3
 """Window [s] in which a voltage step is sought."""

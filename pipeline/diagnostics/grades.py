@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal
 
-from ...signals.findings import SEVERITIES, Finding, Number, Severity
-from ..sentences import sentences
+from ..signals.findings import SEVERITIES, Finding, Number, Severity
+from .sentences import sentences
 
 Grade = Severity
 

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...device.device import Device
-from ...numerics.arrays import FloatArray, runs_of, sample_interval
-from ...scoring.wells import NoWells, Wells, end_of_rest, places_of_rest, rests
-from ...signals.spectrum import aliased
+from ..device.device import Device
+from ..numerics.arrays import FloatArray, runs_of, sample_interval
+from ..scoring.wells import NoWells, Wells, end_of_rest, places_of_rest, rests
+from ..signals.noise import aliased
 
 SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
 STEP, LEVEL_MOVES = 0.1, 0.02  # of an input's range: least height of a step, and what moves between two levels
@@ -102,8 +102,7 @@ def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:
             times.append(t[1:][on[1:] != on[:-1]])
     ordered = np.sort(np.concatenate(times)) if times else np.empty(0)
     apart = np.diff(ordered, prepend=-np.inf) > QUIET
-    first: FloatArray = ordered[apart]
-    return first
+    return np.asarray(ordered[apart])
 
 
 def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
@@ -129,7 +128,7 @@ def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class RestFacts:
-    """What the rests of a device show without any model.
+    """Facts from the rests of a device, without any model.
 
     Attributes
     ----------
@@ -191,7 +190,7 @@ def rest_facts(
 
 
 def _is_driven(ring: RingDown, interval: float, hum: Collection[float]) -> bool:
-    """Whether it does not decay, or is a line of the mains [Hz] in samples an interval [s] apart."""
+    """True if it does not decay, or is a line of the mains [Hz] in samples an interval [s] apart."""
     at_line = any(abs(ring.frequency - aliased(line, interval)) < MAINS_WIDTH for line in hum)
     return ring.damping < LEAST_DAMPING or at_line
 

@@ -4,15 +4,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...device.parameters import QUANTITIES, VECTOR_NAMES
-from ...fitting.population import NormalPopulation
-from ...models.base import DynamicModel
-from ...models.hybrid.model import HybridModel
-from ...models.hybrid.parameters import DEVIATIONS, NAMES, OF_INSTRUMENTS, PRIOR_STD
-from ...models.hybrid.siblings import title, usual_prior
-from ...numerics.arrays import FloatArray
-from ...numerics.metrics import NORMAL_90
-from ...units.units import POWERS
+from ..device.parameters import QUANTITIES, VECTOR_NAMES
+from ..fitting.population import NormalPopulation
+from ..models.base import DynamicModel
+from ..models.hybrid.model import HybridModel
+from ..models.hybrid.parameters import DEVIATIONS, NAMES, OF_INSTRUMENTS, PRIOR_STD
+from ..models.hybrid.siblings import title, usual_prior
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import NORMAL_90
+from ..units.units import POWERS
 
 
 @dataclass(frozen=True)

@@ -1,1 +1,0 @@
-"""A polynomial NARX: `narx`."""
