@@ -227,7 +227,7 @@ def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulatio
     symmetric = np.allclose(file.covariance, file.covariance.T)
     if not current or not symmetric or np.linalg.eigvalsh(file.covariance).min() <= 0.0:
         raise CorruptArtifactError(
-            "the prior is of another version of debist, or has no covariance; run `debist fleet learn` again"
+            "siblings: of another version of debist, or no covariance; run `debist fleet learn` again"
         )
     names = str(file.diagnostics.get("siblings", "")).split(" | ")
     return file.parameters, NormalPopulation(file.mean, file.covariance), names
