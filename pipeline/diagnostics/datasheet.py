@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..device.device import Device
 from ..models.base import DynamicModel
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90
@@ -32,6 +33,9 @@ from .run_data import RunData, wells_of_run
 FORMAT = "debist-datasheet/1"
 RING_TIME, RING_STEP = 2.0, 0.005  # s
 RING_AMPLITUDE = 0.025  # of the range of q: small enough for one frequency, large against friction
+
+RESTS = {"_left": "well_left", "_right": "well_right", "": "rest"}
+"""Facts of the places of rest by the ends of the names of what is known there."""
 
 SCATTERED = 0.1
 """Share of the range of q: rests whose standard deviation is larger are several places."""
@@ -215,13 +219,16 @@ def make_datasheet(data: RunData) -> Datasheet:
     limits: dict[str, tuple[float, float]] = {}
     in_draws: dict[str, float] = {}
     if source is not None:
-        values, limits, in_draws = _by_model(data, curves[source], draws.get(source, []))
+        drawn = draws.get(source, [])
+        values, limits, in_draws = _by_model(data, curves[source], drawn)
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
         believed = believed_wells(wells, source, stable, plant=data.device)
         if believed is not wells:
             wells = believed
             rests = rest_facts(records, believed, hum, plant=data.device)
-        values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
+        rings = simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
+        limits |= intervals(rings, [drawn_ring_downs(rings, curves[source], draw, plant=data.device) for draw in drawn])
+        values |= rings
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, in_draws, rests, wells, events)
     main_model = data.model_names[0]
@@ -248,7 +255,7 @@ def _by_model(
     return values, {key: ends for key, ends in limits.items() if key in compared}, in_draws
 
 
-def _simulated_ring_downs(
+def simulated_ring_downs(
     model: DynamicModel, values: Mapping[str, float | None], curves: Curves, inputs: int
 ) -> dict[str, float | None]:
     """Frequency and damping ratio of a small free oscillation in each well, as the whole model simulates it."""
@@ -256,8 +263,8 @@ def _simulated_ring_downs(
     t = np.arange(0.0, RING_TIME, RING_STEP)
     amplitude = RING_AMPLITUDE * float(curves.q[-1] - curves.q[0])
     mass = float(getattr(model, "mass", 1.0))
-    for key, side in (("well_left", "_left"), ("well_right", "_right"), ("rest", "")):
-        place = values.get(key)
+    for side, rest in RESTS.items():
+        place = values.get(rest)
         stiffness = values.get(f"stiffness{side}")
         if place is None or stiffness is None:
             continue
@@ -265,6 +272,37 @@ def _simulated_ring_downs(
         ring = ring_down(t, run.q) if run.status == "ok" and np.isfinite(run.q).all() else None
         facts[f"frequency{side}"] = ring.frequency if ring else None
         facts[f"damping{side}"] = ring.damping if ring else None
+    return facts
+
+
+def drawn_ring_downs(
+    rings: Mapping[str, float | None], own: Curves, draw: Curves, plant: Device
+) -> dict[str, float | None]:
+    """Frequencies and damping ratios of a draw: to first order they go with √k and d/√k of the curves at a rest.
+
+    Parameters
+    ----------
+    rings : mapping of str to float or None
+        Those of the model itself.
+    own, draw : Curves
+        Curves of the model and of a draw from them.
+    plant : Device
+        Its inputs, and whether it is the joint.
+    """
+    facts: dict[str, float | None] = {}
+    values, drawn = (device_facts(curves, plant=plant) for curves in (own, draw))
+    for side, rest in RESTS.items():
+        frequency, damping = rings.get(f"frequency{side}"), rings.get(f"damping{side}")
+        stiffness, stiffness_drawn = values.get(f"stiffness{side}"), drawn.get(f"stiffness{side}")
+        place, place_drawn = values.get(rest), drawn.get(rest)
+        if frequency is None or damping is None or stiffness is None or stiffness_drawn is None:
+            continue
+        faster = float(np.sqrt(stiffness_drawn / stiffness))
+        facts[f"frequency{side}"] = frequency * faster
+        if own.damping is not None and draw.damping is not None and place is not None and place_drawn is not None:
+            resistance = np.interp(place, own.q, own.damping)
+            resistance_drawn = np.interp(place_drawn, draw.q, draw.damping)
+            facts[f"damping{side}"] = damping * float(resistance_drawn / resistance) / faster
     return facts
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from pipeline.device.device import JOINT
 from pipeline.diagnostics.characteristics import Curves, device_facts, equilibria, intervals
-from pipeline.diagnostics.datasheet import make_datasheet
+from pipeline.diagnostics.datasheet import drawn_ring_downs, make_datasheet
 from pipeline.diagnostics.events import rest_facts, ring_down, voltage_switches
 from pipeline.diagnostics.model_quality import model_checks
 from pipeline.diagnostics.phase_plane import basins
@@ -218,3 +218,19 @@ def test_hum_is_no_ring_down_where_it_is_aliased_to_either() -> None:
     assert rest_facts([(t, drifting, v)], NoWells("none"), plant=JOINT).rings_left
     assert not rest_facts([(t, drifting, v)], NoWells("none"), [60.0], plant=JOINT).rings_left
     assert rest_facts([(t, q, v)], NoWells("none"), [60.0], plant=JOINT).rings_left
+
+
+def test_a_drawn_ring_down_is_that_of_its_own_spring_and_damper() -> None:
+    """Against the closed form of a weakly damped vibration: ω = √(k/m), ζ = d/(2 √(k m))."""
+    own = _curves(squared=True)
+    draw = replace(own, force=1.04 * FORCE, damping=1.1 * np.full_like(Q, DAMPING))
+
+    def closed(stiffness: float, damping: float) -> tuple[float, float]:
+        return np.sqrt(stiffness / MASS) / (2.0 * np.pi), damping / (2.0 * np.sqrt(stiffness * MASS))
+
+    frequency, ratio = closed(2.0 * K * WELL**2, DAMPING)
+    rings = {"frequency_left": frequency, "damping_left": ratio, "frequency_right": None, "damping_right": None}
+    facts = drawn_ring_downs(rings, own, draw, plant=JOINT)
+    drawn = closed(1.04 * 2.0 * K * WELL**2, 1.1 * DAMPING)
+    assert facts == {"frequency_left": pytest.approx(drawn[0]), "damping_left": pytest.approx(drawn[1])}
+    assert drawn_ring_downs(rings, own, replace(draw, damping=None), plant=JOINT).keys() == {"frequency_left"}
