@@ -293,7 +293,7 @@ Call = tuple[str, dict[str, str]]
 
 @dataclass(frozen=True)
 class GraphSequence:
-    """Graphs that are called one after another on named arrays, as a law with stages is made of them.
+    """Graphs that are called one after another on named arrays, as for a method with stages.
 
     A Runge-Kutta step calls the same rates four times: each graph is written once, and the calls say in which arrays it
     finds its inputs and leaves its outputs.

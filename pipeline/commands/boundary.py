@@ -282,7 +282,7 @@ class ErrorBoundary(WholeLines):
                 raise _interruption() from error
             if memory_failure(error):
                 raise MemoryError from error
-            remedy = _told(error)
+            remedy = _remedy(error)
             if remedy is None:
                 traceback.print_exc(file=sys.stderr)
             code, text = (1, _BUG) if remedy is None else (InputError.exit_code, remedy)
@@ -333,7 +333,7 @@ def _interruption(goes_on: str = "") -> typer.Exit:
     return typer.Exit(128 + number)
 
 
-def _told(error: Exception) -> str | None:
+def _remedy(error: Exception) -> str | None:
     """The remedy for an exception from outside debist that is not a bug; None for a bug."""
     if isinstance(error, RuntimeError) and "no locator available" in str(error):  # numba's words
         return "no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written"

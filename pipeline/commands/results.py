@@ -336,13 +336,13 @@ def learn(
     ],
     output: Annotated[
         Path,
-        typer.Option("-o", metavar="FILE", help="File of the siblings (.h5), for plant.siblings."),
+        typer.Option("-o", metavar="FILE", help="File of the prior (.h5), for plant.siblings."),
     ],
     as_json: Json = False,
 ) -> None:
-    """Mean, spread and correlations of the deviations of identified siblings, as a prior of the next joint; odd ones.
+    """Learn a prior of the next joint from identified ones: mean, spread, correlations of deviations; odd joints.
 
-    From five siblings on; all need the parameter set that the next joint has. Lengths in m, all other units SI, odd
+    From five joints on; all need the parameter set that the next joint has. Lengths in m, all other units SI, odd
     quantities in percent where they are positive. Example: debist fleet learn runs -o siblings.h5
     """
     from ..workflow.studies.fleet import learn_siblings
@@ -373,16 +373,16 @@ def _emit_learnt(siblings: "LearntFile") -> None:
         for quantity in quantities[:_QUANTITIES_SHOWN]
     ]
     heading = ("quantity", "mean deviation", "spread", "unit", "spread over the prior's")
-    emit_table(f"{len(siblings.siblings)} siblings, the best known quantities", heading, rows)
+    emit_table(f"{len(siblings.siblings)} joints, the best known quantities", heading, rows)
     halved = sum(quantity.share < 0.5 for quantity in quantities)
     emit_text(
-        f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other siblings as "
-        f"prior, the logs of a sibling are exp({gains[len(gains) // 2]:.0f}) times as probable (median)"
+        f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other joints as "
+        f"prior, the logs of a joint are exp({gains[len(gains) // 2]:.0f}) times as probable (median)"
     )
     for odd in siblings.learnt.odd:
         emit_text(f"odd: {odd.name}: {odd.quantity} {odd.size:+.3g} ± {odd.error:.2g} {odd.unit}")
     if not siblings.learnt.odd:
-        emit_text("no sibling is odd")
+        emit_text("no joint is odd")
     emit_text(f"written: {siblings.path}; name it in [plant] siblings, or give it to debist batch --siblings")
 
 

@@ -1,1 +1,1 @@
-"""The device: units, law of the inputs, mass and limits by the settings; parameter sets of the joint."""
+"""The device: units, action of the inputs, mass and limits by the settings; parameter sets of the joint."""

@@ -1,4 +1,4 @@
-"""The device by its settings: units, law of the inputs, mass and limits, in SI."""
+"""The device by its settings: units, action of the inputs, mass and limits, in SI."""
 
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -119,8 +119,8 @@ class Device:
         return squares if self.squared else v
 
     @property
-    def under_other_law(self) -> "Device":
-        """The device if its inputs acted by their other law."""
+    def under_other_action(self) -> "Device":
+        """The device if its inputs acted by the other action."""
         return replace(self, action="linear" if self.squared else "squared")
 
     def peaks(self, v: FloatArray) -> FloatArray:

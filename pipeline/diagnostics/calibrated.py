@@ -1,4 +1,4 @@
-"""Physical quantities by the fit of the hybrid model: nominal value, calibrated value, interval, siblings."""
+"""Physical quantities by the fit of the hybrid model: nominal value, calibrated value, interval, other joints."""
 
 from dataclasses import dataclass
 
@@ -95,12 +95,12 @@ _SIZES = [NAMES.index(f"log {unit}") for unit in ("length", "time", "voltage")]
 
 
 SHOWN = 12
-"""Quantities that are shown: those that the siblings narrow most against the prior."""
+"""Quantities that are shown: those that other joints narrow most against the usual prior."""
 
 
 @dataclass(frozen=True)
 class AmongSiblings:
-    """A quantity of a joint among its siblings, in standard deviations of the siblings from their mean.
+    """A quantity of a joint among other joints, in standard deviations of these from their mean.
 
     `error` is the standard deviation that the joint's own posterior leaves.
     """
@@ -111,7 +111,7 @@ class AmongSiblings:
 
 
 def places_among(model: DynamicModel | None, siblings: NormalPopulation | None) -> list[AmongSiblings]:
-    """The quantities that the siblings know best, the best known first; none without siblings or of another model."""
+    """The quantities that other joints determine best, the best first; none without these or of another model."""
     if siblings is None or not isinstance(model, HybridModel):
         return []
     spread, before = (np.sqrt(np.diag(population.covariance)) for population in (siblings, usual_prior()))

@@ -36,7 +36,7 @@ class Curves:
         Displacement [m or rad], ascending.
     force, damping : FloatArray, shape (n,)
         F [N] and d [N s/m]; per unit mass where the mass is unknown.
-    pushes : FloatArray, shape (K, n)
+    gains : FloatArray, shape (K, n)
         g_k [N/V²] or [N/V]: ½ dC_k/dq for an electrostatic input.
     squared : bool
         Whether u = v².
@@ -45,7 +45,7 @@ class Curves:
     q: FloatArray
     force: FloatArray
     damping: FloatArray | None
-    pushes: FloatArray
+    gains: FloatArray
     squared: bool
 
     @property
@@ -73,8 +73,8 @@ def curves_from(named: Mapping[str, FloatArray], q: FloatArray) -> Curves:
     """Curves from a model's own names: ``F``, ``d``, and ``dC1_dq`` … [F/m] or ``g1`` … [N/V]."""
     squared = "dC1_dq" in named
     keys = [f"dC{k}_dq" if squared else f"g{k}" for k in (1, 2)]
-    pushes = np.array([np.asarray(named[key]) * (0.5 if squared else 1.0) for key in keys if key in named])
-    return Curves(q, np.asarray(named["F"]), named.get("d"), pushes.reshape(-1, q.size), squared)
+    gains = np.array([np.asarray(named[key]) * (0.5 if squared else 1.0) for key in keys if key in named])
+    return Curves(q, np.asarray(named["F"]), named.get("d"), gains.reshape(-1, q.size), squared)
 
 
 def model_curves(data: RunData) -> tuple[dict[str, Curves], dict[str, list[Curves]]]:
@@ -200,7 +200,7 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
     """Lowest steady input [V] of electrode k that carries the device from the rest at `start` over the `saddle`.
 
     On the way the input's force must exceed the restoring one everywhere: u > max F/g_k over the path. None where the
-    input pushes the other way, or not at all, somewhere on the way.
+    input's gain has the other sign, or is zero, somewhere on the way.
 
     Parameters
     ----------
@@ -217,14 +217,14 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
     high = max(start, saddle)
     path = (curves.q > low) & (curves.q < high)
     force = curves.force[path]
-    push = curves.pushes[k][path]
+    gain = curves.gains[k][path]
     toward = np.sign(saddle - start)
     resisting = force * toward > 0.0
-    if not resisting.any() or (curves.squared and np.any(push[resisting] * toward <= 0.0)):
+    if not resisting.any() or (curves.squared and np.any(gain[resisting] * toward <= 0.0)):
         return None
-    if np.any(push[resisting] == 0.0):
+    if np.any(gain[resisting] == 0.0):
         return None
-    u = force[resisting] / push[resisting]
+    u = force[resisting] / gain[resisting]
     if curves.squared:
         return float(np.sqrt(u.max()))
     return float(u.max() if u.mean() > 0.0 else u.min()) if np.all(u > 0.0) or np.all(u < 0.0) else None
@@ -261,7 +261,7 @@ def device_facts(curves: Curves, plant: Device) -> dict[str, float | None]:
         "barrier_left": float(energy[1] - energy[0]),
         "barrier_right": float(energy[1] - energy[2]),
     }
-    for k in range(len(curves.pushes)):
+    for k in range(len(curves.gains)):
         facts[f"switch_v{k + 1}_to_right"] = switching_input(curves, k, left.q, saddle.q)
         facts[f"switch_v{k + 1}_to_left"] = switching_input(curves, k, right.q, saddle.q)
     mean = (facts["barrier_left"] + facts["barrier_right"]) / 2.0  # type: ignore[operator]

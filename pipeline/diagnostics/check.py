@@ -21,7 +21,7 @@ from .log_facts import (
     DRAWN_COUPLING,
     FIELD,
     LATE,
-    OTHER_LAW,
+    OTHER_ACTION,
     RATIO,
     RESOLUTION,
     REST_LEVEL,
@@ -40,10 +40,10 @@ def input_findings(fact: LogFacts, plant: Device) -> list[Finding]:
     """The findings on the inputs of a log."""
     findings = [
         _unseen_force(fact, i) if force is None else _force(fact, i, force, plant)
-        for i, force in enumerate(fact.pushes)
+        for i, force in enumerate(fact.input_forces)
     ]
-    findings += [_noise(fact, i, plant) for i in range(len(fact.pushes))]
-    findings += [*_correlated(fact, plant), *_laws(fact, plant)]
+    findings += [_noise(fact, i, plant) for i in range(len(fact.input_forces))]
+    findings += [*_correlated(fact, plant), *_input_actions(fact, plant)]
     if plant.joint:
         findings += [*_late(fact, plant), _field(fact, plant), *_rest_levels(fact, plant)]
         findings += [*_scale(fact, plant), *_sides(fact)]
@@ -62,7 +62,7 @@ def _unseen_force(fact: LogFacts, i: int) -> Finding:
 
 
 def _force(fact: LogFacts, i: int, force: InputForce, plant: Device) -> Finding:
-    """To which side an input pushes; how strongly depends on the motion, so a table has the side alone."""
+    """Direction of an input's force; its size depends on the motion, so the table has the direction alone."""
     name = fact.signals.name
     numbers = {"push": Number(force.value, f"{plant.displacement.symbol}/s²")}
     if not force.sure:
@@ -116,11 +116,11 @@ def _scale(fact: LogFacts, plant: Device) -> list[Finding]:
 
 
 def _couplings(fact: LogFacts) -> list[float]:
-    """Push over the squared peak of every input that surely pushes [m/s²/V²]."""
+    """Acceleration over the squared peak of every input with a sure direction [m/s²/V²]."""
     return [
-        abs(push.value) / peak**2
-        for push, peak in zip(fact.pushes, fact.peaks.tolist(), strict=True)
-        if push is not None and push.sure
+        abs(force.value) / peak**2
+        for force, peak in zip(fact.input_forces, fact.peaks.tolist(), strict=True)
+        if force is not None and force.sure
     ]
 
 
@@ -130,7 +130,7 @@ def _sides(fact: LogFacts) -> list[Finding]:
     if len(couplings) < 2 or not isinstance(fact.wells, Wells):
         return []
     ratio = couplings[0] / couplings[1]
-    error = np.linalg.norm([push.error / push.value for push in fact.pushes if push is not None])
+    error = np.linalg.norm([force.error / force.value for force in fact.input_forces if force is not None])
     alike = abs(np.log(ratio)) <= np.log(SIDES) + SURE * error
     numbers = {"ratio": Number(ratio), "most": Number(SIDES)}
     return [Finding("coupling_ratio", "good" if alike else "fair", fact.signals.name, "", numbers)]
@@ -138,7 +138,7 @@ def _sides(fact: LogFacts) -> list[Finding]:
 
 def _correlated(fact: LogFacts, plant: Device) -> list[Finding]:
     """Two inputs of which one says all that the other does."""
-    if None in fact.pushes or len(fact.pushes) < 2:
+    if None in fact.input_forces or len(fact.input_forces) < 2:
         return []
     acting = plant.acting(fact.signals.v)
     correlation = float(np.asarray(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T))[0, 1])
@@ -194,19 +194,19 @@ def rest_level(v: FloatArray) -> float | None:
     return sign * level if rests else None
 
 
-def _laws(fact: LogFacts, plant: Device) -> list[Finding]:
+def _input_actions(fact: LogFacts, plant: Device) -> list[Finding]:
     """Test of the inputs' stated action, squared or linear, by the residuals of the accelerations under both."""
     own = fact.unexplained
-    other = fact.under_other_law
+    other = fact.under_other_action
     if own is None or other is None:
         return []
-    laws = ("squared", "linear") if plant.squared else ("linear", "squared")
-    numbers = {f"left_by_{laws[0]}": Number(own), f"left_by_{laws[1]}": Number(other)}
-    if fact.as_signed_monitor is not None and fact.as_signed_monitor < OTHER_LAW * min(own, other):
+    actions = ("squared", "linear") if plant.squared else ("linear", "squared")
+    numbers = {f"left_by_{actions[0]}": Number(own), f"left_by_{actions[1]}": Number(other)}
+    if fact.as_signed_monitor is not None and fact.as_signed_monitor < OTHER_ACTION * min(own, other):
         numbers["left_by_membranes"] = Number(fact.as_signed_monitor)
-        return [Finding("signed_monitor", "fair", fact.signals.name, laws[1], numbers)]
-    right = other >= OTHER_LAW * own
-    return [Finding("law", "good" if right else "fair", fact.signals.name, laws[1], numbers)]
+        return [Finding("signed_monitor", "fair", fact.signals.name, actions[1], numbers)]
+    right = other >= OTHER_ACTION * own
+    return [Finding("law", "good" if right else "fair", fact.signals.name, actions[1], numbers)]
 
 
 ROUNDING = 1e-9
@@ -237,7 +237,7 @@ def starts(facts: Sequence[LogFacts]) -> list[Finding]:
             "undriven_starts", "fair", fact.signals.name, "q",
             {
                 "starts": Number(len(fact.starts)), "first": Number(fact.starts[0], "s"),
-                "inputs": Number(len(fact.pushes)),
+                "inputs": Number(len(fact.input_forces)),
             },
         )
         for fact in facts
@@ -255,7 +255,7 @@ def _ranges(fact: LogFacts, plant: Device) -> list[Finding]:
         allowed = plant.plausible_span(unit)
         times = scale_suspicion(span, allowed)
         still = name == "q" and span <= ROUNDING * float(np.nanmax(np.abs(fact.signals.q)))
-        # A voltage too small may be one that is not used; if it pushes all the same, the coupling tells.
+        # A voltage too small may be one that is not used; if it acts all the same, the coupling shows it.
         judged = plant.joint and (still or (times is not None and (name == "q" or times > 1.0)))
         severity: Severity = "poor" if judged else "fair" if still or times is not None else "good"
         numbers = {"range": Number(span, unit)}

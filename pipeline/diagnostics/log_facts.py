@@ -43,8 +43,8 @@ FIELD = 1.02
 REST_LEVEL = 0.02
 """Share of an input's largest magnitude above which the level at which it rests is shown, and within which it rests."""
 
-OTHER_LAW = 0.9
-"""Times what the weak form leaves of the accelerations, below which the other law of the inputs is shown. Declared
+OTHER_ACTION = 0.9
+"""Times what the weak form leaves of the accelerations, below which the other action of the inputs is shown. Declared
 rightly, logs of 16 devices have 0.99 to 1.5."""
 
 DRAWN_COUPLING = 8.5e-9
@@ -166,7 +166,7 @@ class LogFacts:
     signals : LogSignals
     sample_interval : float
         Of the identification [s].
-    pushes : tuple of InputForce or None
+    input_forces : tuple of InputForce or None
         One of each input; None where it hardly ever changes, or the log is too short.
     late : float
         By how much q answers its inputs later than they are logged [s]; zero unless every part of the log has it so.
@@ -177,8 +177,8 @@ class LogFacts:
     wells : Wells or NoWells
     unexplained : float or None
         What the weak form leaves of the accelerations, over their RMS.
-    under_other_law : float or None
-        The same where the inputs act by their other law (in proportion for by their squares).
+    under_other_action : float or None
+        The same where the inputs act by the other action (in proportion for by their squares).
     as_signed_monitor : float or None
         The same where the one input is the signed monitor of two membranes; None unless it takes both signs.
     starts : tuple of float
@@ -189,13 +189,13 @@ class LogFacts:
 
     signals: LogSignals
     sample_interval: float
-    pushes: tuple[InputForce | None, ...]
+    input_forces: tuple[InputForce | None, ...]
     late: float
     peaks: FloatArray
     span: float
     wells: Wells | NoWells
     unexplained: float | None
-    under_other_law: float | None
+    under_other_action: float | None
     as_signed_monitor: float | None
     starts: tuple[float, ...]
     drift: float | None
@@ -222,46 +222,49 @@ def log_facts(log: LogSignals, sample_interval: float, plant: Device) -> LogFact
     both_signs = any(map(takes_both_signs, log.v.min(axis=0).tolist(), log.v.max(axis=0).tolist()))
     other_law = signed_monitor = None
     if terms is not None:
-        other_law = unexplained(under_inputs(terms, log, plant.under_other_law.acting(log.v), sample_interval))
+        other_law = unexplained(under_inputs(terms, log, plant.under_other_action.acting(log.v), sample_interval))
     if terms is not None and both_signs and log.v.shape[1] == 1:
         sides = np.hstack([np.maximum(log.v, 0.0), np.maximum(-log.v, 0.0)])
         signed_monitor = unexplained(under_inputs(terms, log, np.square(sides), sample_interval))
     return LogFacts(
         signals=log,
         sample_interval=sample_interval,
-        pushes=(None,) * log.v.shape[1] if terms is None else pushes(terms),
+        input_forces=(None,) * log.v.shape[1] if terms is None else input_forces(terms),
         late=0.0 if terms is None else late_answer(terms, sample_interval),
         peaks=np.max(np.abs(log.v), axis=0),
         span=float(np.nanmax(log.q) - np.nanmin(log.q)),
         wells=wells,
         unexplained=None if terms is None else unexplained(terms),
-        under_other_law=other_law,
+        under_other_action=other_law,
         as_signed_monitor=signed_monitor,
         starts=undriven_starts(t, q, v),
         drift=rest_drift(t, q, v, every * log.interval, wells, plant=plant),
     )
 
 
-def pushes(terms: WeakTerms) -> tuple[InputForce | None, ...]:
+def input_forces(terms: WeakTerms) -> tuple[InputForce | None, ...]:
     """InputForce of every input; None where it hardly ever changes: a constant determines none.
 
     Parts of a log that are left out do not show what the weak form has wrong, and that grows as inputs go together.
     """
-    acting = terms.push[terms.rows, :, 0]
+    acting = terms.inputs[terms.rows, :, 0]
     moved = np.ptp(acting, axis=0) > _ON
     design = terms.design()
     everything = np.arange(terms.rows.size)
-    whole = _pushes_of(terms, design, everything)
+    whole = _mean_accelerations(terms, design, everything)
     left_out = np.array(
-        [_pushes_of(terms, design, np.delete(everything, block)) for block in np.array_split(everything, BLOCKS)]
+        [
+            _mean_accelerations(terms, design, np.delete(everything, block))
+            for block in np.array_split(everything, BLOCKS)
+        ]
     )
     errors = np.sqrt((BLOCKS - 1) / BLOCKS * np.sum((left_out - left_out.mean(axis=0)) ** 2, axis=0))
     with np.errstate(invalid="ignore", divide="ignore"):  # of inputs that never change
         correlations = np.nan_to_num(np.atleast_2d(np.corrcoef(acting.T)) - np.eye(whole.size))
     apart = np.sqrt(np.maximum(1.0 - np.max(np.abs(correlations), axis=0) ** 2, np.finfo(float).eps))
     return tuple(
-        InputForce(float(push), float(error)) if changes else None
-        for push, error, changes in zip(whole, errors / apart, moved, strict=True)
+        InputForce(float(acceleration), float(error)) if changes else None
+        for acceleration, error, changes in zip(whole, errors / apart, moved, strict=True)
     )
 
 
@@ -279,13 +282,13 @@ def late_answer(terms: WeakTerms, sample_interval: float) -> float:
     return float(lags[best] * terms.interval) if np.all(errors[best] < errors[reach]) else 0.0
 
 
-def _pushes_of(terms: WeakTerms, design: FloatArray, rows: IntArray) -> FloatArray:
+def _mean_accelerations(terms: WeakTerms, design: FloatArray, rows: IntArray) -> FloatArray:
     """Mean acceleration of every input while it is on, by some of the rows, shape (K,)."""
-    count = terms.push.shape[1]
+    count = terms.inputs.shape[1]
     weights = solve(design[rows], terms.inertia[rows])[-count * GAIN_TERMS :].reshape(count, GAIN_TERMS)
     result = np.zeros(count)
     for i in range(count):
-        on = np.abs(terms.push[terms.rows, i, 0]) > _ON
+        on = np.abs(terms.inputs[terms.rows, i, 0]) > _ON
         powers = terms.q[on, None] ** np.arange(GAIN_TERMS)
         result[i] = float(np.mean(powers @ weights[i])) if on.any() else 0.0
     return result * terms.size

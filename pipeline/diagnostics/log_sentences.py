@@ -136,18 +136,18 @@ def _rests(finding: Finding) -> ShownRow:
     return ShownRow("rests", found, "left < 0 < right", advice)
 
 
-def _unseen_push(finding: Finding) -> ShownRow:
+def _unseen_direction(finding: Finding) -> ShownRow:
     """Of an input whose force a log does not show."""
     name = finding.subject
     found = {"idle_input": "nothing but noise", "never_on": "never on", "hardly_changes": "hardly ever changes"}
     advice = "name the channel that drives the device, or leave it out for a device with one input"
     if finding.code == "idle_input":
         advice = f"where no training log drives {name}, leave it out of [channels]: nothing is known of its gain"
-    return ShownRow(f"push of {name}", found[finding.code], advice=advice)
+    return ShownRow(f"direction of {name}", found[finding.code], advice=advice)
 
 
-def _push(finding: Finding) -> ShownRow:
-    what = f"push of {finding.subject}"
+def _direction(finding: Finding) -> ShownRow:
+    what = f"direction of {finding.subject}"
     if finding.code == "unsure_push":
         return ShownRow(what, "not sure")
     side = _SIDES[0] if finding.value("push") > 0.0 else _SIDES[1]
@@ -211,7 +211,7 @@ def _coupling_ratio(finding: Finding) -> ShownRow:
 
 def _correlated(finding: Finding) -> ShownRow:
     advice = (
-        "v1 and v2 go together all the time, so what each does cannot be told apart: drive them apart, or leave v2 out"
+        "v1 and v2 go together all the time, so their effects cannot be separated: drive them apart, or leave v2 out"
     )
     found = f"correlation {finding.value('correlation'):.4f}"
     return ShownRow("v2 beside v1", found, f"< {finding.value('most'):g}", advice)
@@ -237,7 +237,7 @@ def _rest_level(finding: Finding) -> ShownRow:
     return ShownRow(f"rest level of {name}", _shown(finding, "level"), f"≤ {_short(finding, 'most')}", advice)
 
 
-def _law(finding: Finding) -> ShownRow:
+def _input_action(finding: Finding) -> ShownRow:
     other = finding.subject
     own = "linear" if other == "squared" else "squared"
     share = {name: significant(100.0 * number.value, 2) for name, number in finding.numbers.items()}
@@ -249,7 +249,7 @@ def _law(finding: Finding) -> ShownRow:
             'it looks like the signed monitor of two membranes: give it to v1 with part = "positive" and to v2 with '
             'part = "negative", and set inputs = "squared" in [plant]'
         )
-    return ShownRow("left by the law", found, advice=advice)
+    return ShownRow("residual of the fit", found, advice=advice)
 
 
 def _shared_recording(finding: Finding) -> ShownRow:
@@ -277,12 +277,12 @@ ROWS: dict[str, Callable[[Finding], ShownRow]] = {
     "wrapped": _wrapped,
     "rests": _rests,
     "no_rests": lambda finding: ShownRow("rests", finding.subject),
-    "idle_input": _unseen_push,
-    "never_on": _unseen_push,
-    "hardly_changes": _unseen_push,
-    "unsure_push": _push,
-    "push": _push,
-    "side": _push,
+    "idle_input": _unseen_direction,
+    "never_on": _unseen_direction,
+    "hardly_changes": _unseen_direction,
+    "unsure_push": _direction,
+    "push": _direction,
+    "side": _direction,
     "command": _input_noise,
     "input_noise": _input_noise,
     "late_answer": _late_answer,
@@ -292,8 +292,8 @@ ROWS: dict[str, Callable[[Finding], ShownRow]] = {
     "field": _field,
     "field_units": _field,
     "rest_level": _rest_level,
-    "law": _law,
-    "signed_monitor": _law,
+    "law": _input_action,
+    "signed_monitor": _input_action,
     "shared_recording": _shared_recording,
 }
 """Rows of the check by code."""
@@ -398,7 +398,7 @@ def _visits(finding: Finding) -> tuple[str, str]:
 def _rank(finding: Finding) -> tuple[str, str]:
     condition = f"condition number {finding.value('condition'):.3g} (at most {finding.value('most'):g})"
     return (
-        f"the regressor's columns cannot be told apart: {condition}, {finding.value('silent'):.0f} zero",
+        f"the regressor's columns cannot be separated: {condition}, {finding.value('silent'):.0f} zero",
         "vary the inputs independently",
     )
 

@@ -83,7 +83,7 @@ class RunData:
     prototype : Prototype
         The settings.
     device : Device
-        Units, law of the inputs and mass, by the settings.
+        Units, action of the inputs and mass, by the settings.
     logs : tuple of LogData
     models : mapping of str to DynamicModel
         In the order of the settings; the first is the main model.

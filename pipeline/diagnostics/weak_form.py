@@ -80,7 +80,7 @@ class WeakTerms:
         Averages of the scaled acceleration [1/s²].
     motion : FloatArray, shape (R, FORCE_ORDER + 3)
         Averages of the terms of f and d.
-    push : FloatArray, shape (N, K, GAIN_TERMS)
+    inputs : FloatArray, shape (N, K, GAIN_TERMS)
         Averages of ``e_i``, ``e_i q``, ``e_i q²`` around every sample.
     interval : float
         Step of the samples [s].
@@ -91,19 +91,19 @@ class WeakTerms:
     q: FloatArray
     inertia: FloatArray
     motion: FloatArray
-    push: FloatArray
+    inputs: FloatArray
     interval: float
 
     def design(self, lag: int = 0) -> FloatArray:
         """All terms, shape (R, P); the inputs are taken `lag` samples earlier."""
-        late = np.take(self.push.reshape(len(self.push), -1), self.rows - lag, axis=0, mode="clip")
+        late = np.take(self.inputs.reshape(len(self.inputs), -1), self.rows - lag, axis=0, mode="clip")
         return np.concatenate([self.motion, late], axis=1)
 
 
 def weak_terms(log: LogSignals, acting: FloatArray, sample_interval: float) -> WeakTerms | None:
     """Average every term of a log, its first 600,000 samples if it is longer; None where too few bumps fit in.
 
-    `acting` (N, K) is what acts of the inputs. A block of them must determine all weights. Cost: some 20 convolutions
+    `acting` (N, K) are the acting inputs. A block of them must determine all weights. Cost: some 20 convolutions
     with the bump, 0.1 s for 40,000 samples.
     """
     half = _half_width(log, sample_interval)
@@ -115,8 +115,8 @@ def weak_terms(log: LogSignals, acting: FloatArray, sample_interval: float) -> W
     motion = [_average(z**k, bump)[rows] for k in range(FORCE_ORDER + 1)]
     motion += [_average(z, slope)[rows], _average(z**3 / 3.0, slope)[rows]]  # z² ż is the rate of z³/3
     inertia = _average(z, curvature)[rows]
-    push = _pushes(acting, z, bump)
-    return WeakTerms(size, rows, z[rows], inertia, np.column_stack(motion), push, log.interval)
+    inputs = _input_terms(acting, z, bump)
+    return WeakTerms(size, rows, z[rows], inertia, np.column_stack(motion), inputs, log.interval)
 
 
 def under_inputs(terms: WeakTerms, log: LogSignals, acting: FloatArray, sample_interval: float) -> WeakTerms:
@@ -129,13 +129,13 @@ def under_inputs(terms: WeakTerms, log: LogSignals, acting: FloatArray, sample_i
     log : LogSignals
         The log.
     acting : FloatArray, shape (N, K)
-        What acts of the other inputs.
+        The other acting inputs.
     sample_interval : float
         Sample interval [s] of the identification.
     """
     z, _, _ = _scaled(log)
     bump, _, _ = _bump(_half_width(log, sample_interval), log.interval)
-    return replace(terms, push=_pushes(acting, z, bump))
+    return replace(terms, inputs=_input_terms(acting, z, bump))
 
 
 def solve(design: FloatArray, inertia: FloatArray) -> FloatArray:
@@ -177,16 +177,16 @@ def _scaled(log: LogSignals) -> tuple[FloatArray, BoolArray, float]:
     return np.where(measured, (q - middle) / (size or 1.0), 0.0), measured, size or 1.0
 
 
-def _pushes(acting: FloatArray, z: FloatArray, bump: FloatArray) -> FloatArray:
-    """`WeakTerms.push` of what acts of the inputs, each over its largest drive."""
+def _input_terms(acting: FloatArray, z: FloatArray, bump: FloatArray) -> FloatArray:
+    """`WeakTerms.inputs` of the acting inputs, each over its largest drive."""
     e = acting[: len(z)]
     drive = np.max(np.abs(e), axis=0)
     e = e / np.where(drive > 0.0, drive, 1.0)
-    push = np.empty((*e.shape, GAIN_TERMS))
+    inputs = np.empty((*e.shape, GAIN_TERMS))
     for i in range(e.shape[1]):
         for k in range(GAIN_TERMS):
-            push[:, i, k] = _average(e[:, i] * z**k, bump)
-    return push
+            inputs[:, i, k] = _average(e[:, i] * z**k, bump)
+    return inputs
 
 
 def _usable(measured: BoolArray, half: int) -> IntArray:

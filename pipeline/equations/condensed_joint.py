@@ -188,8 +188,8 @@ def rates(s: CondensedSymbols, friction: Expression) -> Expression:
     x = s.x
     acting = forces(s, friction)
     inertia = frame_inertia(s)
-    pushed = ca.vertcat(acting.force, acting.moment, acting.interior) + inertia.centrifugal
-    accelerations = ca.mtimes(ca.inv_minor(inertia.mass), pushed)
+    total = ca.vertcat(acting.force, acting.moment, acting.interior) + inertia.centrifugal
+    accelerations = ca.mtimes(ca.inv_minor(inertia.mass), total)
     derivatives = [each for i in range(3) for each in (s.speeds[i], accelerations[i])]
     for i in range(BRANCHES):
         for side in range(2):

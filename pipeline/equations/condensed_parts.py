@@ -290,7 +290,7 @@ def frame_angle(s: CondensedSymbols) -> FrameAngle:
 
 @dataclass(frozen=True)
 class Inertia:
-    """Mass matrix (3, 3) of (q, τ, β) [kg, kg·m, kg·m²], and what velocities push with beyond it, (3,) [N, N·m, J]."""
+    """Mass matrix (3, 3) of (q, τ, β) [kg, kg·m, kg·m²], and centrifugal forces of the velocities, (3,) [N, N·m, J]."""
 
     mass: Expression
     centrifugal: Expression

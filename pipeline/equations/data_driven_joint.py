@@ -101,8 +101,8 @@ def bell(inside: Any, centre: Any, bend: Any) -> Expression:
 
 
 def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any, drag: Any) -> Expression:
-    """ṗ for F, d in `curves`, the sum of all that pushes, μ = 1 + arc·arm² of a tip that moves on an arc, arm = x − x₀,
-    and the drag κ of a fluid.
+    """ṗ for F, d in `curves`, the sum of all other forces, μ = 1 + arc·arm² of a tip on an arc, arm = x − x₀, and the
+    drag κ of a fluid.
 
     Parameters
     ----------

@@ -220,12 +220,12 @@ def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Rea
     low, high = escape_bounds(float(model.centres[0]), float(model.centres[-1]))
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
-        """The law of a run."""
-        return {"dx": lagged_rates(model.law, x, u)}
+        """State equation of a run."""
+        return {"dx": lagged_rates(model.equation, x, u)}
 
     squared = model.inputs == "squared"
     bend = 0.5 / model.width**2
-    constants = {"basis": model.basis, "centres": model.centres, "weights": model.law.weights, "bend": bend}
+    constants = {"basis": model.basis, "centres": model.centres, "weights": model.equation.weights, "bend": bend}
     return Realisation(
         functions=_functions(rates, lambda qdot0, u: [*qdot0], np.ones(model.input_count), squared, low, high, 3),
         constants=constants | {"lag": model.lag_s, "low": low, "high": high, "squared": int(squared)},
@@ -245,7 +245,7 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
     d = model.dynamics
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
-        """The law of a run."""
+        """State equation of a run."""
         return {"dx": polynomial_rates(d, x, u)}
 
     def start(qdot0: Values, u: Values) -> Values:

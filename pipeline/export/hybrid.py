@@ -152,7 +152,7 @@ class _Joint:
         return {"z": [share] * SLIPS + [0.0] * (STOPS - SLIPS)}
 
     def rates(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
-        """The law, with the corrections at q, under voltages of the membranes that `lag` has moved."""
+        """State equation, with the corrections at q, under voltages of the membranes that `lag` has moved."""
         c = _corrections(x[0], self.basis, self.weights)
         squares = [square(v) for v in u]
         return {"dx": [*inline(RATES, x=x[:STATES], u=squares, c=c, z=z, start=base, p=self.p)["rates"], 0.0, 0.0]}

@@ -195,7 +195,7 @@ class ParallelDescent(Descent):
         return None
 
     def _bent(self, damped: "_Damped", slope: FloatArray) -> FloatArray:
-        """Ends of the steps of several dampings, shape (B, P): straight where the valley bends too much to tell."""
+        """Ends of the steps of several dampings, shape (B, P): straight where the valley bends too much."""
         steps = -damped.solutions(np.broadcast_to(slope, (len(damped.dampings), len(slope))))
         probed = self.problem.residuals(self.theta + PROBED * steps, self.gain)
         curvature = 2.0 / PROBED * ((probed - self.residual) / PROBED - steps @ self.jacobian.T)

@@ -119,14 +119,14 @@ def examine_excitation(
         No valid segment, or a displacement that never changes.
     """
     valid = (segment >= 0) & np.isfinite(q)
-    stretches = [segment == number for number in np.unique(segment[valid])]
-    stretches = [rows for rows in stretches if np.count_nonzero(rows) >= _SHORTEST]
-    if not stretches:
+    parts = [segment == number for number in np.unique(segment[valid])]
+    parts = [rows for rows in parts if np.count_nonzero(rows) >= _SHORTEST]
+    if not parts:
         raise InputError(
             f"no gap-free segment of a training log has {_SHORTEST} samples of {interval:g} s; there is nothing to "
             "identify: shorten [ingest] sample_interval, or record longer"
         )
-    motions = [(q[rows], np.gradient(q[rows], interval), v[rows]) for rows in stretches]
+    motions = [(q[rows], np.gradient(q[rows], interval), v[rows]) for rows in parts]
     largest = np.abs(v[valid]).max(axis=0)
     weights = ScaledRegressor.over(
         np.concatenate([each[0] for each in motions]),

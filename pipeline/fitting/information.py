@@ -15,7 +15,7 @@ from ..numerics.linear_filters import first_order_lag
 from ..numerics.metrics import rms
 from ..settings.models import CENTRES, LAG_START, SMOOTHING
 from .regression import (
-    InputLaw,
+    InputAction,
     basis_centres,
     basis_values,
     basis_width,
@@ -47,7 +47,7 @@ class ScaledRegressor:
     centres: FloatArray
     width: float
     scales: FloatArray
-    inputs: InputLaw = "squared"
+    inputs: InputAction = "squared"
 
     @property
     def count(self) -> int:
@@ -63,7 +63,7 @@ class ScaledRegressor:
         *,
         basis_functions: int = CENTRES,
         smoothing: float = SMOOTHING,
-        inputs: InputLaw = "squared",
+        inputs: InputAction = "squared",
     ) -> "ScaledRegressor":
         """The regressor over the range of a motion q, q̇, shape (N,), with the `largest` input on each side, shape (K,).
 

@@ -70,10 +70,10 @@ def surely_smaller(errors: FloatArray, reference: FloatArray) -> bool:
 
 
 GROUPS = 10
-"""Groups of data whose pulls are compared."""
+"""Groups of data whose estimates are compared."""
 
 ALONE = 0.03
-"""Share of the precision in some direction that the other groups must tell there to be compared with one."""
+"""Share of the precision in some direction that the other groups must supply to be compared with one."""
 
 SINGULAR = 1e-10
 """Smallest share of a precision that is more than rounding."""

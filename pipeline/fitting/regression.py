@@ -71,17 +71,17 @@ def _values(q: FloatArray, centres: FloatArray, width: float) -> FloatArray:
     return values
 
 
-InputLaw = Literal["squared", "linear"]
+InputAction = Literal["squared", "linear"]
 
 
-def input_signal(v: FloatArray, law: InputLaw) -> FloatArray:
+def input_signal(v: FloatArray, action: InputAction) -> FloatArray:
     """Factor of the input curves: v² for an electrostatic input (eq. 33), v for a force-like one.
 
     An electrostatic force is even in the voltage, so a negative voltage acts like a positive one.
     """
-    if law not in ("squared", "linear"):
-        raise InputError(f"inputs = {law!r} is unknown; choose squared or linear")
-    return v * v if law == "squared" else v
+    if action not in ("squared", "linear"):
+        raise InputError(f"inputs = {action!r} is unknown; choose squared or linear")
+    return v * v if action == "squared" else v
 
 
 def curve_signals(q: FloatArray, z: FloatArray, u: FloatArray) -> FloatArray:

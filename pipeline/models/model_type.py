@@ -22,7 +22,7 @@ from .base import DynamicModel
 
 if TYPE_CHECKING:
     from ..device.parameters import JointParameters
-    from ..fitting.regression import InputLaw
+    from ..fitting.regression import InputAction
 
 
 FITTED_SHARE = 0.75
@@ -131,7 +131,7 @@ class Training:
     segments: tuple[Log, ...]
     records: tuple[Log, ...]
     units: tuple[str, str]
-    inputs: "InputLaw"
+    inputs: "InputAction"
     known_mass: float | None
     parameters: "JointParameters | None"
     known_curves: KnownCurves | None

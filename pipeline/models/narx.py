@@ -268,7 +268,7 @@ def identify_narx(
     Parameters
     ----------
     trajectories : sequence of Log
-        Gap-free stretches of the training logs, all of one sample interval; only q and v are used.
+        Gap-free segments of the training logs, all of one sample interval; only q and v are used.
     inputs : {"squared", "linear"}
         Whether v² or v enters.
     most : int, optional
@@ -277,7 +277,7 @@ def identify_narx(
     Raises
     ------
     InputError
-        No data, a constant displacement, differing sample intervals or inputs, or stretches that are too short.
+        No data, a constant displacement, differing sample intervals or inputs, or segments that are too short.
     """
     span = float(np.ptp(operating_range(trajectories)))
     first = trajectories[0]
@@ -298,7 +298,7 @@ def identify_narx(
             errors[shape, terms] = np.array([np.mean(values) for values in held_out])
         fitted[shape] = _pursuit(library, [gram for _, gram in grams])
     if not errors:
-        raise InputError("the training stretches are too short for a NARX model; give longer logs")
+        raise InputError("the training segments are too short for a NARX model; give longer logs")
     shape, terms = chosen = simplest_within_one_standard_error(errors, {key: key[1] for key in errors})
     diagnostics = {
         "library_terms": len(_library(shape, trajectories, inputs).exponents),

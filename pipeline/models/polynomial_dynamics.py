@@ -106,7 +106,7 @@ class PolynomialJoint(NamedTuple):
 
 
 def _rates(system, x, node, dx, acceleration):
-    """The law under the inputs of the half step."""
+    """State equation under the inputs of the half step."""
     n, following, share = between_samples(node * system.refined, system.parts, len(system.v))
     for k in range(system.v.shape[1]):
         u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
@@ -141,7 +141,7 @@ def _move(system, x, dx):
 
 
 def polynomial_rates(dynamics: PolynomialDynamics, x: Sequence[Any], u: Sequence[Any]) -> list[Any]:
-    """Rates of q, q̇ and the lag states under the scaled inputs u (K,): the law of a run for traced values."""
+    """Rates of q, q̇ and the lag states under the scaled inputs u (K,): the state equation for traced values."""
     scaled = np.empty(dynamics.exponents.shape[1], dtype=object)
     dx = np.empty(len(x), dtype=object)
     scaled[FIRST_INPUT : FIRST_INPUT + len(u)] = u

@@ -57,7 +57,7 @@ def part(function: Kernel) -> Kernel:
 
 
 def shared(function: Kernel) -> Kernel:
-    """For a law that kernels call, and that plain Python calls with traced values."""
+    """Compile an equation that kernels call, and that plain Python calls with traced values."""
     return inlinable(error_model="numpy", _nrt=False)(function)  # type: ignore[no-any-return]
 
 

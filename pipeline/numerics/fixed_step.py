@@ -117,7 +117,7 @@ def no_finish(system, x):
 def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., int]:
     """`integrate` for systems of a NamedTuple class, compiled with them.
 
-    `methods` states how they move; it gets their numba type, which tells a batch from one.
+    `methods` gives their functions; it gets their numba type, which differs between a batch and one.
     """
     _implement(kind, methods)
     own = FunctionType(integrate.__code__, integrate.__globals__, f"integrate_{kind.__name__}")

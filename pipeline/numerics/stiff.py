@@ -114,7 +114,7 @@ class Work(NamedTuple):
         Unknowns of the stages.
     at, right : FloatArray, shape (STATES · P,)
         State at a stage, and its right-hand side.
-    push : FloatArray, shape (4 P,)
+    forces : FloatArray, shape (4 P,)
         Part of the velocities' right-hand side that is already multiplied by the mass matrix.
     mass, slopes : FloatArray, shapes (4, 4) and (SLOPES,)
         The stage's matrices, as `motion` and `motion_slopes` of `pipeline.generated.analytical_joint` give them.
@@ -125,7 +125,7 @@ class Work(NamedTuple):
     y: FloatArray
     at: FloatArray
     right: FloatArray
-    push: FloatArray
+    forces: FloatArray
     mass: FloatArray
     slopes: FloatArray
     factors: FloatArray
@@ -145,8 +145,8 @@ def working(stages: int, columns: int) -> Work:
 def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float, work: Work, columns: int) -> bool:
     """The stages of a step of length `h` from x (STATES · P,), into `work.y`; False where the system fails.
 
-    ``stage_of(system, i, h, work)`` fills `work.right` for the state `work.at` of stage i, and `work.push`; where mass,
-    slopes or h are new it calls `factorise_stages`. It returns whether it could.
+    ``stage_of(system, i, h, work)`` fills `work.right` for the state `work.at` of stage i, and `work.forces`; where
+    mass, slopes or h are new it calls `factorise_stages`. It returns whether it could.
 
     Parameters
     ----------
@@ -210,7 +210,7 @@ def factorise_stages(shift: float, work: Work) -> bool:
 
 @inner
 def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> None:
-    """Solve ``(shift·I − J) out = right``, with M⁻¹ `push` for the velocities beside, in all columns at once.
+    """Solve ``(shift·I − J) out = right``, with M⁻¹ `forces` for the velocities beside, in all columns at once.
 
     Parameters
     ----------
@@ -244,7 +244,7 @@ def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> Non
         z1 = slopes[R_Z + 3 * i + 1]
         z2 = slopes[R_Z + 3 * i + 2]
         for c in range(p):
-            value = work.push[i * p + c] - z0 * internal[c] - z1 * internal[p + c] - z2 * internal[2 * p + c]
+            value = work.forces[i * p + c] - z0 * internal[c] - z1 * internal[p + c] - z2 * internal[2 * p + c]
             value += m0 * below[c] + m1 * below[p + c] + m2 * below[2 * p + c] + m3 * below[3 * p + c]
             velocity[i * p + c] = value - (
                 q0 * right[c] + q1 * right[p + c] + q2 * right[2 * p + c] + q3 * right[3 * p + c]

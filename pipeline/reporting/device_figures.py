@@ -58,20 +58,20 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
 
 
 def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
-    """Quantities of the joint below one another, in standard deviations of its siblings."""
+    """Quantities of the joint below one another, in standard deviations of the other joints."""
     rows = np.arange(len(places), dtype=np.float64)[::-1]
     at = np.array([p.distance for p in places])
     half = NORMAL_95 * np.array([p.error for p in places])
     bars = error_bars("what its logs leave open (95 %)", at, half, rows)
     usual = np.array([-NORMAL_95, NORMAL_95])
     points = (Points("this joint", "measured", at, rows),)
-    panel = rows_panel([place.name for place in reversed(places)], bars, "95 % of siblings", usual, points)
+    panel = rows_panel([place.name for place in reversed(places)], bars, "95 % of other joints", usual, points)
     caption = (
-        "The quantities that the siblings know best. Where the siblings were the prior of the fit, it has drawn the "
+        "The quantities that other joints determine best. Where they were the prior of the fit, it has drawn the "
         "joint towards them."
     )
-    name = "standard deviations of the siblings from their mean"
-    return Figure("siblings", "The joint among its siblings", caption, name, "1", (panel,), tall=1.2)
+    name = "standard deviations of the other joints from their mean"
+    return Figure("siblings", "The joint among other joints", caption, name, "1", (panel,), tall=1.2)
 
 
 def _study(data: RunData, study: Study) -> Figure:
@@ -119,20 +119,20 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
 
 
 def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
-    """Force, damping as far as the main model has one, and the push of each input."""
+    """Force, damping as far as the main model has one, and the gain of each input."""
     first = next(iter(sheet.curves.values()))
     units = data.device.curve_units
     measured = data.measured_curves
     electrostatic = _electrostatic(data, first.squared)
-    factor, symbol, push = (2.0, "∂C{}/∂q", units["dC"]) if electrostatic else (1.0, "g{}", units["g"])
+    factor, symbol, unit = (2.0, "∂C{}/∂q", units["dC"]) if electrostatic else (1.0, "g{}", units["g"])
     visited = visited_range(data)
     yield "restoring force F", units["F"], visited, lambda c: c.force, _on(measured, "F")
     if first.damping is not None:
         yield "damping d", units["d"], visited, lambda c: c.damping, _on(measured, "d")
-    for k in range(len(first.pushes)):
+    for k in range(len(first.gains)):
         slope = _on(measured, f"dC{k + 1}_dq") if factor == 2.0 else None
-        pick = partial(_push, k=k, factor=factor)
-        yield symbol.format("₁₂"[k]), push, visited_range(data, data.inputs[k]), pick, slope
+        pick = partial(_gain, k=k, factor=factor)
+        yield symbol.format("₁₂"[k]), unit, visited_range(data, data.inputs[k]), pick, slope
 
 
 def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
@@ -140,8 +140,8 @@ def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
     return (measured["q"], measured[name]) if name in measured else None
 
 
-def _push(curves: Curves, k: int, factor: float) -> FloatArray:
-    return np.asarray(factor * curves.pushes[k])
+def _gain(curves: Curves, k: int, factor: float) -> FloatArray:
+    return np.asarray(factor * curves.gains[k])
 
 
 class _Curve(NamedTuple):
@@ -231,10 +231,10 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
     largest = np.max([data.device.peaks(voltages(log.kinematics)) for log in data.logs], axis=0)
     roles = ("measured", "v1", "v2")
-    cases = [(f"no {data.device.input_word}", np.zeros(len(curves.pushes)))]
+    cases = [(f"no {data.device.input_word}", np.zeros(len(curves.gains)))]
     cases += [
-        (f"v{k + 1} = {quantity(float(largest[k]), data.device.inputs[0].symbol)}", np.eye(len(curves.pushes))[k])
-        for k in range(len(curves.pushes))
+        (f"v{k + 1} = {quantity(float(largest[k]), data.device.inputs[0].symbol)}", np.eye(len(curves.gains))[k])
+        for k in range(len(curves.gains))
     ]
     lines = []
     points = []
@@ -244,7 +244,7 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     inner = (curves.q >= low) & (curves.q <= high)
     for role, (label, on) in zip(roles, cases, strict=False):
         u = on * (largest**2 if curves.squared else largest)
-        loaded = Curves(curves.q, curves.force - u @ curves.pushes, None, curves.pushes, curves.squared)
+        loaded = Curves(curves.q, curves.force - u @ curves.gains, None, curves.gains, curves.squared)
         energy = loaded.energy
         ceiling = ceiling or CEILING * float(energy[inner].max())
         lines.append(Line(label, role, curves.q[rows], np.where(energy <= ceiling, energy, np.nan)[rows]))

@@ -84,9 +84,9 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
         str(sheet["verdict"]["model"]),
         _why(sheet["verdict"].get("checks", ())),
         any(s["status"] == "diverged" for s in scores if s["model"] == judged),
-        _headline(scores, judged, "nrmse"),
-        _headline(scores, judged, "switch_accuracy"),
-        {s["role"] for s in _of_headline(scores, judged)} == {"train"},
+        _worst_of_main_model(scores, judged, "nrmse"),
+        _worst_of_main_model(scores, judged, "switch_accuracy"),
+        {s["role"] for s in _of_main_model(scores, judged)} == {"train"},
         {fact["key"]: (_value(fact), str(fact["unit"])) for fact in sheet["facts"] if fact["key"] in FACTS},
         *_instruments([row for row in sheet.get("instruments", ()) if row["model"] == judged]),
     )
@@ -110,13 +110,13 @@ def _value(fact: Mapping[str, Any]) -> float:
     return float("nan") if value is None else float(value)
 
 
-def _of_headline(scores: Any, judged: str) -> list[Mapping[str, Any]]:
+def _of_main_model(scores: Any, judged: str) -> list[Mapping[str, Any]]:
     return [s for s in scores if s["signal"] == "q" and s["model"] == judged]
 
 
-def _headline(scores: Any, judged: str, key: str) -> float:
+def _worst_of_main_model(scores: Any, judged: str, key: str) -> float:
     """The worst score of q of the judged model: on validation logs, else on those of training; NaN if undefined."""
-    rows = _of_headline(scores, judged)
+    rows = _of_main_model(scores, judged)
     values = [s[key] for s in [s for s in rows if s["role"] == "validation"] or rows]
     defined = [float(value) for value in values if value is not None]
     if key == "switch_accuracy":  # a log without pulses has none

@@ -124,10 +124,10 @@ def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 def differentiation(data: RunData, log: LogData) -> str:
     """One sentence on how a log was differentiated and with which α."""
     notes = log.kinematics_notes
-    stretches = notes.get("stretches", ())
-    if not stretches:
+    segments = notes.get("stretches", ())
+    if not segments:
         return "How it was differentiated was not recorded."
-    alphas = [s["alpha"] for s in stretches if s.get("alpha") is not None]
+    alphas = [s["alpha"] for s in segments if s.get("alpha") is not None]
     unit = ALPHA_UNIT[data.device.displacement.symbol][0].replace("deg", "°")
     text = METHODS.get(str(notes["method"]), str(notes["method"]))
     if notes["method"] == "tvregdiff":
@@ -137,8 +137,8 @@ def differentiation(data: RunData, log: LogData) -> str:
     if alphas:
         between = " … ".join(significant(alpha) for alpha in sorted({min(alphas), max(alphas)}))
         text += f", α = {between} {unit}"
-    failed = sum(not s.get("converged", True) for s in stretches)
-    return text + (f"; {failed} of {len(stretches)} segments did not converge." if failed else ", converged.")
+    failed = sum(not s.get("converged", True) for s in segments)
+    return text + (f"; {failed} of {len(segments)} segments did not converge." if failed else ", converged.")
 
 
 def measured_signals(log: LogData) -> dict[str, FloatArray]:

@@ -16,8 +16,8 @@ PRINTED = {
     "analytical-calibrated": _ANALYTICAL,
     "rbf-paper": {"q": 0.021, "phi": 0.020, "qdot": 0.041, "qddot": 0.050},
 }
-"""Table 2 of the paper, as fractions: of its training log; its logs and its prototype are others than these. How far
-its analytical model was fitted to the prototype is not said."""
+"""Table 2 of the paper, as fractions: of its training log; its logs and its prototype are others than these. It
+does not state how far its analytical model was fitted to the prototype."""
 
 PRINTED_PARAMETERS = (
     ("l", "mm", "90"), ("A", "mm²", "11"), ("I", "mm⁴", "1.1"), ("E", "GPa", "1.62 MPa"),

@@ -29,7 +29,7 @@ _ERRORS = (
     "and no rank. Brackets: 95 % intervals, the spread had other segments been recorded, by moving-block bootstrap "
     f"(blocks longer than errors hang together: {BLOCK:g} s or {MEMORIES} correlation times, and at most "
     f"1/{FEWEST_BLOCKS} of the log). * lowest of the log, all others higher in the paired bootstrap (both "
-    "resampled at the same blocks); ≈ not told apart from the lowest, so no order among these."
+    "resampled at the same blocks); ≈ not distinguishable from the lowest: no order among these."
 )
 _SOON, *_AHEAD = (words for _, words in HORIZONS.values())
 _LISTED = f"{', '.join([_SOON, *_AHEAD[:-1]])} and {_AHEAD[-1]}"
@@ -292,7 +292,7 @@ _EXTRAS = tuple(column for column in SCORE_COLUMNS if column.cell and column.cel
 FOLD_EXPLANATION = (
     "Free-run NRMSE in % of the range in all data, each segment of a fold from its measured first state; a run that "
     "diverged counts as 100. Mean over folds [95 % interval, t-test corrected for shared training data]. * lowest, all "
-    "others higher fold by fold; ≈ not told apart from the lowest."
+    "others higher fold by fold; ≈ not distinguishable from the lowest."
 )
 _MARKS = {"lowest": BEST, "tied": TIED, "": ""}
 

@@ -12,7 +12,7 @@ from .midpoint import march
 from .parameters import RITZ, RigParameters, coordinates
 
 _SETTLING, _SETTLING_STEP = 6.0, 2e-3  # s
-_PUSH = 3000.0  # V
+_TILTING_VOLTAGE = 3000.0  # V
 _CALMING = 4  # times the joint's own losses, while it settles
 _TILT = 0.16  # rad, of the tip in the first guess
 
@@ -87,7 +87,7 @@ def rest(p: RigParameters, *, side: int) -> FloatArray:
     shape = np.array([0.75, -1 / 6, 0.0, 0.0]) if p.beam == RITZ else (np.arange(n) + 1.0) / n
     steps = round(_SETTLING / _SETTLING_STEP)
     charge = np.zeros((steps, 2))
-    charge[: steps // 3, (1 - side) // 2] = _PUSH**2
+    charge[: steps // 3, (1 - side) // 2] = _TILTING_VOLTAGE**2
     _, _, final, _, iterations = march(still, side * _TILT * shape, charge, _SETTLING_STEP, 1)
     if iterations < 0 or not np.isfinite(final).all():
         raise InputError("the virtual joint finds no rest: a membrane is stretched beyond its rubber law")

@@ -51,7 +51,7 @@ class Surroundings(NamedTuple):
         Of the laser [m] (phase in rad), see `pipeline.rig.bench.Laser`.
     lost : FloatArray, shape (N,)
         `GONE` where the laser gives no value (NaN), `FROZEN` where it gives its last one, else 0.
-    push, spring : FloatArray, shape (N,)
+    force, spring : FloatArray, shape (N,)
         External force [N] on q, and stiffness [N/m] of a repelling spring, from each row to the next.
     drag : float
         Force [N] of a wire that slides; before that it gives way by `GIVE`.
@@ -68,7 +68,7 @@ class Surroundings(NamedTuple):
     rail: float
     resolution: float
     lost: FloatArray
-    push: FloatArray
+    force: FloatArray
     spring: FloatArray
     drag: float
 
@@ -189,7 +189,7 @@ def close_loop(
         for side in range(2):
             out[row, 1 + side], out[row, 3 + side] = v[side], command[side]
         _charge(v, membranes, command, h, around, state.charge)
-        state.hand[0], state.hand[1] = around.push[row] - around.drag * (pose[0] - anchor) / GIVE, around.spring[row]
+        state.hand[0], state.hand[1] = around.force[row] - around.drag * (pose[0] - anchor) / GIVE, around.spring[row]
         taken = advance(h, row % KEEP == 0, state, p, work, inverse, vm)
         if taken < 0:
             return -1
@@ -400,8 +400,8 @@ def _surroundings(
     noise = laser.hum * np.sin(2.0 * np.pi * laser.mains * t + phase[1])
     noise += scenario.noise * laser.noise * rng.standard_normal(t.size)
     lost = np.zeros(t.size)
-    for stretches, mark in ((scenario.lost, GONE), (scenario.frozen, FROZEN)):
-        for start, length in stretches:
+    for spans, mark in ((scenario.lost, GONE), (scenario.frozen, FROZEN)):
+        for start, length in spans:
             lost[(t >= start) & (t < start + length)] = mark
     spring = np.zeros(t.size)
     if scenario.barrier:
@@ -419,22 +419,22 @@ def _surroundings(
         rail=laser.rail,
         resolution=laser.resolution,
         lost=lost,
-        push=_pushes(scenario, t),
+        force=_tip_force(scenario, t),
         spring=spring,
         drag=scenario.drag,
     )
 
 
-def _pushes(scenario: Scenario, t: FloatArray) -> FloatArray:
+def _tip_force(scenario: Scenario, t: FloatArray) -> FloatArray:
     """External force [N] on q at each row: constant, half a sine, and a sine."""
     waves = [(start, force, length, 0.0, 0.5 * np.pi) for start, force, length in scenario.pushes]
     waves += [(start, force, length, 0.5 / length, 0.0) for start, force, length in scenario.hands]
     waves += [(start, force, length, frequency, 0.0) for start, force, frequency, length in scenario.shakes]
-    push = np.zeros(t.size)
+    total = np.zeros(t.size)
     for start, force, length, frequency, phase in waves:
         during = (t >= start) & (t < start + length)
-        push[during] += force * np.sin(2.0 * np.pi * frequency * (t[during] - start) + phase)
-    return push
+        total[during] += force * np.sin(2.0 * np.pi * frequency * (t[during] - start) + phase)
+    return total
 
 
 def bench_from_json(values: dict[str, Any]) -> Bench:

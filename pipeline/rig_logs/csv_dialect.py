@@ -283,7 +283,7 @@ class Dialect:
 
 
 def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
-    """Find the dialect from a file's first bytes; what `options` says is taken as said.
+    """Find the dialect from a file's first bytes; entries of `options` are taken as given.
 
     Parameters
     ----------

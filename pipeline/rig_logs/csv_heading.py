@@ -180,7 +180,7 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
     written = Counter(headings[:width])
     for j, (heading, match) in enumerate(zip(headings, matches, strict=False)):
         if match and bare[match["name"]] > written[heading] and match["unit"].lower() not in _UNITS - {"1"}:
-            match = None  # as V(q) and V(v1), Y[0] and Y[1]: what tells channels apart is no unit
+            match = None  # as V(q) and V(v1), Y[0] and Y[1]: what distinguishes channels is no unit
         unit = units_row[j].strip("[]() '") if j < len(units_row) else ""
         names.append(match["name"] if match and not unit else heading or f"column {j + 1}")
         units.append(unit or (match["unit"].strip() if match else ""))

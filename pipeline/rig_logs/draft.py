@@ -203,12 +203,12 @@ def _plant_lines(log: Inspection) -> list[str]:
     inputs = [each for each in inputs if each.span > BOTH_SIGNS * largest]  # noise takes both signs too
     both_signs = any(takes_both_signs(each.smallest, each.largest) for each in inputs)
     alike = any(min(-each.smallest, each.largest) >= _ALIKE * max(-each.smallest, each.largest) for each in inputs)
-    law = "linear" if alike else "squared"
+    action = "linear" if alike else "squared"
     why = "the input takes both signs: `debist check` compares the two" if both_signs else "a force-like input"
     return [
         "[plant]",
         '# mass = { value = 40.5, unit = "g" }         # moving mass, for forces in newtons; else per kilogram',
-        f'{f"inputs = {quoted(law)}":<46}# "squared" (electrostatic) or "linear" ({why})',
+        f'{f"inputs = {quoted(action)}":<46}# "squared" (electrostatic) or "linear" ({why})',
         '# parameters = "nominal"                      # the DE joint as drawn: analytical models, φ, or q from φ',
     ]
 

@@ -35,7 +35,7 @@ _FAR_SHORTER = 10
 """Times as many samples has the longest channel as a parameter, which is no record."""
 
 NO_CHANNEL = "the log holds no vector of numbers"
-"""Said where nothing can be drafted or examined."""
+"""Message where nothing can be drafted or examined."""
 
 
 @dataclass(frozen=True)

@@ -212,7 +212,7 @@ class Counted(dict[str, Any]):
 
 
 def left_out(texts: Mapping[str, str]) -> list[str]:
-    """A note on channels that are no numbers, by what is said of each; none where there are none."""
+    """A note on channels that are no numbers, with the text on each; none where there are none."""
     named = [f"{name!r} ({text})" for name, text in list(texts.items())[: 2 * _MOST_NAMED]]
     more = [f"{len(texts) - len(named)} more like them"] if len(texts) > len(named) else []
     return [f"no numbers, and left out: {', '.join([*named, *more])}"] if texts else []

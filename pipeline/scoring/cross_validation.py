@@ -172,7 +172,7 @@ def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     return mean, Interval(mean - half, mean + half)
 
 
-def not_told_from_lowest(errors: Mapping[str, FloatArray]) -> set[str]:
+def not_above_lowest(errors: Mapping[str, FloatArray]) -> set[str]:
     """The model of the lowest mean error and those whose difference to it, fold by fold, may be zero.
 
     Parameters
@@ -297,8 +297,8 @@ def amount_study(
     points = []
     for amount in amounts:
         starts = [0] if amount >= total else [int(s) for s in rng.integers(total, size=repeats)]
-        stretches = [_stretch(training, start, min(amount, total)) for start in starts]
-        points.append(_point(float(min(amount, total)), stretches, held_out, identify))
+        segments = [_segment(training, start, min(amount, total)) for start in starts]
+        points.append(_point(float(min(amount, total)), segments, held_out, identify))
     return tuple(points)
 
 
@@ -357,7 +357,7 @@ def held_out_error(model: Simulator, held_out: Sequence[Log]) -> float:
     return fold_score(model, held_out, {"q": high - low}, NoWells("")).nrmse["q"]
 
 
-def _stretch(training: Sequence[Log], start: int, amount: int) -> list[Log]:
+def _segment(training: Sequence[Log], start: int, amount: int) -> list[Log]:
     """`amount` consecutive samples from row `start` of the joined training data, wrapping at its end."""
     offsets = np.cumsum([0, *(len(x.t) for x in training)])
     total = int(offsets[-1])

@@ -230,7 +230,7 @@ def excess_over_lowest(
 ) -> dict[str, Interval | None]:
     """Paired bootstrap intervals of each model's RMS error less that of the model with the lowest.
 
-    An interval that reaches zero says that the record does not tell the model from the lowest. The lowest is chosen on
+    If an interval reaches zero, the record does not distinguish the model from the lowest. The lowest is chosen on
     the same record, so a lead that just excludes zero deserves the doubt of any choice among several.
 
     Parameters

@@ -397,7 +397,9 @@ def response_errors(
     """
     pairs: list[tuple[StepResponse, StepResponse]] = []
     switches = 0
-    for rows in _stretches(voltage_steps(v, interval, plant=plant), len(v), samples_of(SHORTEST_RESPONSE, interval)):
+    for rows in _between_steps(
+        voltage_steps(v, interval, plant=plant), len(v), samples_of(SHORTEST_RESPONSE, interval)
+    ):
         if not np.all(np.isfinite(measured[rows])) or not _switches(measured[rows], wells, interval):
             continue
         switches += 1
@@ -413,7 +415,7 @@ def _median(errors: Sequence[float]) -> float | None:
     return float(np.median(errors)) if errors else None
 
 
-def _stretches(steps: IntArray, samples: int, shortest: int) -> list[slice]:
+def _between_steps(steps: IntArray, samples: int, shortest: int) -> list[slice]:
     edges = [*(int(s) for s in steps), samples]
     return [slice(a, b) for a, b in itertools.pairwise(edges) if b - a >= shortest]
 

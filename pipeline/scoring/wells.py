@@ -17,9 +17,9 @@ LONGEST_WINDOW = 0.4  # s, the end of a rest that is looked at; one period of th
 SHORTEST_REST = 0.3  # s; in a shorter pause nothing comes to rest in a well
 CLUSTER_GAP = 0.5  # of the range of rest positions: two wells leave the middle empty
 WELL_REACHED = 0.5  # of the way from the barrier to a well: beyond it the device has snapped over
-SHORT_PAUSE = 0.1  # s; where no rest tells of the other well, a joint that rings about it in such a pause does, roughly
-# Of the range of q in such a window: a joint that swings further says little of where it would rest; beyond half of the
-# range it is in no well; where slow passages over the barrier fill the gap, rests this calm alone tell.
+SHORT_PAUSE = 0.1  # s; where no rest shows the other well, a joint that rings about it in such a pause does, roughly
+# Of the range of q in such a window: a joint that swings further hardly shows where it would rest; beyond half of the
+# range it is in no well; where slow passages over the barrier fill the gap, rests this calm alone count.
 LARGEST_SWING = 0.25
 WITHIN_WELL = 0.5
 CALM = 0.05
@@ -98,12 +98,12 @@ def places_of_rest(
     plant : Device
         Its inputs, and whether it is the joint.
     """
-    stretches = rests(v, interval, shortest, plant=plant)
+    found = rests(v, interval, shortest, plant=plant)
     span = signal_range(q)
     if plant.joint or not span:
-        return stretches
+        return found
     memory = decorrelation_lag(q)
-    return [rest for rest in stretches if rest.stop - rest.start >= LEAST_SAMPLES and _stands(q[rest] / span, memory)]
+    return [rest for rest in found if rest.stop - rest.start >= LEAST_SAMPLES and _stands(q[rest] / span, memory)]
 
 
 def _stands(q: FloatArray, memory: int) -> bool:

@@ -184,7 +184,7 @@ class Identify(SettingsTable):
     time_limit: Number = Field(default=RBF_TIME_LIMIT, gt=0.0, le=1e6)
     """Processor time [s] for `rbf`, search and fit together; for a device that is no bistable joint it grows with the
     samples of the training logs beyond 7,500. It counts evaluations by a stated cost and not the clock,
-    so results do not depend on the machine; a fit that it cuts short is said not to have converged."""
+    so results do not depend on the machine; a fit that it cuts short is reported as not converged."""
 
     @field_validator("models")
     @classmethod

@@ -66,7 +66,7 @@ def differentiate(
     alpha: float | None = None,
     epsilon: float | None = None,
 ) -> Kinematics:
-    """Velocity and acceleration at the samples of one gap-free stretch.
+    """Velocity and acceleration at the samples of one gap-free segment.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def differentiate(
         Samples that are empty or not finite, parameters that are not positive, an unknown method.
     """
     if samples.ndim != 1 or samples.size == 0 or not np.isfinite(samples).all():
-        raise InputError("differentiate needs a stretch of finite samples, shape (N,): split the record at its gaps")
+        raise InputError("differentiate needs a segment of finite samples, shape (N,): split the record at its gaps")
     if method not in ("tvregdiff", "savitzky-golay"):
         raise InputError(f"unknown differentiator {method!r}: use tvregdiff or savitzky-golay")
     if order not in (1, 2, 3, 4):

@@ -203,7 +203,7 @@ def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list
         what = f"{_several(lost.bursts, 'burst')} at {levels}{more}, which no motion reaches"
         remarks.append(f"{what}, the first at {lost.first[0]:.6g} s")
     if len(lost.held):
-        what = f"{_several(lost.held, 'stretch', 'stretches')} in which the last value was held"
+        what = f"{_several(lost.held, 'segment')} in which the last value was held"
         remarks.append(f"{what}, the first at {lost.first[1]:.6g} s")
     if count := len(lost.cuts):
         remarks.append(
@@ -213,10 +213,9 @@ def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list
     return remarks
 
 
-def _several(spans: IntArray, singular: str, plural: str = "") -> str:
+def _several(spans: IntArray, noun: str) -> str:
     """Count of spans and samples, as text."""
-    noun = singular if len(spans) == 1 else plural or f"{singular}s"
-    return f"{len(spans)} {noun} of {int(np.diff(spans).sum())} samples"
+    return f"{len(spans)} {noun}{'s' * (len(spans) != 1)} of {int(np.diff(spans).sum())} samples"
 
 
 def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:

@@ -1,6 +1,6 @@
 """Unevenly sampled signals on a uniform grid: decimated without delay or aliasing, or interpolated.
 
-At the ends of a stretch the kernel is cut, and its first moment no longer vanishes. There, and wherever
+At the ends of a segment the kernel is cut, and its first moment no longer vanishes. There, and wherever
 jittered stamps leave a moment of more than 10⁻⁶ T, the weighted mean is taken about a local line (slope by
 least squares under the positive window (1 − y)²), so that straight lines are reproduced exactly everywhere.
 
@@ -150,7 +150,7 @@ def uniform_grid(start: float, stop: float, interval: float) -> FloatArray:
 
 
 def decimate(time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float) -> FloatArray:
-    """Low-pass and sample one gap-free stretch on a uniform grid.
+    """Low-pass and sample one gap-free segment on a uniform grid.
 
     Parameters
     ----------
@@ -222,7 +222,7 @@ class _Slopes:
     """Local slopes [per output interval] by weighted least squares, run after run of grid points in ascending order."""
 
     def __init__(self, time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float) -> None:
-        self._stretch = (time, columns, interval)
+        self._segment = (time, columns, interval)
         self._grid = t_out
         self._open: Iterator[FloatArray] | None = None
         self._next = -1
@@ -248,11 +248,11 @@ class _Slopes:
         return slopes
 
     def _pieces(self, points: FloatArray) -> Iterator[FloatArray]:
-        time, columns, interval = self._stretch
+        time, columns, interval = self._segment
         for _, moments, sums in _moments(time, columns, points, interval, slope_window, (3, 2)):
             centre = moments[1] / moments[0]
             spread = moments[2] - centre * moments[1]
-            flat = spread <= 1e-12 * moments[0]  # a stretch of one sample or two stamps almost equal
+            flat = spread <= 1e-12 * moments[0]  # a segment of one sample or two stamps almost equal
             yield (sums[1] - centre * sums[0]) / np.where(flat, np.inf, spread)
 
 
@@ -407,7 +407,7 @@ def interpolated(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, sm
 
 
 def interpolate(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smooth: bool) -> FloatArray:
-    """Interpolate one gap-free stretch; nothing is averaged, samples are passed through.
+    """Interpolate one gap-free segment; nothing is averaged, samples are passed through.
 
     Parameters
     ----------

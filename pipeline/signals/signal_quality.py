@@ -1,4 +1,4 @@
-"""The quality of one measured signal: rails, hum, spikes, frozen stretches, noise, and the size of its numbers.
+"""The quality of one measured signal: rails, hum, spikes, frozen segments, noise, and the size of its numbers.
 
 What is cut off at an end of the sensor's range stays at one level, which nothing exceeds, and comes and leaves at a
 slope. A rest is approached ever more slowly: at half the time of the approach an exponential has gone three quarters of

@@ -128,9 +128,9 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
         if abs(change) < _SAME_SCALE:
             settled = True
             break
-        stretch = _stretch(log_scale, change, before)
+        factor = _step_factor(log_scale, change, before)
         before = (log_scale, change)
-        log_scale += stretch * change
+        log_scale += factor * change
     return SmoothingParameter(
         alpha=problem.lam * dt**order,
         epsilon=(problem.delta / dt**order) ** 2,
@@ -141,7 +141,7 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
     )
 
 
-def _stretch(log_scale: float, change: float, before: tuple[float, float] | None) -> float:
+def _step_factor(log_scale: float, change: float, before: tuple[float, float] | None) -> float:
     """Factor on the re-estimated `change`: a secant while changes shrink, a half where they alternate."""
     if before is None or abs(change) >= abs(before[1]):
         return 1.0

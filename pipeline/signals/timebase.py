@@ -224,19 +224,19 @@ def unwrapped(time: FloatArray) -> FloatArray:
 
 
 def segments(time: FloatArray, gap_limit: float) -> IntArray:
-    """Gap-free stretches of an advancing time base.
+    """Gap-free segments of an advancing time base.
 
     Parameters
     ----------
     time : FloatArray, shape (N,)
         Strictly increasing stamps [s], N ≥ 1.
     gap_limit : float
-        Longest step [s] within a stretch.
+        Longest step [s] within a segment.
 
     Returns
     -------
     IntArray, shape (S, 2)
-        First index and end index (exclusive) of each stretch, in order.
+        First index and end index (exclusive) of each segment, in order.
     """
     breaks = [rows.start + 1 + np.flatnonzero(np.diff(time[rows]) > gap_limit) for rows in chunks(time.size, overlap=1)]
     edges = np.concatenate(([0], *breaks, [time.size])).astype(np.int64)

@@ -11,14 +11,14 @@ from ..errors import DataRefusedError
 from ..numerics.arrays import FloatArray, IntArray
 from .columns import CHUNK
 from .resampling import LEAST_RATIO, REACH, uniform_grid
-from .stretches import (
+from .segments import (
     NO_CUTS,
+    Segments,
     Stream,
-    Stretches,
     TimeReversal,
     TimeRows,
     advancing_rows,
-    finite_stretches,
+    finite_segments,
 )
 from .timebase import LOCATED, default_gap_limit
 
@@ -82,7 +82,7 @@ class UniformRecord:
     v : FloatArray, shape (M, k)
         Voltages [V], and behind them a measured velocity; straight lines across gaps (`inputs_unknown`).
     segment : NDArray[int32], shape (M,)
-        Number of the gap-free stretch, −1 where the kernel would reach across a gap.
+        Number of the gap-free segment, −1 where the kernel would reach across a gap.
     report : RecordReport
     """
 
@@ -95,13 +95,13 @@ class UniformRecord:
 
 @dataclass(frozen=True)
 class Survey:
-    """A log whose usable stretches are known.
+    """A log whose usable segments are known.
 
     Attributes
     ----------
     rows : TimeRows
         Of the displacement's time base.
-    groups : tuple of Stretches
+    groups : tuple of Segments
         Displacement first, then the voltages; columns with the same time base and valid rows share one.
     raw_rows : int
         Rows of the displacement.
@@ -112,7 +112,7 @@ class Survey:
     """
 
     rows: TimeRows
-    groups: tuple[Stretches, ...]
+    groups: tuple[Segments, ...]
     raw_rows: int
     gap_limit: float
     holes: FloatArray
@@ -132,7 +132,7 @@ def survey(
     time_reversal: TimeReversal = "refuse",
     cuts: FloatArray = NO_CUTS,
 ) -> Survey:
-    """Find the usable stretches of a log.
+    """Find the usable segments of a log.
 
     Rows with a stamp that is not finite or does not advance, and samples that are not finite, are left out and
     counted. A hole of a few lost samples (`default_gap_limit`) is passed over: its neighbours share its part of
@@ -146,7 +146,7 @@ def survey(
         Time stamps [s] and samples of the voltages [V] and of what else was measured; the same object where they share
         a time base.
     gaps : {"split", "refuse"}
-        Number the stretches, or refuse a log with gaps.
+        Number the segments, or refuse a log with gaps.
     time_reversal : {"refuse", "split", "unwrap"}
         Refuse a log whose time steps back; or leave out what does not advance and treat the place as a gap, as also
         where stamps that were unwrapped do.
@@ -163,28 +163,28 @@ def survey(
     Cost: two passes over the stamps and one over every column, in chunks.
     """
     rows = [advancing_rows(q[0], time_reversal, cuts)]
-    groups: list[Stretches] = []
+    groups: list[Segments] = []
     together: list[FloatArray] = [q[1]]
     names = ["q"]
     for name, (time, column) in beside.items():
         if time is not rows[-1].time:
-            groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], names)
+            groups += finite_segments(rows[-1], together, [name in _SMOOTH for name in names], names)
             rows.append(advancing_rows(time, time_reversal, cuts))
             together = []
             names = []
         together.append(column)
         names.append(name)
-    groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], names)
+    groups += finite_segments(rows[-1], together, [name in _SMOOTH for name in names], names)
     limit = default_gap_limit(rows[0].step)
     holes = np.unique(np.concatenate([group.gaps for group in groups]), axis=0)
     if gaps == "refuse" and holes.size:
         raise DataRefusedError(
             f"{len(holes)} gap(s) longer than {limit * 1e3:.4g} ms, the first from {holes[0, 0]:.6g} s to "
-            f'{holes[0, 1]:.6g} s; set [ingest] gaps = "split" to use the stretches between'
+            f'{holes[0, 1]:.6g} s; set [ingest] gaps = "split" to use the segments between'
         )
     result = Survey(rows[0], tuple(groups), q[0].size, limit, holes)
     if not result.span[1] > result.span[0]:
-        raise DataRefusedError("displacement and voltages have no stretch of time in common")
+        raise DataRefusedError("displacement and voltages have no segment of time in common")
     return result
 
 
@@ -283,7 +283,7 @@ def _valid_runs(grid: FloatArray, holes: FloatArray, reach: float) -> IntArray:
 
 
 def _segment_numbers(valid: IntArray, first: int, last: int) -> NDArray[np.int32]:
-    """Number of the stretch of the grid points `first` … `last` − 1, −1 where they are masked."""
+    """Number of the segment of the grid points `first` … `last` − 1, −1 where they are masked."""
     numbers = np.full(last - first, -1, dtype=np.int32)
     touching = np.flatnonzero((valid[:, 1] > first) & (valid[:, 0] < last))
     for number in touching.tolist():

@@ -251,12 +251,12 @@ def curve_units(displacement: str, voltage: str, *, squared: bool, mass_known: b
     power = f"{symbol}²" if squared else symbol
     if not mass_known or displacement not in ("m", "rad"):
         force = f"{displacement}/s²"
-        push = force if voltage == "1" else f"{displacement}/(s²·{power})"
-        return {"F": force, "d": "1/s", "dC": push, "g": push}
+        gain = force if voltage == "1" else f"{displacement}/(s²·{power})"
+        return {"F": force, "d": "1/s", "dC": gain, "g": gain}
     force = "N" if displacement == "m" else "N·m"
-    push = force if voltage == "1" else f"{force}/{power}"
-    slope = f"F/{displacement}" if squared and voltage == "V" else push
-    return {"F": force, "d": f"{force}·s/{displacement}", "dC": slope, "g": push}
+    gain = force if voltage == "1" else f"{force}/{power}"
+    slope = f"F/{displacement}" if squared and voltage == "V" else gain
+    return {"F": force, "d": f"{force}·s/{displacement}", "dC": slope, "g": gain}
 
 
 def column_suffix(symbol: str) -> str:

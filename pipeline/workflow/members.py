@@ -185,7 +185,7 @@ def with_siblings(prototypes: Sequence[Path], siblings: Path, folder: Path) -> l
     Raises
     ------
     InputError
-        There is no such file, or it is not a file of siblings.
+        There is no such file, or it is no prior of `debist fleet learn`.
     """
     read_siblings(siblings)
     changed = []

@@ -122,7 +122,7 @@ def read_siblings(path: Path) -> dict[str, Any]:
     Raises
     ------
     InputError
-        There is no such file, or it is none of siblings.
+        There is no such file, or it is no prior of `debist fleet learn`.
     """
     from ..models.hybrid.siblings import from_tree
 
@@ -130,7 +130,7 @@ def read_siblings(path: Path) -> dict[str, Any]:
         tree = read_tree(path)
         from_tree(tree)
     except CorruptArtifactError as error:
-        raise InputError(f"{path}: is no whole file of siblings; `debist fleet learn` writes one") from error
+        raise InputError(f"{path}: is no whole prior of other joints; `debist fleet learn` writes one") from error
     return tree
 
 
@@ -153,12 +153,12 @@ def taught(tree: dict[str, Any], parameters: JointParameters | None) -> NormalPo
 
     about, population, _ = from_tree(tree)
     if parameters is None or about != parameters:
-        raise InputError("plant.siblings: they were learnt about another parameter set than plant.parameters; use that")
+        raise InputError("plant.siblings: was learnt about another parameter set than plant.parameters; use that one")
     return population
 
 
 def known_inputs(prototype: Prototype) -> tuple[str, ...]:
-    """The artifacts of what a fit takes beside the logs: curves that it keeps, and siblings."""
+    """The artifacts of what a fit takes beside the logs: curves that it keeps, and the prior of other joints."""
     named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.plant.siblings, layout.SIBLINGS))
     return tuple(artifact for name, artifact in named if name is not None)
 
@@ -169,7 +169,7 @@ def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: JointPa
     Raises
     ------
     InputError
-        The siblings have another parameter set.
+        The other joints have another parameter set.
     """
     named = known_inputs(prototype)
     return PriorKnowledge(
@@ -184,7 +184,7 @@ def prior_knowledge_in(settings_file: Path, prototype: Prototype, parameters: Jo
     Raises
     ------
     InputError
-        A file is missing or cannot be read, or the siblings have another parameter set.
+        A file is missing or cannot be read, or the other joints have another parameter set.
     """
     curves = prototype.plant.curves
     siblings = prototype.plant.siblings

@@ -256,9 +256,9 @@ def differentiated(run: RunFolder) -> list[dict[str, Any]]:
                 "log": log_title(role, true_name(path)),
                 "method": notes["method"],
                 "of": notes["of"],
-                "alphas": [stretch["alpha"] for stretch in notes["stretches"]] if regularised else [],
+                "alphas": [segment["alpha"] for segment in notes["stretches"]] if regularised else [],
                 "alpha_unit": f"{unit}·s^{notes['order'] - of_velocity}" if regularised else "",
-                "noises": [stretch["noise_std"] for stretch in notes["stretches"]],
+                "noises": [segment["noise_std"] for segment in notes["stretches"]],
                 "noise_unit": f"{unit}/s" if of_velocity else unit,
             }
         )

@@ -29,7 +29,7 @@ from .steps.ingest import examined, record_columns, resamplings
 ALGORITHM = "20"
 
 Reader = Callable[[Callable[[float], None]], RawLog]
-"""A function that reads a log, and tells the share of it that is read."""
+"""A function that reads a log, and reports the share of it that is read."""
 
 
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:

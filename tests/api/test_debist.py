@@ -17,7 +17,7 @@ from tests.export.joints import paper, pulses
 
 SECONDS = 12.0
 # The planted joint is not of the drawn size, and one test calls its inputs linear.
-pytestmark = pytest.mark.filterwarnings("ignore:debist. log 1. (coupling|law of the inputs|left by the law)")
+pytestmark = pytest.mark.filterwarnings("ignore:debist. log 1. (coupling|residual of the fit)")
 
 
 @pytest.fixture(scope="module")

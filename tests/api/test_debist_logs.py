@@ -40,7 +40,7 @@ def test_a_log_is_read_in_si_units(folder: Path) -> None:
 def test_the_check_is_a_table_with_numbers(folder: Path) -> None:
     rows = debist.check(folder / "P.toml").set_index("what")
     assert rows.loc["sampling rate", "values"] == {"rate_Hz": pytest.approx(500.0)}
-    assert rows.loc["push of v1", "values"]["push_m_per_s2"] > 0.0
+    assert rows.loc["direction of v1", "values"]["push_m_per_s2"] > 0.0
 
 
 def test_derivatives_of_a_sine_are_a_cosine() -> None:

@@ -45,7 +45,7 @@ def test_what_an_input_still_explains_shows_at_its_lag():
     assert np.abs(found.with_inputs[1]).max() > 3 * found.input_bands[1]
 
 
-def test_gaps_leave_the_longest_stretch_and_short_ones_nothing():
+def test_gaps_leave_the_longest_segment_and_short_ones_nothing():
     rng, u, q = signals(3)
     gapped = np.where(np.arange(N) % 2500 < 10, np.nan, q)
     found = analyse_residual(gapped, q + rng.standard_normal(N), u, DT)

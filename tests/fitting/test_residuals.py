@@ -28,7 +28,7 @@ def test_a_smaller_error_is_sure_only_if_it_is_smaller_everywhere():
     assert not surely_smaller(reference, reference)
     assert not surely_smaller(reference, 0.9 * reference)
     mixed = reference.copy()
-    mixed[500:1000] *= 0.3  # two stretches, one of which gains what the other one loses
+    mixed[500:1000] *= 0.3  # two segments, one of which gains what the other one loses
     mixed[1500:] *= 1.35
     assert not surely_smaller(mixed, reference) and not surely_smaller(reference, mixed)
 

@@ -13,7 +13,7 @@ from pipeline.scoring.cross_validation import (
     held_out_blocks,
     kept_segments,
     log_folds,
-    not_told_from_lowest,
+    not_above_lowest,
     signal_ranges,
     simplest_within_one_standard_error,
 )
@@ -96,8 +96,8 @@ def test_a_divergence_counts_as_a_missed_fold_in_the_wrong_well() -> None:
 def test_models_are_told_apart_by_their_differences_fold_by_fold() -> None:
     hard = np.array([0.1, 0.2, 0.3, 0.4, 0.5])  # folds differ far more than the models
     errors = {"best": hard, "worse": hard + np.array([0.02, 0.021, 0.019, 0.02, 0.02]), "like": hard[::-1] + 0.01}
-    assert not_told_from_lowest(errors) == {"best", "like"}
-    assert not_told_from_lowest({}) == set()
+    assert not_above_lowest(errors) == {"best", "like"}
+    assert not_above_lowest({}) == set()
 
 
 @pytest.mark.parametrize("lengths", [[1000], [600, 400], [10, 10, 10, 970], [7, 5]])

@@ -50,7 +50,7 @@ def test_the_error_is_that_of_the_method_at_each_amount() -> None:
     assert all(98 <= n <= 100 for n in seen[:3])  # a single row left over at a gap is dropped
 
 
-def test_stretches_differ_between_repeats_and_repeat_with_the_seed() -> None:
+def test_segments_differ_between_repeats_and_repeat_with_the_seed() -> None:
     def starts(seed: int) -> list[float]:
         found: list[float] = []
 

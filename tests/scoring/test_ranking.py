@@ -1,4 +1,4 @@
-"""Models are told apart only where the same stretches say so."""
+"""Models are told apart only where the same segments say so."""
 
 import numpy as np
 

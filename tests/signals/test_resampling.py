@@ -74,7 +74,7 @@ def test_white_noise_is_reduced_as_documented():
     assert np.std(value[3:-3]) == pytest.approx(0.92 / np.sqrt(300.0), rel=0.08)
 
 
-def test_single_sample_stretch():
+def test_single_sample_segment():
     assert decimate(np.array([0.5]), [np.array([2.0])], np.array([0.5]), T).tolist() == [[2.0]]
 
 
@@ -102,7 +102,7 @@ def test_linear_interpolation_cannot_overshoot():
 
 
 @pytest.mark.parametrize("size", [1, 2])
-def test_interpolation_of_short_stretches(size):
+def test_interpolation_of_short_segments(size):
     raw = np.arange(size) * 0.01
     np.testing.assert_allclose(interpolate(raw, 2.0 + raw, raw, smooth=True), 2.0 + raw)
 
@@ -135,7 +135,7 @@ def test_sharpened_samples_are_those_of_the_smooth_signal_that_was_filtered():
 
 
 @pytest.mark.parametrize("size", [0, 1, 4])
-def test_a_stretch_too_short_to_sharpen_is_left_as_it_is(size):
+def test_a_segment_too_short_to_sharpen_is_left_as_it_is(size):
     np.testing.assert_array_equal(sharpened(np.arange(size) ** 2.0, np.ones(size, dtype=bool)), np.arange(size) ** 2)
 
 

@@ -1,4 +1,4 @@
-"""Planted rails, hum, spikes and frozen stretches are found with their numbers; clean signals have none."""
+"""Planted rails, hum, spikes and frozen segments are found with their numbers; clean signals have none."""
 
 import numpy as np
 import pytest
@@ -69,7 +69,7 @@ def test_a_turning_point_of_a_slow_log_is_no_spike(rate: int):
     assert masked == 0
 
 
-def test_frozen_stretch():
+def test_frozen_segment():
     y = _signal()
     y[50_000:50_400] = y[50_000]
     quality = examine_signal(T, y, 1 / RATE)

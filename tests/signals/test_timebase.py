@@ -83,6 +83,6 @@ def test_advancing_keeps_exactly_the_records(stamps):
     assert advancing(np.array(stamps, dtype=np.float64)).tolist() == expected
 
 
-def test_one_stretch_without_gaps():
+def test_one_segment_without_gaps():
     assert segments(np.arange(5.0), 1.0).tolist() == [[0, 5]]
     assert segments(np.array([2.0]), 1.0).tolist() == [[0, 1]]

@@ -126,7 +126,7 @@ def test_a_log_as_coarse_as_the_record_is_interpolated():
 
 def test_without_time_in_common_nothing_is_made_up():
     t, q, v = _log()
-    with pytest.raises(DataRefusedError, match="no stretch of time in common"):
+    with pytest.raises(DataRefusedError, match="no segment of time in common"):
         uniform_record(t, q, v, 0.01, v_time=t + 100.0)
 
 
@@ -182,7 +182,7 @@ def test_the_result_does_not_depend_on_how_the_log_is_read(monkeypatch, interval
     whole = uniform_record(t, q, v, interval, v_time=raster, time_reversal="split")
     monkeypatch.setattr("pipeline.signals.columns.CHUNK", chunk)
     monkeypatch.setattr("pipeline.signals.uniform_record.CHUNK", chunk // 2)
-    monkeypatch.setattr("pipeline.signals.stretches.CHUNK", chunk // 3)
+    monkeypatch.setattr("pipeline.signals.segments.CHUNK", chunk // 3)
     monkeypatch.setattr("pipeline.signals.resampling.CHUNK", chunk // 4)
     again = uniform_record(t, q, v, interval, v_time=raster, time_reversal="split")
     for one, other in zip(
@@ -248,8 +248,8 @@ def test_each_input_is_taken_from_its_own_raster():
         np.testing.assert_allclose(column, 100.0 * piece.t, rtol=1e-9)
 
 
-def test_a_point_at_the_edge_of_two_stretches_is_given_once():
-    """Time steps back twice, and goes on where it was to within rounding: a point there belongs to two stretches."""
+def test_a_point_at_the_edge_of_two_segments_is_given_once():
+    """Time steps back twice, and goes on where it was to within rounding: a point there belongs to two segments."""
     t = np.concatenate([k * 0.9 + k * 1e-12 + 1e-3 * np.arange(1001) for k in range(3)])
     q = np.sin(5.0 * t)
     record = uniform_record(t, q, np.column_stack([q]), 0.01, time_reversal="split")

@@ -66,7 +66,7 @@ def rest_state(
     """State (11,) of a joint of which only q0 [m] and qdot0 [m/s] are known.
 
     The shape is static under the voltages `v` (2,), and lags behind the static path as far as the damping at
-    qdot0 and the internal states `z` (3,) push it: a first-order slow manifold. Without `z` the Maxwell elements
+    qdot0 and the internal states `z` (3,) drive it: a first-order slow manifold. Without `z` the Maxwell elements
     have relaxed, as after a long rest.
 
     Parameters

@@ -91,7 +91,7 @@ class AnalyticalModel(ModelFile):
 
 
 def calibrate_analytical(data: Sequence[Log], start: JointParameters) -> AnalyticalModel:
-    """`analytical-calibrated`: the designer's set fitted to the training stretches (§ 3.3).
+    """`analytical-calibrated`: the designer's set fitted to the training segments (§ 3.3).
 
     Fits the paper's seven parameters, the asymmetries that its analytical model lacks, and friction.
 

@@ -5,7 +5,7 @@ beam is nearly free to snap with its tip held (q = 0, strong pre-strain) the pat
 converges slowly: with `table1` degree 15 misses q2 l² by 13 of 74 mm. Here the polynomials are piecewise cubics on
 0.125 mm with continuous second derivatives.
 
-The law is that of `pipeline.equations.full_joint`; friction is Dahl's, exact (`pipeline.equations.elements`).
+The equations are those of `pipeline.equations.full_joint`; friction is Dahl's, exact (`pipeline.equations.elements`).
 """
 
 # mypy: disable-error-code="no-untyped-def"

@@ -163,11 +163,11 @@ def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
     _parabola(w, system.masses, row, work.mass.reshape(-1))
     _parabola(w, system.slopes, row, work.slopes)
     _parabola(w, system.sources, row, source)
-    driven = len(work.push)
+    driven = len(work.forces)
     for i in range(len(work.right)):
         work.right[i] = shift * work.at[i]
     for i in range(driven):
-        work.push[i] = source[i]
+        work.forces[i] = source[i]
     for i in range(len(source) - driven):
         work.right[2 * driven + i] += source[driven + i]
     factorise_stages(shift, work)

@@ -15,7 +15,7 @@ shape mode. The motion follows from the energies of section 3:
 
 Corrections are sums of Gaussians (eq. 38): force, damping and both electrostatic forces in q, and to second order in
 the deviation s = τ − ratio Q from the quasi-static slope. They are gradients and dampers, so the joint stays passive.
-`pipeline.equations.condensed_joint` has each law.
+`pipeline.equations.condensed_joint` has each equation.
 
 **Estimation.** The device's size, speed and sensitivity are read off its logs (`start`), which scales the parameter
 set (`similarity`). θ holds deviations from the scaled set, in units of their prior widths, and the weights of the
@@ -28,6 +28,6 @@ first without corrections, then with them. Held-out data decide whether correcti
 - `problem`: residuals and Jacobians over the training logs.
 - `driving_voltages`: from measured to acting voltages: delay, lag of the electrodes, square.
 - `runs`: free and observed runs. `sensitivity`, `columns`: their exact derivatives.
-- `siblings`: joints of one drawing, as a prior. `next_log`: what another log would tell.
+- `siblings`: other joints of one drawing, as a prior. `next_log`: the value of another log.
 - `statics`: equilibrium at a held tip, and characteristic curves. `kernels`: compiled graphs and tables.
 """

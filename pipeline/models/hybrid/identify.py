@@ -52,8 +52,8 @@ that end near the separatrix, held like this it is decided by all of them."""
 HARMFUL_RATIO = 1.5
 """Factor by which corrections must raise the held-out error to be left out: their prior is proper, and three quarters
 of a log show less of them than the whole. Simulated joints with rises of 4 to 22 % were predicted better, or equally
-well. Siblings are set aside by the same factor, on held-out data or on what was fitted: the last seconds of a short log
-say little."""
+well. Other joints are set aside by the same factor, on held-out data or on the fitted data: the last seconds of a short
+log show little."""
 
 NOISE_INFLATION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
@@ -181,13 +181,13 @@ class _FirstFits:
     Attributes
     ----------
     search : _Search
-        Without siblings where these are harmful.
+        Without the prior of other joints where it is harmful.
     levels : tuple of Level
         Of the equations alone.
     fits : dict of str to _Fitted
         By `ALONE` and `WITH_RBF`, as far as they were fitted.
     decision : dict
-        Errors that decided about the siblings; empty without any.
+        Errors that decided about the prior of other joints; empty without one.
     """
 
     search: "_Search"
@@ -201,7 +201,7 @@ class _FirstFits:
 
 
 def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _FirstFits:
-    """The equations alone, with siblings if they help, and with corrections if these are asked for or needed."""
+    """The equations alone, with other joints if they help, and with corrections if these are asked for or needed."""
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = replace(joint, basis=search.basis, largest_voltage=largest)
     # Most of the convergence happens while the observer is strong: what is not settled there ends in another minimum.
@@ -255,15 +255,15 @@ class _HeldOut(NamedTuple):
 
 @dataclass(frozen=True)
 class _Search:
-    """Training logs in the units of the set's joint, and what siblings teach."""
+    """Training logs in the units of the set's joint, and the prior of other joints."""
 
     records: tuple[Log, ...]
     siblings: NormalPopulation | None = None
 
     @property
     def without_siblings(self) -> "_Search":
-        """The same about the set: a narrow prior holds a fit near the siblings while its errors are large, and so in
-        another minimum, where the joint is unlike them. Siblings enter once every sample has been followed alone.
+        """The same about the set: a narrow prior holds a fit near the other joints while its errors are large, so in
+        another minimum, where the joint is unlike them. They enter once every sample has been followed alone.
         """
         return replace(self, siblings=None)
 
@@ -277,7 +277,7 @@ class _Search:
         return replace(self, records=tuple(within(self.records, samples)))
 
     def prior(self, count: int) -> Prior:
-        """Deviations about the set or the siblings, and weights of corrections."""
+        """Deviations about the set or the other joints, and weights of corrections."""
         root = prior_root((count - DEVIATION_COUNT) // CURVES, siblings=self.siblings)
         mean = np.zeros(DEVIATION_COUNT) if self.siblings is None else self.siblings.mean
         return Prior(root, root @ np.append(mean, np.zeros(count - DEVIATION_COUNT)))

@@ -89,9 +89,9 @@ def observer(error: float, pole: float, lead: float) -> tuple[float, float, floa
     same times dτ/dq = `lead` [1/m] for τ. Pulling at q alone leaves the pair of q and τ with a growing mode near the
     separatrix (rates up to 3 1/s), so that even the true joint drifts off its own measurement. It is linear in `error`.
     """
-    pull = 2.0 * pole * error
-    push = pole * pole * error
-    return pull, push, lead * pull, lead * push
+    velocity = 2.0 * pole * error
+    acceleration = pole * pole * error
+    return velocity, acceleration, lead * velocity, lead * acceleration
 
 
 def _methods(system: Any) -> Methods:
@@ -131,7 +131,7 @@ def _rates_of(w: int) -> Any:
     equations = _RATES[w]
 
     def rates(system, x, node, dx, acceleration):
-        """The law with the corrections at q, and the observer's pull."""
+        """State equation with the corrections at q, and the terms of the observer."""
         if w == 1 and len(system.points) > 0:
             step = int(system.now[0]) // 2
             stage = int(system.now[2])
@@ -181,7 +181,7 @@ def _finish_of(w: int) -> Any:
 integrate_joints = integrator(Joints, _methods)
 
 
-class Laws(NamedTuple):
+class Coefficients(NamedTuple):
     """Constants and corrections of B joints.
 
     Attributes
@@ -258,13 +258,18 @@ class Stepping(NamedTuple):
 
 
 def run_joints(
-    laws: Laws, driving: Driving, followed: Followed, stepping: Stepping, *, every_step: bool = False
+    coefficients: Coefficients,
+    driving: Driving,
+    followed: Followed,
+    stepping: Stepping,
+    *,
+    every_step: bool = False,
 ) -> FloatArray:
     """Simulate joints from rest, freely or held near a measured displacement by an `observer`.
 
     Parameters
     ----------
-    laws, driving, followed, stepping
+    coefficients, driving, followed, stepping
         The joints, their voltages, the measurement, the steps.
     every_step : bool
         Return every Runge-Kutta step, not the samples alone.
@@ -275,7 +280,7 @@ def run_joints(
         q, q̇, q̈ as the laser reads them; NaN from the sample on at which the state is no longer finite.
         Cost: 37.5 s at 5 ms take 3 ms for one joint and 5 ms for eight.
     """
-    constants, weights, basis = laws
+    constants, weights, basis = coefficients
     count = len(constants)
     samples = len(followed.pole)
     substeps = stepping.substeps
@@ -286,7 +291,7 @@ def run_joints(
     width = 1 if count == 1 else BATCH
     for first in range(0, count, width):
         chosen = np.minimum(np.arange(first, first + width), count - 1)
-        x, z = _at_rest(laws, prepared, driving, stepping, chosen)
+        x, z = _at_rest(coefficients, prepared, driving, stepping, chosen)
         shown_states = np.empty((shown, 3, width))
         system = Joints(
             (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), np.zeros(VALUES), z,
@@ -304,13 +309,18 @@ def run_joints(
 
 
 def continued_runs(
-    laws: Laws, driving: Driving, followed: Followed, stepping: Stepping, starts: IntArray, ahead: IntArray
+    coefficients: Coefficients,
+    driving: Driving,
+    followed: Followed,
+    stepping: Stepping,
+    starts: IntArray,
+    ahead: IntArray,
 ) -> Iterator[FloatArray]:
     """Free runs of one joint from samples up to which an `observer` has held it near a measurement.
 
     Parameters
     ----------
-    laws, driving, followed, stepping
+    coefficients, driving, followed, stepping
         As in `run_joints`, of one joint.
     starts, ahead : IntArray, shape (S,)
         Rising samples, and how many each run goes on.
@@ -321,12 +331,12 @@ def continued_runs(
         q [m] as the laser reads it.
         Cost: a run to the last start, and the runs themselves, with 30 µs for each call.
     """
-    prepared = prepare(laws.constants)
+    prepared = prepare(coefficients.constants)
     only = np.zeros(1, dtype=np.int64)
     none = np.zeros(0)
     parts = 2 * stepping.substeps
     poles = np.repeat(followed.pole, parts)
-    x, z = _at_rest(laws, prepared, driving, stepping, only)
+    x, z = _at_rest(coefficients, prepared, driving, stepping, only)
     work = workspace(x)
 
     def moved(x: FloatArray, z: FloatArray, first: int, count: int, *, held: bool) -> FloatArray:
@@ -335,9 +345,9 @@ def continued_runs(
         out = np.empty((count + 1, 3, 1))
         system = Joints(
             (0,), prepared[0], np.zeros(VALUES), np.zeros(VALUES), z,
-            np.zeros(3), np.zeros(2), np.zeros(3), driving.squares[:, nodes], only, laws.basis, laws.weights,
-            driving.offset, followed.reading[nodes] if held else none, poles[nodes] if held else none,
-            stepping.wall, stepping.lead, stepping.reading, *NO_STAGES,
+            np.zeros(3), np.zeros(2), np.zeros(3), driving.squares[:, nodes], only, coefficients.basis,
+            coefficients.weights, driving.offset, followed.reading[nodes] if held else none,
+            poles[nodes] if held else none, stepping.wall, stepping.lead, stepping.reading, *NO_STAGES,
         )  # fmt: skip
         integrate_joints(system, x, out, work, stepping.substeps, stepping.dt / stepping.substeps, -np.inf, np.inf)
         return np.asarray(out[:, 0, 0] + driving.offset)
@@ -355,7 +365,11 @@ def _rows(values: FloatArray) -> FloatArray:
 
 
 def _at_rest(
-    laws: Laws, prepared: FloatArray, driving: Driving, stepping: Stepping, chosen: NDArray[np.int64]
+    coefficients: Coefficients,
+    prepared: FloatArray,
+    driving: Driving,
+    stepping: Stepping,
+    chosen: NDArray[np.int64],
 ) -> tuple[FloatArray, FloatArray]:
     """States and stop operators of the chosen joints at rest at the first sample, in rows."""
     x = np.empty((len(chosen), STATES))
@@ -364,8 +378,8 @@ def _at_rest(
     for j, i in enumerate(chosen):
         reading, rate, age = starts[i]
         x[j], z[j] = rest_at_reading(
-            reading - driving.offset[i], stepping.reading, driving.squares[driving.variant[i], 0], laws.constants[i],
-            prepared[i], laws.basis, laws.weights[i], age,
+            reading - driving.offset[i], stepping.reading, driving.squares[driving.variant[i], 0],
+            coefficients.constants[i], prepared[i], coefficients.basis, coefficients.weights[i], age,
         )  # fmt: skip
         x[j, 1] = rate
         x[j, 3] = stepping.reading[1] * stepping.lead**2 * rate

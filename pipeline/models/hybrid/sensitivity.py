@@ -16,7 +16,7 @@ from ...numerics.fixed_step import SHARES, workspace
 from .columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
 from .kernels import CURVES, VALUES
 from .kernels import prepare as prepare_rates
-from .runs import Joints, Laws, Stepping, integrate_joints
+from .runs import Coefficients, Joints, Stepping, integrate_joints
 from .statics import rest_at_reading
 
 _SHIFT = 1e-8
@@ -60,13 +60,18 @@ class Sensitivity:
 
 
 def sensitivities(
-    laws: Laws, scale: FloatArray, widths: FloatArray, offset: float, driven: Driven, stepping: Stepping
+    coefficients: Coefficients,
+    scale: FloatArray,
+    widths: FloatArray,
+    offset: float,
+    driven: Driven,
+    stepping: Stepping,
 ) -> Sensitivity:
     """The run of one joint from rest, as in `run_joints`, and its derivatives.
 
     Parameters
     ----------
-    laws : Laws
+    coefficients : Coefficients
         Of one joint: constants (len(CONSTANTS),), weights (9, M).
     scale : FloatArray, shape (len(CONSTANTS),)
         By how much each constant may change; zero for those whose derivatives are not asked.
@@ -84,11 +89,11 @@ def sensitivities(
     Sensitivity
         Cost: 1.4 µs a stage for 104 constants, 2.3 with corrections; 37.5 s at two steps in 10 ms take 43 and 70 ms.
     """
-    k, weights, basis = laws
+    k, weights, basis = coefficients
     dt, substeps, wall, lead, reading = stepping
     steps = (len(driven.squares) - 1) // 2
     active = np.flatnonzero(scale)
-    x, z, starts, stops = _starts(laws, scale, active, widths, offset, driven, stepping)
+    x, z, starts, stops = _starts(coefficients, scale, active, widths, offset, driven, stepping)
     p = prepare_rates(k[None])[0]
     only = np.zeros(1, dtype=np.int64)
     points = np.empty((steps + 1, len(SHARES), STATES))
@@ -101,7 +106,7 @@ def sensitivities(
     integrate_joints(system, x, np.empty((steps + 1, 3, 1)), workspace(x), 1, dt / substeps, -np.inf, np.inf)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
     path = Path(points, slips, driven.squares, driven.by_instruments, driven.pole)
-    propagate(path, laws, stepping, columns_of(active), starts, stops, displacements)
+    propagate(path, coefficients, stepping, columns_of(active), starts, stops, displacements)
     first = len(active) + INSTRUMENTS
     count = weights.shape[1]
     by_weights = displacements[:, first : first + CURVES * count].reshape(len(displacements), CURVES, count)
@@ -110,7 +115,7 @@ def sensitivities(
 
 
 def _starts(
-    laws: Laws,
+    coefficients: Coefficients,
     scale: FloatArray,
     active: NDArray[np.int64],
     widths: FloatArray,
@@ -119,7 +124,7 @@ def _starts(
     stepping: Stepping,
 ) -> tuple[FloatArray, FloatArray, SingleArray, SingleArray]:
     """State and stop operators at rest, and the columns' derivatives of them, (blocks, rows, BATCH)."""
-    k, weights, basis = laws
+    k, weights, basis = coefficients
     start = driven.start
     u = driven.squares[0]
     by_instruments = driven.by_instruments[:, 0]

@@ -1,4 +1,4 @@
-"""Siblings of a joint: what other joints of one drawing teach the next one, as a prior of its deviations."""
+"""Prior of a joint's deviations from other joints of one drawing."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ from .parameters import DEVIATIONS, NAMES, PRIOR_STD
 from .start import prior_root
 
 FEWEST = 5
-"""Siblings from which a population is learnt."""
+"""Joints from which a population is learnt."""
 
 SUREST = 1e6
 """Largest precision that a log is trusted with, in units of the prior's: no population is as narrow as its root says,
@@ -41,12 +41,12 @@ _WORDS = {
 
 _SUSPECTS = ("length", "voltage", "E", "Y", "C0", "Y_MW", "weight", "laser offset", "delay", "charging time", "probe 1",
              "probe 2")  # fmt: skip
-"""Quantities, of either side where they have one, of which a sibling is called odd: those of films, beam and
+"""Quantities, of either side where they have one, of which a joint is called odd: those of films, beam and
 instruments that a workshop or a rig gets wrong. The others compensate each other and would only hide these."""
 
 
 class SiblingsFile(ModelFile):
-    """The file of what siblings teach."""
+    """The file of a prior from other joints."""
 
     sizes: ClassVar[Sizes] = {"P": (1, 5000)}
     parameters: JointSet
@@ -67,7 +67,7 @@ def column(path: str) -> tuple[str, str]:
 
 @dataclass(frozen=True)
 class Odd:
-    """An odd sibling: its name, the quantity, and how far it is from what the others let expect (`Learnt.unit`)."""
+    """An odd joint: its name, the quantity, and its deviation from the expectation by the others (`Learnt.unit`)."""
 
     name: str
     quantity: str
@@ -98,9 +98,9 @@ class Learnt:
     quantities : tuple of LearntQuantity
         The best known first.
     odd : tuple of Odd
-        Odd siblings; of usual ones at most `pipeline.fitting.population.FALSE_ALARMS` are called so.
+        Odd joints; of usual ones at most `pipeline.fitting.population.FALSE_ALARMS` are called so.
     gains : dict of str to float
-        For each sibling the log-evidence [nats] of its logs under what the others teach, less that under the prior.
+        For each joint the log-evidence [nats] of its logs under the others' prior, less that under the usual prior.
     """
 
     population: NormalPopulation
@@ -110,13 +110,13 @@ class Learnt:
 
 
 def usual_prior() -> NormalPopulation:
-    """The prior of a joint without siblings."""
+    """The prior of a joint without other joints."""
     root = prior_root(0)
     return NormalPopulation(np.zeros(len(NAMES)), np.asarray(np.linalg.inv(root.T @ root), dtype=np.float64))
 
 
 def information_of(model: HybridModel) -> Information:
-    """Information of the training logs on the deviations of a joint that was identified without siblings.
+    """Information of the training logs on the deviations of a joint that was identified alone.
 
     The corrections are integrated out. The fit takes its noise to be `NOISE_INFLATION` times the RMS of the residual,
     its posterior √τ times that, for the autocorrelation time τ. In units of the prior a direction of precision λ in the
@@ -138,12 +138,12 @@ def information_of(model: HybridModel) -> Information:
 
 
 def learn(models: Mapping[str, HybridModel]) -> Learnt:
-    """Learn the population of joints from identified siblings.
+    """Learn the population of joints from identified ones.
 
     Parameters
     ----------
     models : mapping of str to HybridModel
-        By the names of the siblings, identified about one parameter set and without siblings.
+        By the names of the joints, each identified alone about one parameter set.
 
     Raises
     ------
@@ -153,14 +153,14 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
         They have not one parameter set.
     """
     if len(models) < FEWEST:
-        raise DataRefusedError(f"{len(models)} siblings: at least {FEWEST} teach the next joint; identify more of them")
+        raise DataRefusedError(f"{len(models)} joints: a prior needs at least {FEWEST}; identify more of them")
     for name, model in models.items():
         units = model.joint.similarity
         if (units.length, units.time, units.voltage) != (1.0, 1.0, 1.0):
-            raise InputError(f"{name}: was scaled by its own logs; give all siblings one set, plant.parameters")
+            raise InputError(f"{name}: was scaled by its own logs; give all joints one set, plant.parameters")
     first, *others = [model.joint.parameters for model in models.values()]
     if any(other != first for other in others):
-        raise InputError("the siblings have not one parameter set; name the same plant.parameters for all of them")
+        raise InputError("the joints have not one parameter set; name the same plant.parameters for all of them")
     prior = usual_prior()
     members = [information_of(model) for model in models.values()]
     whole = estimate_population(members, prior)
@@ -203,7 +203,7 @@ def _quantities(population: NormalPopulation, prior: NormalPopulation) -> tuple[
 
 
 def to_tree(learnt: Learnt, parameters: JointParameters, origins: Mapping[str, str]) -> dict[str, Any]:
-    """Tree for the file of a prior; `origins` has the content hash of each sibling's model."""
+    """Tree for the file of a prior; `origins` has the content hash of each joint's model."""
     return {
         "parameters": tree_of(parameters),
         "deviations": " | ".join(NAMES),
@@ -215,7 +215,7 @@ def to_tree(learnt: Learnt, parameters: JointParameters, origins: Mapping[str, s
 
 
 def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulation, Sequence[str]]:
-    """The parameter set, the population and the names of the siblings, from what was filed.
+    """The parameter set, the population and the names of the joints, from the tree of a file.
 
     Raises
     ------
@@ -227,7 +227,7 @@ def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulatio
     symmetric = np.allclose(file.covariance, file.covariance.T)
     if not current or not symmetric or np.linalg.eigvalsh(file.covariance).min() <= 0.0:
         raise CorruptArtifactError(
-            "the siblings are of another version of debist, or no covariance; run `debist fleet learn` again"
+            "siblings: of another version of debist, or no covariance; run `debist fleet learn` again"
         )
     names = str(file.diagnostics.get("siblings", "")).split(" | ")
     return file.parameters, NormalPopulation(file.mean, file.covariance), names

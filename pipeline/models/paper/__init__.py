@@ -12,9 +12,9 @@ prints the Gaussian without the minus sign that a bell needs; eq. 38 has it.
 by a QR factorisation in blocks of rows and a pseudo-inverse. T_z is found by descent along the gradient of the
 projected cost in ln T_z (variable projection, Golub & Pereyra 1973, doi:10.1137/0710036). The file of the model holds
 T_z, cost, rank and condition number of each accepted step. The friction state starts anew, z = q̇, in every gap-free
-stretch.
+segment.
 
-**Known limits.** The Gaussians vanish outside the training data, so nothing pushes the joint back there. A fit of
+**Known limits.** The Gaussians vanish outside the training data, so no force restores the joint there. A fit of
 accelerations does not see that a small error of force near the barrier sends a free run into the wrong well.
 
 - `model`: the model, its estimation and its file.

@@ -20,8 +20,8 @@ FLAT = 1e-7  # relative fall of the cost below which it no longer falls
 
 
 @dataclass(frozen=True)
-class LagStretch:
-    """One gap-free stretch: bells φ (N, M), signals [−q, −z, u] (N, S) with z yet to fill, target, velocity."""
+class LagSegment:
+    """One gap-free segment: bells φ (N, M), signals [−q, −z, u] (N, S) with z yet to fill, target, velocity."""
 
     basis: FloatArray
     signals: FloatArray
@@ -49,14 +49,14 @@ class LagSearch:
     history: FloatArray
 
 
-def _accumulate(stretch: LagStretch, first: FloatArray, second: FloatArray) -> FloatArray:
+def _accumulate(segment: LagSegment, first: FloatArray, second: FloatArray) -> FloatArray:
     """Sums Σ_n first_n,j second_n,j φ_a φ_b, shape (columns, M, M)."""
-    m = stretch.basis.shape[1]
+    m = segment.basis.shape[1]
     row, column = np.tril_indices(m)
     sums = np.zeros((first.shape[1], row.size))
     for start in range(0, len(first), CHUNK):
         part = slice(start, start + CHUNK)
-        products = np.take(stretch.basis[part], row, axis=1) * np.take(stretch.basis[part], column, axis=1)
+        products = np.take(segment.basis[part], row, axis=1) * np.take(segment.basis[part], column, axis=1)
         sums += (first[part] * second[part]).T @ products
     blocks = np.empty((first.shape[1], m, m))
     blocks[:, row, column] = sums
@@ -65,19 +65,19 @@ def _accumulate(stretch: LagStretch, first: FloatArray, second: FloatArray) -> F
 
 
 class _NormalEquations:
-    """Gram matrix, right side and Σy² over all stretches; `update` redoes the damping block for another T_z."""
+    """Gram matrix, right side and Σy² over all segments; `update` redoes the damping block for another T_z."""
 
-    def __init__(self, stretches: Sequence[LagStretch]) -> None:
-        self.stretches = stretches
-        self.m = stretches[0].basis.shape[1]
-        self.curves = stretches[0].signals.shape[1]
+    def __init__(self, segments: Sequence[LagSegment]) -> None:
+        self.segments = segments
+        self.m = segments[0].basis.shape[1]
+        self.curves = segments[0].signals.shape[1]
         self.gram = np.zeros((self.curves, self.m, self.curves, self.m))
         self.right = np.zeros((self.curves, self.m))
-        self.energy = sum(float(x.target @ x.target) for x in stretches)
-        self.samples = sum(len(x.target) for x in stretches)
+        self.energy = sum(float(x.target @ x.target) for x in segments)
+        self.samples = sum(len(x.target) for x in segments)
         fixed = [i for i in range(self.curves) if i != LAG]
         pairs = [(i, j) for i in fixed for j in fixed if j <= i]
-        for x in stretches:
+        for x in segments:
             first = x.signals[:, [i for i, _ in pairs]]
             second = x.signals[:, [j for _, j in pairs]]
             for (i, j), block in zip(pairs, _accumulate(x, first, second), strict=True):
@@ -90,7 +90,7 @@ class _NormalEquations:
         """Fill z into the signals and redo the damping rows. Cost: about 0.4 µs per sample for M = 10."""
         self.gram[LAG] = 0.0
         self.right[LAG] = 0.0
-        for x in self.stretches:
+        for x in self.segments:
             z, _ = first_order_lag(x.qdot, x.interval, time_constant)
             x.signals[:, LAG] = -z
             blocks = _accumulate(x, x.signals, x.signals[:, [LAG]] * np.ones(self.curves))
@@ -117,7 +117,7 @@ class _NormalEquations:
     def gradient(self, weights: FloatArray, time_constant: float) -> float:
         """Derivative of the cost along ln T_z at fixed weights: the total one where the weights are optimal."""
         total = 0.0
-        for x in self.stretches:
+        for x in self.segments:
             _, sensitivity = first_order_lag(x.qdot, x.interval, time_constant)
             curves = x.basis @ weights.T
             residual = x.target - np.einsum("ij,ij->i", curves, x.signals)
@@ -125,14 +125,14 @@ class _NormalEquations:
         return total / self.samples
 
 
-def search_lag(stretches: Sequence[LagStretch], *, start: float, bounds: tuple[float, float]) -> LagSearch:
+def search_lag(segments: Sequence[LagSegment], *, start: float, bounds: tuple[float, float]) -> LagSearch:
     """Descend along the gradient in ln T_z until the cost no longer falls (after eq. 40).
 
     Barzilai-Borwein steps, halved until the cost falls; the logarithm keeps T_z positive.
 
     Parameters
     ----------
-    stretches : sequence of LagStretch
+    segments : sequence of LagSegment
         Their `signals` are used as work space: the damping column holds −z at the returned T_z afterwards.
     start : float
         First T_z [s].
@@ -144,7 +144,7 @@ def search_lag(stretches: Sequence[LagStretch], *, start: float, bounds: tuple[f
     LagSearch
         Cost: one Gram update (0.4 µs per sample at M = 10) and one gradient (20 ns) per evaluation, about ten of them.
     """
-    equations = _NormalEquations(stretches)
+    equations = _NormalEquations(segments)
     low = np.log(bounds[0])
     high = np.log(bounds[1])
 

@@ -20,7 +20,7 @@ from ...codegen.numba_writer import formula
 from ...fitting.information import coverage
 from ...fitting.posterior import curves_of_draws, posterior_draws, whiteness
 from ...fitting.regression import (
-    InputLaw,
+    InputAction,
     LinearFit,
     basis_centres,
     basis_values,
@@ -51,7 +51,7 @@ from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked
 from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
 from ..model_type import ModelType, Training
-from .lag_search import LagSearch, LagStretch, search_lag
+from .lag_search import LagSearch, LagSegment, search_lag
 
 _gaussian = formula(GAUSSIAN)
 _lagged_rates = formula(LAGGED_RATES)
@@ -80,7 +80,7 @@ class LaggedJoint(NamedTuple):
 
 
 def _rates(system, x, node, dx, acceleration):
-    """The law under the inputs of the half step."""
+    """State equation under the inputs of the half step."""
     n, following, share = between_samples(node, system.parts, len(system.v))
     for k in range(system.v.shape[1]):
         u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
@@ -91,7 +91,7 @@ def _rates(system, x, node, dx, acceleration):
 
 @inlined
 def _move(system, x, u, dx):
-    """Curves at q as sums over the basis, without what is negligible; then the law."""
+    """Curves at q as sums over the basis, without what is negligible; then the state equation."""
     for s in range(len(system.values)):
         system.values[s] = 0.0
     for i in range(len(system.centres)):
@@ -101,18 +101,18 @@ def _move(system, x, u, dx):
             value = _gaussian((square,))[0]
             for s in range(len(system.values)):
                 system.values[s] += system.weights[i, s] * value
-    push = 0.0
+    forcing = 0.0
     for k in range(len(u)):
-        push += system.values[2 + k] * u[k]
+        forcing += system.values[2 + k] * u[k]
     dx[0] = x[1]
-    dx[1], dx[2] = _lagged_rates((x[0], x[1], x[2], system.values[0], system.values[1], push, system.lag))
+    dx[1], dx[2] = _lagged_rates((x[0], x[1], x[2], system.values[0], system.values[1], forcing, system.lag))
 
 
 _integrate = integrator(LaggedJoint, lambda kind: Methods(no_begin, _rates, no_finish))
 
 
 @dataclass(frozen=True)
-class LaggedLaw:
+class LaggedEquation:
     """Numbers of eqs. 37 to 40.
 
     Attributes
@@ -155,26 +155,31 @@ class LaggedLaw:
         )  # fmt: skip
 
 
-def lagged_rates(law: LaggedLaw, x: Sequence[Any], u: Sequence[Any]) -> list[Any]:
-    """Rates of q, q̇ and z under the inputs u (K,): the law of a run for traced values."""
+def lagged_rates(equation: LaggedEquation, x: Sequence[Any], u: Sequence[Any]) -> list[Any]:
+    """Rates of q, q̇ and z under the inputs u (K,): the state equation of a run for traced values."""
     values = np.empty(2 + len(u), dtype=object)
     nothing = np.empty(0)
     dx = np.empty(3, dtype=object)
-    _move(law.joint(nothing, 1, None, nothing, values), x, u, dx)
+    _move(equation.joint(nothing, 1, None, nothing, values), x, u, dx)
     return list(dx)
 
 
 def lagged_rbf_run(
-    law: LaggedLaw, v: FloatArray, interval: float, steps: int, start: tuple[float, ...], bounds: tuple[float, float]
+    equation: LaggedEquation,
+    v: FloatArray,
+    interval: float,
+    steps: int,
+    start: tuple[float, ...],
+    bounds: tuple[float, float],
 ) -> tuple[FloatArray, int]:
     """Integrate q̈ = −c q − d z + Σ g_k u_k, ż = (q̇ − z)/T_z from `start`.
 
     Parameters
     ----------
-    law : LaggedLaw
-        The equation.
+    equation : LaggedEquation
+        State equation of the model.
     v : FloatArray, shape (N, K)
-        Voltages at the samples [V], linear in between; u = v² if `law.squared`, else v.
+        Voltages at the samples [V], linear in between; u = v² if `equation.squared`, else v.
     interval : float
         Sample interval [s].
     steps : int
@@ -193,7 +198,7 @@ def lagged_rbf_run(
         (2 + K)·M products, about 60 ns each for M = 10.
     """
     inputs = v.shape[1]
-    system = law.joint(np.ascontiguousarray(v), 2 * steps, REACH, np.zeros(inputs), np.zeros(2 + inputs))
+    system = equation.joint(np.ascontiguousarray(v), 2 * steps, REACH, np.zeros(inputs), np.zeros(2 + inputs))
     return bounded_run(_integrate, system, np.array([start[0], start[1], start[-1]]), len(v), steps, interval, bounds)
 
 
@@ -224,7 +229,7 @@ class RbfPaperModel(ModelFile):
     """Time constant T_z of the friction state."""
     mass_kg: Annotated[Positive, Unit("{m}")] = 1.0
     """Moving mass or inertia; 1 if it is unknown, and curves are then per unit mass."""
-    inputs: InputLaw = "squared"
+    inputs: InputAction = "squared"
     """Action of the inputs: squared or linear."""
     basis: Literal["gaussian"] = "gaussian"
     """Basis function."""
@@ -243,10 +248,10 @@ class RbfPaperModel(ModelFile):
         return self.mass_kg
 
     @property
-    def law(self) -> LaggedLaw:
-        """The equation of motion over the mass."""
+    def equation(self) -> LaggedEquation:
+        """State equation over the mass."""
         weights = np.ascontiguousarray(self.weights.T) / self.mass
-        return LaggedLaw(self.centres, weights, self.width, self.lag_s, self.inputs == "squared")
+        return LaggedEquation(self.centres, weights, self.width, self.lag_s, self.inputs == "squared")
 
     @property
     def input_count(self) -> int:
@@ -277,7 +282,7 @@ class RbfPaperModel(ModelFile):
         interval = sample_interval(t)
         steps = steps_per_sample(interval, self.lag_s)
         bounds = escape_bounds(*self.centres[[0, -1]].tolist())
-        return lagged_rbf_run(self.law, v, interval, steps, start, bounds)
+        return lagged_rbf_run(self.equation, v, interval, steps, start, bounds)
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
@@ -357,9 +362,9 @@ def identify_rbf_paper(
     basis_functions: int = CENTRES,
     smoothing: float = SMOOTHING,
     mass: float = 1.0,
-    inputs: InputLaw = "squared",
+    inputs: InputAction = "squared",
 ) -> RbfPaperModel:
-    """Identify the model of §4.2 from gap-free stretches of training logs.
+    """Identify the model of §4.2 from gap-free segments of training logs.
 
     Parameters
     ----------
@@ -381,10 +386,10 @@ def identify_rbf_paper(
     """
     centres = basis_centres(*operating_range(trajectories), basis_functions)
     width = basis_width(centres, smoothing)
-    stretches = [_stretch(x, basis_values(x.q, centres, width), mass, inputs) for x in trajectories]
-    search = search_lag(stretches, start=LAG_START, bounds=LAG_BOUNDS)
-    fit = pseudo_inverse_fit(*triangular_factor(_rows(stretches)))
-    tau = _correlation_time(stretches, fit.weights)
+    segments = [_segment(x, basis_values(x.q, centres, width), mass, inputs) for x in trajectories]
+    search = search_lag(segments, start=LAG_START, bounds=LAG_BOUNDS)
+    fit = pseudo_inverse_fit(*triangular_factor(_rows(segments)))
+    tau = _correlation_time(segments, fit.weights)
     return RbfPaperModel(
         centres=centres,
         smoothing=smoothing,
@@ -401,22 +406,22 @@ def identify_rbf_paper(
     )
 
 
-def _stretch(x: Log, basis: FloatArray, mass: float, inputs: InputLaw) -> LagStretch:
+def _segment(x: Log, basis: FloatArray, mass: float, inputs: InputAction) -> LagSegment:
     signals = curve_signals(x.q, np.zeros_like(x.q), input_signal(x.v, inputs))
-    return LagStretch(basis, signals, mass * x.qddot, np.ascontiguousarray(x.qdot), x.interval)
+    return LagSegment(basis, signals, mass * x.qddot, np.ascontiguousarray(x.qdot), x.interval)
 
 
-def _rows(stretches: Sequence[LagStretch]) -> Iterator[FloatArray]:
+def _rows(segments: Sequence[LagSegment]) -> Iterator[FloatArray]:
     """Blocks of rows of [ψᵀ y] (eq. 40)."""
-    for x in stretches:
+    for x in segments:
         for start in range(0, len(x.target), ROWS):
             part = slice(start, start + ROWS)
             yield np.column_stack((regressor(x.basis[part], x.signals[part]), x.target[part]))
 
 
-def _correlation_time(stretches: Sequence[LagStretch], weights: FloatArray) -> float:
-    """Autocorrelation time [samples] of the residual in the longest stretch: coloured residuals widen the bands."""
-    x = max(stretches, key=lambda stretch: len(stretch.target))
+def _correlation_time(segments: Sequence[LagSegment], weights: FloatArray) -> float:
+    """Autocorrelation time [samples] of the residual in the longest segment: coloured residuals widen the bands."""
+    x = max(segments, key=lambda segment: len(segment.target))
     curves = x.basis @ weights.reshape(-1, x.basis.shape[1]).T
     return whiteness(x.target - np.einsum("ij,ij->i", curves, x.signals)).integrated_correlation_time
 

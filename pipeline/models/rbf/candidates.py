@@ -20,10 +20,10 @@ FRICTION: dict[FrictionLaw, dict[str, Any]] = {
     "lag+slip": {"rates": (1.5,), "shape_elements": 0, "slips": 1},
     "lags+slip": {"rates": (0.15, 1.5, 0.05), "shape_elements": 2, "slips": 1},
 }
-"""Hidden elements of each law beside the viscous damping d(q) q̇, rates in units of the joint's frequency scale."""
+"""Hidden elements of each friction model beside the damping d(q) q̇, rates in units of the joint's frequency scale."""
 
 OFFERED: tuple[FrictionLaw, ...] = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
-"""Laws that compete where none is decided; a single actuator has no hidden shape that its input would feel."""
+"""Friction models that compete where none is decided; a single actuator has no hidden shape that its input acts on."""
 
 SYMMETRIES = (0.03, 0.1, None)
 """Relative standard deviations of left/right differences about q = 0, from sides that are alike to any sides."""
@@ -297,7 +297,7 @@ def offers(
     resting += [DRIVE["effect-lag"] | {"rest_at_zero": choice.rest_at_zero or False}] * squared
     drives = change.to(DRIVE["direct"], *resting, DRIVE["delay"])
     hold = change.each("hold", ["linear", "zero", "cubic", *(["record"] if fine else [])])
-    friction = change.to(*(FRICTION[law] for law in OFFERED))
+    friction = change.to(*(FRICTION[name] for name in OFFERED))
     effect = change.to(*EFFECT.values())
     drag, stops = (change.each(name, [False, True]) for name in ("drag", "stops"))
     once = [
@@ -322,9 +322,9 @@ def offers(
 
 def _simple(change: _Change, *, slow: bool) -> Offer:
     """Each force with and without dry friction, of a mass and, where the device looks `slow`, without."""
-    laws: list[dict[str, Any]] = [FRICTION["viscous"], FRICTION["coulomb"]]
-    laws += [FRICTION["viscous"] | {"overdamped": True}] * slow
-    return change.to(*(law | {"force": force} for law in laws for force in FORCES))
+    options: list[dict[str, Any]] = [FRICTION["viscous"], FRICTION["coulomb"]]
+    options += [FRICTION["viscous"] | {"overdamped": True}] * slow
+    return change.to(*(option | {"force": force} for option in options for force in FORCES))
 
 
 def _by_place(change: _Change) -> Offer:
@@ -338,8 +338,8 @@ def _slow_drive(change: _Change, resting: Sequence[dict[str, Any]]) -> Offer:
     late = {"constant_gain": True, "overdamped": False}
     offered = change.to(
         *(
-            FRICTION[law] | {"force": force} | late | drive
-            for law in OFFERED[:2] for force in FORCES[:2] for drive in (*resting, DRIVE["delay"])
+            FRICTION[name] | {"force": force} | late | drive
+            for name in OFFERED[:2] for force in FORCES[:2] for drive in (*resting, DRIVE["delay"])
         )
     )  # fmt: skip
     return lambda best: [] if best.structure.force == "offset" else offered(best)
@@ -347,5 +347,5 @@ def _slow_drive(change: _Change, resting: Sequence[dict[str, Any]]) -> Offer:
 
 def _together(change: _Change) -> Offer:
     """A slow drive, a slow force and a gain by place, which may each take the others' parts, so that none is missed."""
-    laws = [FRICTION[law] for law in OFFERED[:3]]
-    return change.to(*(law | DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False} for law in laws))
+    options = [FRICTION[name] for name in OFFERED[:3]]
+    return change.to(*(option | DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False} for option in options))

@@ -1,4 +1,4 @@
-"""The law of the data-driven joint, in a run of kernels and for traced values.
+"""State equation of the data-driven joint, in a run of kernels and for traced values.
 
 It is that of `pipeline.equations.data_driven_joint`, which has one curve, relaxing element or friction state of each
 kind; here they are summed over as many as a joint has. F goes on as its cubic outside [low, high], but restores there
@@ -241,7 +241,7 @@ def slid(x: FloatArray, length: float) -> FloatArray:
 
 
 def free_rates(c: Coefficients, x: Sequence[Any], slip: Sequence[Any], u: Sequence[Any]) -> list[Any]:
-    """Rates of x, p and the elements (2 + L,) without an observer: the law of a run for traced values.
+    """Rates of x, p and the elements (2 + L,) without an observer: the state equation of a run for traced values.
 
     Parameters
     ----------

@@ -63,8 +63,8 @@ def _without_curves(c: Coefficients, *rows: int | slice) -> Coefficients:
 def _accelerations(c: Coefficients, states: FloatArray, inputs: FloatArray) -> FloatArray:
     """ṗ [1/s²] at the states, shape (N,)."""
     elements = 2 + len(c.rates)
-    law = trace(
+    rates = trace(
         lambda x, slip, u: {"dx": free_rates(c, x, slip, u)}, x=elements, slip=len(c.slip_force), u=inputs.shape[1]
     )
-    acceleration: FloatArray = law.evaluate(x=states[:, :elements], slip=states[:, elements:], u=inputs)["dx"][:, 1]
+    acceleration: FloatArray = rates.evaluate(x=states[:, :elements], slip=states[:, elements:], u=inputs)["dx"][:, 1]
     return acceleration

@@ -15,7 +15,7 @@ from ...fitting.descent import Prior
 from ...fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
 from ...fitting.information import coverage
 from ...fitting.posterior import posterior_factor, robust_spread, whiteness
-from ...fitting.regression import InputLaw
+from ...fitting.regression import InputAction
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90, rms
 from ...settings.models import RBF_TIME_LIMIT
@@ -63,7 +63,7 @@ def identify_rbf(
     records: Sequence[Log],
     *,
     mass: float = 1.0,
-    inputs: InputLaw = "squared",
+    inputs: InputAction = "squared",
     angle: bool = False,
     choice: RbfChoice | None = None,
     candidates: Sequence[Candidate] | None = None,

@@ -12,7 +12,7 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 from pydantic.dataclasses import dataclass
 
-from ...fitting.regression import InputLaw
+from ...fitting.regression import InputAction
 from ...generated.terms import BENT, PAST_ZONE
 from ...numerics.arrays import FloatArray
 from ..model_file import MOST_INPUTS, STORED, Unit, listed
@@ -48,13 +48,13 @@ class ParameterLayout:
 
     structure: JointStructure
     scales: JointScales
-    law: InputLaw
+    law: InputAction
     """Action of the inputs: squared or linear."""
     signs: Annotated[
         tuple[Annotated[int, Field(ge=-1, le=1)], ...],
         BeforeValidator(listed), Field(min_length=1, max_length=MOST_INPUTS), Unit("1"),
     ]  # fmt: skip
-    """Direction in which each input pushes; 0 if it may change."""
+    """Sign of each input's force; 0 if it may change."""
 
     @cached_property
     def centres(self) -> FloatArray:

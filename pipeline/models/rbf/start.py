@@ -11,7 +11,7 @@ import numpy as np
 from scipy.optimize import lsq_linear
 
 from ...errors import InputError
-from ...fitting.regression import InputLaw, input_signal
+from ...fitting.regression import InputAction, input_signal
 from ...generated.terms import BELL, STOP_FORCE
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
@@ -76,7 +76,7 @@ def data_scales(
 def starting_joint(
     records: Sequence[Log],
     structure: JointStructure,
-    law: InputLaw,
+    action: InputAction,
     *,
     centred: bool,
     known_signs: Mapping[int, int] | None = None,
@@ -91,7 +91,7 @@ def starting_joint(
         Training logs.
     structure : JointStructure
         Its terms.
-    law : {"squared", "linear"}
+    action : {"squared", "linear"}
         Squared inputs have gains of one sign, found by a fit without bounds; those of linear ones stay free.
     centred, reach
         As in `data_scales`.
@@ -102,7 +102,7 @@ def starting_joint(
     """
     measured = data_scales(records, centred=centred, reach=reach)
     inputs = records[0].v.shape[1]
-    provisional = ParameterLayout(structure, measured, law, (0,) * inputs)
+    provisional = ParameterLayout(structure, measured, action, (0,) * inputs)
     scales = provisional.units
     motion, target = _motion(records, provisional)
     if timing is None:
@@ -113,10 +113,10 @@ def starting_joint(
             timed[provisional.slices[name]] = times
     u = _driven(records, provisional, timed)
     columns = [*motion[:2], *_gains(u, motion[2])]
-    signs = tuple(_signs(columns, target, structure)) if law == "squared" else (0,) * inputs
-    if known_signs and law == "squared":
+    signs = tuple(_signs(columns, target, structure)) if action == "squared" else (0,) * inputs
+    if known_signs and action == "squared":
         signs = tuple(known_signs.get(i, sign) for i, sign in enumerate(signs))
-    parameters = ParameterLayout(structure, measured, law, signs)
+    parameters = ParameterLayout(structure, measured, action, signs)
     fitted = _bounded_fit(columns, target, structure, signs)
     sizes = zip(columns[2:], fitted[2:], strict=True)
     typical = [_typical_gain(basis, gain, scales) for basis, gain in sizes]
@@ -137,7 +137,7 @@ def starting_joint(
     return parameters, start
 
 
-def is_bistable_pair(records: Sequence[Log], law: InputLaw) -> bool:
+def is_bistable_pair(records: Sequence[Log], action: InputAction) -> bool:
     """True if two squared inputs pull in opposite directions at a device with two wells, as a joint's membranes do.
 
     The convex fit of the accelerations shows: without inputs its force must cross zero rising, near the middle of the
@@ -146,10 +146,10 @@ def is_bistable_pair(records: Sequence[Log], law: InputLaw) -> bool:
 
     Cost: one convex fit, 40 ms for 4,000 samples.
     """
-    if law != "squared" or records[0].v.shape[1] != 2:
+    if action != "squared" or records[0].v.shape[1] != 2:
         return False
     plain = JointStructure(rates=(), shape_elements=0, slips=0, arc=False)
-    p, start = starting_joint(records, plain, law, centred=False)
+    p, start = starting_joint(records, plain, action, centred=False)
     if p.signs[0] == p.signs[1]:
         return False
     coefficients = p.coefficients(start)
@@ -162,7 +162,7 @@ def is_bistable_pair(records: Sequence[Log], law: InputLaw) -> bool:
     return bool(saddle < min(left, right))
 
 
-def looks_overdamped(records: Sequence[Log], law: InputLaw) -> bool:
+def looks_overdamped(records: Sequence[Log], action: InputAction) -> bool:
     """True if displacement and inputs explain more of the velocity than all three explain of the acceleration.
 
     Shares of the mean squares that a convex fit explains are compared. Cost: two of them, 2 ms for 4,000 samples.
@@ -174,7 +174,7 @@ def looks_overdamped(records: Sequence[Log], law: InputLaw) -> bool:
             rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True,
             constant_gain=True, overdamped=overdamped,
         )  # fmt: skip
-        p = ParameterLayout(plain, data_scales(records, centred=False), law, (0,) * records[0].v.shape[1])
+        p = ParameterLayout(plain, data_scales(records, centred=False), action, (0,) * records[0].v.shape[1])
         motion, target = _motion(records, p)
         u = _driven(records, p, np.zeros(p.count))
         return 1.0 - _misfit([*motion[:2], *_gains(u, motion[2])], target) / float(target @ target)
@@ -261,7 +261,7 @@ def _best_stops(
     x = np.concatenate([(r.q[r.valid] - scales.middle) / scales.half for r in records])
     p = np.concatenate([r.qdot[r.valid] / scales.half for r in records])
 
-    def pushes(left: float, right: float) -> FloatArray:
+    def stop_forces(left: float, right: float) -> FloatArray:
         """Force per stiffness and per resistance at the valid samples, shape (N, 2)."""
         places = np.tile([left, right], (len(x), 1))
         forces = [
@@ -271,8 +271,8 @@ def _best_stops(
         return np.column_stack([each["value"][:, 0] for each in forces])
 
     tried = product(-np.array(STOP_PLACES), STOP_PLACES)
-    places = min(tried, key=lambda ends: _misfit([*columns, pushes(*ends)], target))
-    matrix = np.column_stack([*columns, pushes(*places)])
+    places = min(tried, key=lambda ends: _misfit([*columns, stop_forces(*ends)], target))
+    matrix = np.column_stack([*columns, stop_forces(*places)])
     stiffness, resistance = np.linalg.lstsq(matrix, target, rcond=None)[0][-2:]
     least = STOP_LEAST * scales.stiffness, STOP_LEAST * scales.frequency
     return np.array([*places, np.log(max(stiffness, least[0])), np.log(max(resistance, least[1]))])

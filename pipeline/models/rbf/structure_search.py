@@ -8,7 +8,7 @@ import numpy as np
 from ...fitting.descent import Prior
 from ...fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
 from ...fitting.posterior import surely_smaller
-from ...fitting.regression import InputLaw
+from ...fitting.regression import InputAction
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import Log
@@ -65,7 +65,7 @@ SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is offered: the rest is for the fit of the chosen structure."""
 
 IDLE = 0.01
-"""Share of a sample interval below which a lag or a delay does nothing that the samples could tell."""
+"""Share of a sample interval below which a lag or a delay has no effect that the samples show."""
 
 
 Begun = tuple[ParameterLayout, FloatArray, Prior]
@@ -103,7 +103,7 @@ class Setting:
 
     Attributes
     ----------
-    inputs : InputLaw
+    inputs : InputAction
     measured : KnownCurves or None
         Measured curves per unit mass.
     effort : Effort
@@ -114,7 +114,7 @@ class Setting:
         Smallest observer gain of a fit: 0, the free run, but for a chaotic and for a bistable device.
     """
 
-    inputs: InputLaw
+    inputs: InputAction
     measured: KnownCurves | None
     effort: Effort = field(default_factory=Effort)
     on_progress: OnProgress = silent
@@ -309,7 +309,7 @@ def cut(records: Sequence[Log], share: float) -> list[Log]:
 
 
 def _excerpt(record: Log, length: int) -> Log:
-    """The stretch of so many samples in which q ranges furthest; it begins with a valid sample."""
+    """The segment of so many samples in which q ranges furthest; it begins with a valid sample."""
     q = np.where(record.valid, record.q, np.nan)
     starts = range(0, len(q) - length + 1, max(1, length // 4))
     spans = [np.nanmax(q[s : s + length]) - np.nanmin(q[s : s + length]) for s in starts]

@@ -98,7 +98,7 @@ def fit_sindy(
     Parameters
     ----------
     trajectories : sequence of Log
-        Gap-free training stretches, all with the same inputs; voltages as finely as they are known.
+        Gap-free training segments, all with the same inputs; voltages as finely as they are known.
     squared : bool
         Inputs v² (electrostatic) or v.
     angle : bool
@@ -110,7 +110,7 @@ def fit_sindy(
     Raises
     ------
     InputError
-        No data, differing inputs, a constant displacement, or stretches that are too short.
+        No data, differing inputs, a constant displacement, or segments that are too short.
     """
     problem = prepare_problem(trajectories, squared, angle)
     errors: dict[Treatment, FloatArray] = {}
@@ -248,7 +248,7 @@ def fit_default_sindy(
     Parameters
     ----------
     trajectories : sequence of Log
-        Gap-free training stretches; velocities are used, accelerations are not.
+        Gap-free training segments; velocities are used, accelerations are not.
     squared : bool
         Inputs v² or v.
     units : (float, float)

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import model_validator
 
-from ...fitting.regression import InputLaw
+from ...fitting.regression import InputAction
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
 from ...scoring.cross_validation import mean_over_folds
@@ -259,7 +259,7 @@ def _unit(powers: Any, row: int, units: Units, squared: bool) -> str:
 def identify_sindy(
     trajectories: Sequence[Log],
     *,
-    inputs: InputLaw = "squared",
+    inputs: InputAction = "squared",
     mass: float = 1.0,
     units: Units = ("m", "V"),
     most: int | None = None,
@@ -269,7 +269,7 @@ def identify_sindy(
     Parameters
     ----------
     trajectories : sequence of Log
-        Gap-free stretches of the training logs, voltages as finely as they are known.
+        Gap-free segments of the training logs, voltages as finely as they are known.
     inputs : {"squared", "linear"}
         Whether v² or v enters the equation.
     mass : float
@@ -316,7 +316,7 @@ def identify_sindy(
 def identify_default_sindy(
     trajectories: Sequence[Log],
     *,
-    inputs: InputLaw = "squared",
+    inputs: InputAction = "squared",
     mass: float = 1.0,
     units: Units = ("m", "V"),
     log_units: tuple[float, float] = (1e-3, 1e3),
@@ -326,7 +326,7 @@ def identify_default_sindy(
     Parameters
     ----------
     trajectories : sequence of Log
-        Gap-free stretches of the training logs.
+        Gap-free segments of the training logs.
     inputs : {"squared", "linear"}
         Whether v² or v enters the equation.
     mass : float

@@ -1,9 +1,9 @@
-"""SINDy's regression in weak form: pysindy's feature library, integrated against test functions over each stretch.
+"""SINDy's regression in weak form: pysindy's feature library, integrated against test functions over each segment.
 
 Both sides of q̈ = Σ c_p θ_p(x) are multiplied by a test function φ = (1 − s²)⁴ of half width H and integrated;
 integration by parts leaves −∫ φ' q̇ dt on the left, so no second derivative of the measurement enters (Messenger & Bortz
-2021, doi:10.1137/20M1343166). Stretches differ in length, which pysindy's weak library does not take in one fit
-(dynamicslab/pysindy issue 187): every stretch has a library of its own, so no test function straddles a gap. pysindy
+2021, doi:10.1137/20M1343166). Segments differ in length, which pysindy's weak library does not take in one fit
+(dynamicslab/pysindy issue 187): every segment has a library of its own, so no test function straddles a gap. pysindy
 draws the places of test functions from NumPy's global state (its issue 485), which is seeded here and put back.
 
 A `Problem` holds the rows for every candidate term and every held-out block.
@@ -83,7 +83,7 @@ def exponents_of(names: list[str], variables: int) -> IntArray:
 def weak_rows(
     x: FloatArray, qdot: FloatArray, interval: float, half_width: float, count: int, angle: bool
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Rows of the regression from one gap-free stretch.
+    """Rows of the regression from one gap-free segment.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def weak_rows(
     interval : float
         Its sample interval [s].
     half_width : float
-        H [s], less than half of the stretch.
+        H [s], less than half of the segment.
     count : int
         Test functions.
     angle : bool
@@ -221,7 +221,7 @@ class Problem:
     Attributes
     ----------
     trajectories : sequence of Log
-        Gap-free stretches.
+        Gap-free segments.
     blocks : list of HeldOutBlock
         Their parts; `rows` and `targets` have an entry for each, of shapes (K, P) and (K,).
     exponents : IntArray, shape (P, V)
@@ -263,7 +263,7 @@ def prepare_problem(trajectories: Sequence[Log], squared: bool, angle: bool) -> 
     Raises
     ------
     InputError
-        No data, differing inputs, a constant displacement, or stretches that are too short.
+        No data, differing inputs, a constant displacement, or segments that are too short.
     """
     low, high = operating_range(trajectories)
     if len({x.v.shape[-1] for x in trajectories}) != 1:
@@ -302,7 +302,7 @@ def _half_width(trajectories: Sequence[Log], blocks: Sequence[HeldOutBlock], tim
         ((b.stop - b.start - 1) * trajectories[b.source].interval, trajectories[b.source].interval) for b in blocks
     )
     if length < 4.0 * LEAST_SAMPLES * interval:
-        raise InputError("the training stretches are too short for SINDy; give longer logs")
+        raise InputError("the training segments are too short for SINDy; give longer logs")
     return min(max(time_scale, LEAST_SAMPLES * interval), length / 4.0)
 
 

@@ -86,12 +86,12 @@ def derivatives(
     interval = sample_interval(grid)
     how = differentiator(settings, measured=measured, unit=unit)
     rates = np.full((2, len(grid)), np.nan)
-    stretches = []
+    segments = []
     for number in np.unique(fine["segment"][fine["segment"] >= 0]):
         rows = fine["segment"] == number
         result = differentiate(fine["velocity" if measured else "q"][rows], interval, **how)
         rates[:, rows] = (result.q_smooth, result.qdot) if measured else (result.qdot, result.qddot)
-        stretches.append(
+        segments.append(
             {
                 "segment": int(number),
                 "alpha": result.alpha / unit,
@@ -108,7 +108,7 @@ def derivatives(
         **({"order": how["order"]} if settings.method == "tvregdiff" else {}),
         "interval_s": interval,
         "unit_si": unit,
-        "stretches": stretches,
+        "stretches": segments,
     }
     return rates[0, index], rates[1, index], notes
 

@@ -28,8 +28,8 @@ from ...signals.findings import (
 from ...signals.log import LONGEST_BRIDGE, UNKNOWN, RawLog
 from ...signals.noise import held_samples, mains_at_another_rate, resolution
 from ...signals.outliers import Trusted, dropout_remarks, trusted, without_spikes
+from ...signals.segments import TimeRows
 from ...signals.signal_quality import SignalQuality, examine_signal, span
-from ...signals.stretches import TimeRows
 from ...signals.timebase import TimeQuality, examine, nominal_step, seldom
 from ...signals.uniform_record import Resampling, Survey, UniformRecord, inputs_unknown, survey
 from ...units.quantity import stamped

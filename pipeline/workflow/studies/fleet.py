@@ -30,7 +30,7 @@ from ..steps.identify import fitted_parts
 
 @dataclass(frozen=True)
 class LearntFile:
-    """A file of siblings.
+    """A file with the prior of other joints.
 
     Attributes
     ----------
@@ -56,12 +56,12 @@ def learn_siblings(roots: Sequence[Path], output: Path) -> LearntFile:
     roots : sequence of Path
         Run folders, and folders of batches, which stand for all runs in them.
     output : Path
-        The file; one of siblings is replaced, another one is not.
+        The file; one of a prior is replaced, another one is not.
 
     Raises
     ------
     InputError
-        `output` is another file, two runs have one name, or the siblings have not one parameter set.
+        `output` is another file, two runs have one name, or the joints have not one parameter set.
     DataRefusedError
         Too few runs can be learnt from.
     """
@@ -99,7 +99,7 @@ def _sibling(run: RunFolder) -> tuple[str, str, HybridModel]:
     """Name of the prototype, content hash of its models, and the hybrid one."""
     prototype = run.prototype
     if prototype.plant.siblings is not None:
-        raise InputError(f"{run.root}: was identified with siblings, which would enter twice; identify it without")
+        raise InputError(f"{run.root}: was identified with a prior of other joints, which would enter twice; omit it")
     model = load_run_model(run, prototype, "hybrid")
     if not isinstance(model, HybridModel):
         raise InputError(f"{run.root}: its hybrid is not a hybrid model")

@@ -22,7 +22,7 @@ from ...scoring.cross_validation import (
     kept_segments,
     log_folds,
     mean_over_folds,
-    not_told_from_lowest,
+    not_above_lowest,
     signal_ranges,
 )
 from ...scoring.wells import NoWells, Wells, wells_of
@@ -242,7 +242,7 @@ def _summary(tables: Mapping[str, Table]) -> list[dict[str, Any]]:
     for model in tables:
         row: dict[str, Any] = {"model": model}
         for key in NRMSE_COLUMNS:
-            front = not_told_from_lowest({name: table[key] for name, table in whole.items()})
+            front = not_above_lowest({name: table[key] for name, table in whole.items()})
             mean, band = mean_over_folds(whole[model][key]) if model in whole else (None, None)
             row[key] = mean
             row[f"{key}_low"], row[f"{key}_high"] = (max(0.0, band.low), min(1.0, band.high)) if band else (None, None)

@@ -108,7 +108,7 @@ def test_a_run_files_its_siblings_and_the_fit_takes_them(tmp_path: Path) -> None
     with pytest.raises(InputError, match="another parameter set"):
         prior_knowledge_of(run, prototype, TABLE1)
     (tmp_path / "siblings.h5").write_bytes(b"x")
-    with pytest.raises(InputError, match=r"siblings\.h5: is no whole file of siblings"):
+    with pytest.raises(InputError, match=r"siblings\.h5: is no whole prior of other joints"):
         run_prototype(tmp_path / "P.toml", tmp_path / "run", Silent(), only="ingest")
     (tmp_path / "P.toml").write_text(text + '[plant]\nsiblings = "siblings.h5"\n')
     with pytest.raises(InputError, match=r"give plant\.parameters too"):

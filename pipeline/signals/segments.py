@@ -1,6 +1,6 @@
-"""The usable part of a log: advancing rows, finite samples, gap-free stretches, and these on a uniform grid.
+"""The usable part of a log: advancing rows, finite samples, gap-free segments, and these on a uniform grid.
 
-Rows that are left out are counted. On the grid the stretches are one stream of values, with lines between them.
+Rows that are left out are counted. On the grid the segments are one stream of values, with lines between them.
 """
 
 from collections.abc import Iterator, Sequence
@@ -32,7 +32,7 @@ class TimeRows:
     turns : FloatArray
         Stamps [s] after which time stepped back.
     ends : FloatArray
-        These, and the stamps [s] after which rows are missing though time goes on: a stretch ends there.
+        These, and the stamps [s] after which rows are missing though time goes on: a segment ends there.
     step : float
         Nominal step [s] of the rows kept.
     not_finite, repeated, backward : int
@@ -50,8 +50,8 @@ class TimeRows:
 
 
 @dataclass(frozen=True)
-class Stretches:
-    """Finite samples of some columns on one advancing time base, and its gap-free stretches.
+class Segments:
+    """Finite samples of some columns on one advancing time base, and its gap-free segments.
 
     Attributes
     ----------
@@ -62,9 +62,9 @@ class Stretches:
     smooth : tuple of bool
         For each column, whether it is a displacement: how it is interpolated where it is not decimated.
     bounds : IntArray, shape (S, 2)
-        First index and end index of each stretch.
+        First index and end index of each segment.
     edges : FloatArray, shape (S, 2)
-        First and last stamp [s] of each stretch.
+        First and last stamp [s] of each segment.
     step : float
         Nominal step [s].
     not_finite : tuple of int
@@ -129,10 +129,10 @@ def advancing_rows(time: FloatArray, time_reversal: TimeReversal, cuts: FloatArr
     return TimeRows(time, keep, back, np.concatenate((back, cuts)), nominal_step(advanced), *left)
 
 
-def finite_stretches(
+def finite_segments(
     rows: TimeRows, columns: Sequence[FloatArray], smooth: Sequence[bool], names: Sequence[str]
-) -> list[Stretches]:
-    """Split columns into gap-free stretches; neighbouring columns with the same valid rows share one result.
+) -> list[Segments]:
+    """Split columns into gap-free segments; neighbouring columns with the same valid rows share one result.
 
     Parameters
     ----------
@@ -141,7 +141,7 @@ def finite_stretches(
     columns : sequence of FloatArray, shape (N,) each
         Samples; those that are not finite are left out.
     smooth : sequence of bool
-        As `Stretches.smooth`.
+        As `Segments.smooth`.
     names : sequence of str
         Names of the columns, for the error.
 
@@ -163,7 +163,7 @@ def finite_stretches(
             shared[-1][1].append(j)
         else:
             shared.append((valid, [j]))
-    stretches = []
+    found = []
     for valid, members in shared:
         if not valid.any():
             raise DataRefusedError(f"{names[members[0]]} holds no finite sample at all: no sensor, or another channel")
@@ -173,8 +173,8 @@ def finite_stretches(
         picked = tuple(select(columns[j], valid) for j in members)
         kinds = tuple(smooth[j] for j in members)
         missed = tuple(not_finite[j] for j in members)
-        stretches.append(Stretches(stamps, picked, kinds, bounds, edges, rows.step, missed))
-    return stretches
+        found.append(Segments(stamps, picked, kinds, bounds, edges, rows.step, missed))
+    return found
 
 
 def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:
@@ -183,7 +183,7 @@ def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:
 
 
 def _cut(bounds: IntArray, stamps: FloatArray, ends: FloatArray) -> IntArray:
-    """Stretches also end where time stepped back or rows are missing, even if the hole is small."""
+    """Segments also end where time stepped back or rows are missing, even if the hole is small."""
     if ends.size == 0:
         return bounds
     edges = np.unique(np.concatenate((bounds.ravel(), np.searchsorted(stamps, ends, side="right"))))
@@ -195,7 +195,7 @@ class Stream:
 
     Parameters
     ----------
-    group : Stretches
+    group : Segments
         Columns with k members.
     grid : FloatArray, shape (M,)
         Uniform times [s] inside the group's time span.
@@ -205,7 +205,7 @@ class Stream:
         Low-pass and decimate, or interpolate.
     """
 
-    def __init__(self, group: Stretches, grid: FloatArray, interval: float, *, decimate: bool) -> None:
+    def __init__(self, group: Segments, grid: FloatArray, interval: float, *, decimate: bool) -> None:
         self._pieces = _resampled(group, grid, interval, decimate)
         self._ready: FloatArray = np.empty((len(group.columns), 0))
 
@@ -221,14 +221,14 @@ class Stream:
         return values[:, :count]
 
 
-def _resampled(group: Stretches, grid: FloatArray, interval: float, decimate: bool) -> Iterator[FloatArray]:
+def _resampled(group: Segments, grid: FloatArray, interval: float, decimate: bool) -> Iterator[FloatArray]:
     """Values at all grid points, shape (k, m), piece after piece."""
     position = 0
     for (low, high), (first, last, end) in _shares_of_grid(group, grid, interval):
         if position < first:
             yield from _bridged(group, grid[position:first])
         wanted = end - first
-        for piece in _stretch(group, slice(low, high), grid[first:last], interval, decimate):
+        for piece in _segment(group, slice(low, high), grid[first:last], interval, decimate):
             yield piece[:, :wanted]
             wanted -= min(wanted, piece.shape[1])
         position = end
@@ -236,21 +236,19 @@ def _resampled(group: Stretches, grid: FloatArray, interval: float, decimate: bo
         yield from _bridged(group, grid[position:])
 
 
-def _shares_of_grid(group: Stretches, grid: FloatArray, interval: float) -> Iterator[tuple[IntArray, IntArray]]:
-    """Rows of each stretch that holds grid points; its first and end point, and the end of those it gives values to."""
+def _shares_of_grid(group: Segments, grid: FloatArray, interval: float) -> Iterator[tuple[IntArray, IntArray]]:
+    """Rows of each segment that holds grid points; its first and end point, and the end of those it gives values to."""
     first = np.searchsorted(grid, group.edges[:, 0] - ROUNDING * interval)
     last = np.searchsorted(grid, group.edges[:, 1] + ROUNDING * interval, side="right")
     holds = np.flatnonzero(first < last)
     first, last = first[holds], last[holds]
-    # Where two stretches nearly touch, a point at the edge of both is the later one's.
+    # Where two segments nearly touch, a point at the edge of both is the later one's.
     end = np.minimum(last, np.append(first[1:], grid.size))
     return zip(group.bounds[holds], np.stack((first, last, end), axis=1), strict=True)
 
 
-def _stretch(
-    group: Stretches, rows: slice, points: FloatArray, interval: float, decimate: bool
-) -> Iterator[FloatArray]:
-    """Values of one gap-free stretch at its grid points."""
+def _segment(group: Segments, rows: slice, points: FloatArray, interval: float, decimate: bool) -> Iterator[FloatArray]:
+    """Values of one gap-free segment at its grid points."""
     time = group.time[rows]
     columns = [samples[rows] for samples in group.columns]
     if decimate:
@@ -264,8 +262,8 @@ def _stretch(
         yield np.stack(pieces)
 
 
-def _bridged(group: Stretches, gap: FloatArray) -> Iterator[FloatArray]:
-    """Straight lines from sample to sample at the points between two stretches."""
+def _bridged(group: Segments, gap: FloatArray) -> Iterator[FloatArray]:
+    """Straight lines from sample to sample at the points between two segments."""
     for first in range(0, gap.size, CHUNK):
         points = gap[first : first + CHUNK]
         low, high = np.searchsorted(group.time, points[[0, -1]])
