@@ -81,9 +81,9 @@ def settings(
     inputs : int
         Number of inputs, 1 or 2.
     angle : bool
-        Whether q is in rad.
+        True if q is in rad.
     action : {"squared", "linear"}
-        How the inputs act.
+        Action of the inputs.
     mass : float or None
         Moving mass [kg] or inertia [kg·m²].
     model : str
@@ -141,9 +141,9 @@ class Cleaned:
     motion : Log
         On the uniform grid, with derivatives.
     signals : LogSignals
-        What the checks look at.
+        Signals for the checks.
     warnings : tuple of str
-        What was noticed and masked.
+        Remarks, and masked samples.
     """
 
     motion: Log

@@ -56,9 +56,9 @@ class Model:
     name : str
         Such as ``hybrid`` or ``rbf``.
     core : DynamicModel
-        What computes: ``simulate(t, v, q0, qdot0)`` with arrays.
+        Model that computes: ``simulate(t, v, q0, qdot0)`` with arrays.
     notes : dict
-        What was accepted and chosen when it was identified.
+        Accepted findings and choices of its identification.
     """
 
     def __init__(
@@ -199,7 +199,7 @@ class Model:
         Warns
         -----
         UserWarning
-            What was noticed and masked in the log.
+            Remarks on the log, and its masked samples.
         """
         return pd.DataFrame(score_table(self.core, self._measured(t, q, v1, v2), device(self._prototype)))
 
@@ -215,7 +215,7 @@ class Model:
         t, q, v1, v2 : array_like, shape (N,)
             A measured log as of `score`.
         ahead : int
-            How many samples of the uniform record ahead, at least 1; the default record has one every 10 ms.
+            Samples of the uniform record ahead, at least 1; the default record has one every 10 ms.
 
         Returns
         -------
@@ -357,9 +357,9 @@ def identify(
         Parameter set of the analytical joint: "nominal", "table1" or a file ``*.toml``. Without it a hybrid model's
         equations are scaled to the device by the data.
     inputs : {"squared", "linear"}
-        Whether the force goes with v² (electrostatic) or v.
+        Action of the inputs: the force goes with v² (electrostatic) or v.
     angle : bool
-        Whether q is an angle; a column q_rad is one anyway.
+        True if q is an angle; a column q_rad is one anyway.
     model : str
         "auto" (hybrid or rbf, whichever predicts held-out training data better), or the name of a model: "hybrid",
         "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical" or "analytical-calibrated".

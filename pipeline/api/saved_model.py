@@ -38,7 +38,7 @@ class _File(ModelFile):
     t: Annotated[FloatArray, Table("N"), Unit("s")]
     """Times of the log that an export is checked on."""
     v: Annotated[FloatArray, Table("N K"), Unit("SI")]
-    """Its inputs."""
+    """Inputs of the model."""
     start: Annotated[FloatArray, Table("2"), Unit("SI")]
     """Displacement and velocity at its beginning."""
     q: Annotated[Span, Unit("SI")]
@@ -129,7 +129,7 @@ def export_model(subject: Subject, target: str, folder: Path, *, force: bool = F
     folder : Path
         Folder of the files.
     force : bool
-        Whether files of others may be replaced.
+        True if files of others may be replaced.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""From a graph to a kernel in numba: operations go straight to the compiler, for one joint or several side by side.
+"""Kernels in numba from graphs: operations go straight to the compiler, for one joint or several side by side.
 
 `kernel` takes arrays, `formula` numbers.
 
@@ -37,7 +37,7 @@ def kernel(
     Parameters
     ----------
     graph : Graph
-        What is computed.
+        The operations.
     width : int
         Joints side by side.
     value : str, optional
@@ -45,7 +45,7 @@ def kernel(
     common : tuple of str
         Names of the inputs that all joints share.
     single : bool
-        Whether numbers are float32.
+        True if numbers are float32.
     """
     real, number = (_SINGLE, types.float32) if single else (_REAL, types.float64)
     names = [name for name in [*graph.inputs, *graph.outputs] if name != value]
@@ -144,7 +144,7 @@ def formula(graph: Graph) -> Any:
 
     @type_callable(run)
     def typed(context):
-        """Its type."""
+        """Typing function of the calls."""
 
         def of(numbers):
             """The signature for a tuple of numbers."""

@@ -1,4 +1,4 @@
-"""From a graph to the text of a function: C99 or MATLAB (and GNU Octave)."""
+"""Text of a function from a graph: C99 or MATLAB (and GNU Octave)."""
 
 import math
 import textwrap
@@ -178,7 +178,7 @@ def _kept(graph: Graph, operation: Operation) -> bool:
 
 
 def _bare(expression: str) -> str:
-    """Without the outer pair of parentheses."""
+    """Text without the outer pair of parentheses."""
     if not (expression.startswith("(") and expression.endswith(")")):
         return expression
     depth = 0

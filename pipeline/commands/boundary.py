@@ -91,7 +91,7 @@ OPTIONS = {
     "rig closed-loop --noise": _SCENARIO.format("noise"),
     "rig closed-loop --seed": _SCENARIO.format("seed"),
 }
-"""By the option, alone or after the command or group that had it."""
+"""Advice by the option, alone or after the command or group that had it."""
 
 
 def replacement(error: Any, given: Sequence[str]) -> str | None:

@@ -194,7 +194,7 @@ class Progress:
         typer.echo(printable(f"warning: {what}: {warning}"), err=True)
 
     def skipped(self, task: "Task") -> None:
-        """Nothing to do for this task; the summary counts it."""
+        """Ignore this task; the summary counts it."""
         self._at += 1
 
     def __enter__(self) -> "Progress":

@@ -1,1 +1,1 @@
-"""From an identified joint to control: linear models, pulses, switching map, observer, controller."""
+"""Control of an identified joint: linear models, pulses, switching map, observer, controller."""

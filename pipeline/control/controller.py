@@ -89,7 +89,7 @@ def control(s: FloatArray, reading: float, target: float, law: Law, v: FloatArra
     reading : float
         Of the laser [m].
     target : float
-        Where the joint is to go [m].
+        Target [m].
     law : Law
         The controller.
     v : FloatArray, shape (2,)

@@ -91,7 +91,7 @@ class Ensemble:
         commands : FloatArray, shape (P, M, 2)
             Commanded voltages [V] of P runs, one every `PERIOD` of the controller, held in between.
         start : float
-            Where they begin [m].
+            Displacement at the start [m].
 
         Notes
         -----

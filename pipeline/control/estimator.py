@@ -382,7 +382,7 @@ def _jacobian(
 
 
 def check(now: State, v: Values, n: Numbers, rests: Values) -> Outputs:
-    """If a number is not finite: zero voltages, and a new start with the next reading.
+    """Reaction to a number that is not finite: zero voltages, and a new start with the next reading.
 
     Parameters
     ----------

@@ -102,7 +102,7 @@ def hold(law: Law, s: FloatArray, joint: FloatArray, target: float, periods: int
     target : float
         [m].
     periods : int
-        How many.
+        Their number.
     """
     v = np.zeros(2)
     offset = law.numbers[_OFFSET]

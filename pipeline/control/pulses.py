@@ -84,7 +84,7 @@ def design_pulse(
     highest : float
         Largest voltage [V].
     goal : {"time", "energy", "voltage"}
-        What is least: settling time, charge energy, or peak voltage.
+        Quantity to minimise: settling time, charge energy, or peak voltage.
     on_progress : callable
         Called before each round of the search.
 
@@ -179,7 +179,7 @@ def judged(
     values : FloatArray, shape (P, 6)
         Durations [s] and efforts of the segments.
     goal : {"time", "energy", "voltage"}
-        What is least.
+        Quantity to minimise.
     lag : float
         Time constant of the converters [s]: a shorter segment charges its membrane in part.
     """

@@ -60,7 +60,7 @@ def switching_map(
     wells : (float, float, float)
         Readings [m] of left well, saddle and right well.
     to : {"left", "right"}
-        Where the pulse is to bring it.
+        Target well of the pulse.
     on_progress : callable
         Receives the share that is done.
 
@@ -111,7 +111,7 @@ Those that are moved singly leave the valley of the posterior, where the voltage
 
 @dataclass(frozen=True)
 class LowestVoltage:
-    """Of pulses of one duration to one well.
+    """Switching of pulses of one duration to one well.
 
     Attributes
     ----------
@@ -150,11 +150,11 @@ def lowest_voltage(
     model : HybridModel
         The identified joint.
     converters : Converters
-        What is known of them.
+        Knowledge of the converters.
     wells : (float, float, float)
         Readings [m] of left well, saddle and right well.
     to : {"left", "right"}
-        Where the pulse is to bring it.
+        Target well of the pulse.
     duration : float
         Of the pulse [s].
 

@@ -38,7 +38,7 @@ class Device:
     inputs : tuple of SiUnit
         To V, or whatever the inputs measure; one or two.
     action : {"squared", "linear"}
-        How the inputs act.
+        Action of the inputs.
     known_mass : float or None
         Moving mass [kg] or inertia [kg·m²], if the settings state it.
     velocity : SiUnit or None

@@ -254,7 +254,7 @@ def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequen
     name : str
         ``table1``, ``nominal``, or a path that ends in ``.toml``.
     folder : Path, optional
-        What a relative path is relative to; the working folder if left out.
+        Base of a relative path; the working folder if left out.
     overrides : sequence of str
         ``name=value unit``, e.g. ``E=1.8 GPa`` or ``left.b=23.2 mm``.
 

@@ -39,7 +39,7 @@ class Curves:
     gains : FloatArray, shape (K, n)
         g_k [N/V²] or [N/V]: ½ dC_k/dq for an electrostatic input.
     squared : bool
-        Whether u = v².
+        True if u = v².
     """
 
     q: FloatArray
@@ -109,7 +109,7 @@ def _own_curves(model: DynamicModel, grid: FloatArray) -> Mapping[str, FloatArra
 
 
 def stable_rests(model: DynamicModel, motions: Sequence[FloatArray]) -> int | None:
-    """In how many places a device rests by a model's curves over the range of q that was seen; None without curves.
+    """Number of places at which a device rests by a model's curves over the measured range of q; None without curves.
 
     Parameters
     ----------
@@ -161,7 +161,7 @@ def _drawn_curves(
 
 
 def jumps(force: FloatArray) -> BoolArray:
-    """Between which points of the grid the force jumps, shape (n − 1,): the beam's shape snaps at a held tip there."""
+    """Mask of the grid intervals in which the force jumps, shape (n − 1,): the beam's shape snaps there."""
     change = np.abs(np.diff(force))
     beside = np.maximum(np.roll(change, 2), np.roll(change, -2))
     beside[:2], beside[-2:] = change[2:4], change[-4:-2]

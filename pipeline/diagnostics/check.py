@@ -51,7 +51,7 @@ def input_findings(fact: LogFacts, plant: Device) -> list[Finding]:
 
 
 def _unseen_force(fact: LogFacts, i: int) -> Finding:
-    """Of an input whose force the log does not show: as it is never on, or hardly ever changes."""
+    """Finding on an input whose force the log does not show: it is never on, or hardly ever changes."""
     v = fact.signals.v[:, i]
     subject = f"v{i + 1}"
     if np.ptp(v) > 0.0 and is_idle(v):
@@ -350,14 +350,14 @@ class CheckRow:
     log : str
         Of which log, as people call it.
     what : str
-        What was looked at.
+        Subject of the check.
     found, limit : str
         The number, and what it may be; the limit may be empty.
     state : State
     gate : Gate or None
         The name under which the settings can accept it.
     advice : str
-        What to do unless the state is ok.
+        Advice unless the state is ok.
     more : str
         Other numbers that speak for or against it.
     values : mapping of str to float
@@ -412,7 +412,7 @@ def beside(rows: Sequence[CheckRow]) -> tuple[tuple[str, ...], list[tuple[str, .
     -------
     header : tuple of str
     table : list of tuple of str
-        What was looked at, what was found, the limit; a (!) marks what is remarkable.
+        Subject, finding, limit; a (!) marks remarkable ones.
     """
     logs = list(dict.fromkeys(row.log for row in rows))
     order = list(STATES.values())

@@ -40,7 +40,7 @@ class ConverterLag:
     scatter : float
         Robust standard deviation of its logarithm over the steps.
     steps : int
-        How many there are.
+        Their number.
     """
 
     lag: float

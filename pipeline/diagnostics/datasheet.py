@@ -258,7 +258,19 @@ def _by_model(
 def simulated_ring_downs(
     model: DynamicModel, values: Mapping[str, float | None], curves: Curves, inputs: int
 ) -> dict[str, float | None]:
-    """Frequency and damping ratio of a small free oscillation in each well, as the whole model simulates it."""
+    """Frequency [Hz] and damping ratio of a small free oscillation in each well, as the whole model simulates it.
+
+    Parameters
+    ----------
+    model : DynamicModel
+        The model.
+    values : mapping of str to float or None
+        Facts of its curves: places of rest [m or rad] and stiffnesses there.
+    curves : Curves
+        Its curves; the amplitude is `RING_AMPLITUDE` of their range.
+    inputs : int
+        Number of inputs, all zero.
+    """
     facts: dict[str, float | None] = {}
     t = np.arange(0.0, RING_TIME, RING_STEP)
     amplitude = RING_AMPLITUDE * float(curves.q[-1] - curves.q[0])

@@ -101,7 +101,7 @@ def graded(
     Parameters
     ----------
     about : {"data", "model"}
-        What is judged.
+        Subject of the grade.
     code : str
         Of the threshold and of the finding.
     value : float

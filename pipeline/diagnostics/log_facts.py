@@ -108,7 +108,7 @@ def rest_drift(
     interval : float
         Step of the times [s].
     wells : Wells or NoWells
-        Where the device rests.
+        Places at which the device rests.
     plant : Device
         Its inputs, and whether it is the joint.
 
@@ -176,7 +176,7 @@ class LogFacts:
         Range of q [m or rad].
     wells : Wells or NoWells
     unexplained : float or None
-        What the weak form leaves of the accelerations, over their RMS.
+        Residual of the accelerations in the weak form, over their RMS.
     under_other_action : float or None
         The same where the inputs act by the other action (in proportion for by their squares).
     as_signed_monitor : float or None
@@ -213,16 +213,16 @@ def log_facts(log: LogSignals, sample_interval: float, plant: Device) -> LogFact
     sample_interval : float
         Interval at which it is looked at [s].
     plant : Device
-        How its inputs act, and whether it is the joint.
+        Its inputs, and whether it is the joint.
     """
     terms = weak_terms(log, plant.acting(log.v), sample_interval)
     every = samples_of(sample_interval, log.interval)
     t, q, v = log.every(every)
     wells = find_wells([(q, v, every * log.interval)], plant=plant)
     both_signs = any(map(takes_both_signs, log.v.min(axis=0).tolist(), log.v.max(axis=0).tolist()))
-    other_law = signed_monitor = None
+    other_action = signed_monitor = None
     if terms is not None:
-        other_law = unexplained(under_inputs(terms, log, plant.under_other_action.acting(log.v), sample_interval))
+        other_action = unexplained(under_inputs(terms, log, plant.under_other_action.acting(log.v), sample_interval))
     if terms is not None and both_signs and log.v.shape[1] == 1:
         sides = np.hstack([np.maximum(log.v, 0.0), np.maximum(-log.v, 0.0)])
         signed_monitor = unexplained(under_inputs(terms, log, np.square(sides), sample_interval))
@@ -235,7 +235,7 @@ def log_facts(log: LogSignals, sample_interval: float, plant: Device) -> LogFact
         span=float(np.nanmax(log.q) - np.nanmin(log.q)),
         wells=wells,
         unexplained=None if terms is None else unexplained(terms),
-        under_other_action=other_law,
+        under_other_action=other_action,
         as_signed_monitor=signed_monitor,
         starts=undriven_starts(t, q, v),
         drift=rest_drift(t, q, v, every * log.interval, wells, plant=plant),

@@ -137,7 +137,7 @@ def _rests(finding: Finding) -> ShownRow:
 
 
 def _unseen_direction(finding: Finding) -> ShownRow:
-    """Of an input whose force a log does not show."""
+    """Row of an input whose force a log does not show."""
     name = finding.subject
     found = {"idle_input": "nothing but noise", "never_on": "never on", "hardly_changes": "hardly ever changes"}
     advice = "name the channel that drives the device, or leave it out for a device with one input"
@@ -313,7 +313,7 @@ def line(log: str, what: str, found: str, more: str, limit: str) -> str:
     log : str
         Name of the log.
     what : str
-        What was looked at.
+        Subject of the check.
     found : str
         Its numbers.
     more : str
@@ -424,4 +424,4 @@ CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {
     "rank": _rank,
     "one_well": _one_well,
 }
-"""By code."""
+"""Sentences by code."""

@@ -64,7 +64,7 @@ def _instrument(row: Mapping[str, Any], title: str, displacement: str) -> Findin
 
 
 def causes(data: RunData, worst: Mapping[str, Any], ratio: float, wells: Wells | NoWells) -> list[Finding]:
-    """That a validation log has `ratio` times the error of the training logs, unless what was measured explains it.
+    """Findings on a validation log with `ratio` times the error of the training logs, unless a measurement explains it.
 
     Parameters
     ----------

@@ -68,7 +68,7 @@ def analyse_residual(
     measured, calculated : FloatArray, shape (N,)
         NaN where masked or diverged.
     inputs : FloatArray, shape (N, K)
-        What acts on the device, e.g. squared voltages.
+        Acting inputs, e.g. squared voltages.
     interval : float
         Sample interval [s].
     """

@@ -36,7 +36,7 @@ class LogData:
     outcomes : mapping of model to notes
         ``status`` and ``diverged_at_s`` of each.
     record_notes, kinematics_notes : mapping
-        What ingest and differentiate say of their results.
+        Notes of ingest and differentiate on their results.
     """
 
     role: str
@@ -97,15 +97,15 @@ class RunData:
     accepted : tuple of str
         Findings against the data that the settings accept, or that the parameter set makes up for.
     choice : mapping or None
-        How "auto" chose between the models (`pipeline.models.choose.Choice`), if it did.
+        Choice of "auto" between the models (`pipeline.models.choose.Choice`), if it was made.
     log_checks : sequence of mapping
         Rows of `debist check` as its JSON has them; none in a run of before they were made.
     instruments : sequence of mapping
         Rows of ``instruments.parquet``; none in a run without it.
     siblings : NormalPopulation or None
-        What `[plant] siblings` names, as the run holds it.
+        Prior that `[plant] siblings` names, as the run holds it.
     control : mapping of str to mapping
-        What `debist control` made of the present model, by title.
+        Results of `debist control` for the present model, by title.
     provenance : mapping
         Printed, not used: ``prototype`` (settings), ``versions``, ``artifacts`` and ``sources`` (rows),
         ``prototype_file``, ``folder`` of the run as seen from there.

@@ -329,7 +329,7 @@ CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {
     "masked": _masked,
     "measured_facts": _measured_facts,
 }
-"""By code."""
+"""Sentences by code."""
 
 
 def judge(
@@ -346,13 +346,13 @@ def judge(
     where : str
         Name of the data, for the error.
     findings : sequence of Finding
-        What speaks against them.
+        Findings against them.
     settings : Quality
-        What they accept.
+        Settings with the accepted gates.
     prior : collection of str
         Gates of what the data need not show, because a model knows it beforehand.
     decides : str
-        What of the model does.
+        Part of the model that decides.
 
     Raises
     ------

@@ -28,7 +28,7 @@ paper's, a slow one and a fast one."""
 _GAUSS = ((0.5 - math.sqrt(0.15), 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.5 + math.sqrt(0.15), 5.0 / 18.0))
 """Places ξ along the beam and their weights, by Gauss's rule with three points."""
 STOP_ELEMENTS = (*range(SLIPS), *(SLIPS + layer for _ in _GAUSS for layer in range(LAYERS)))
-"""For each stop operator the element of which it is: the slips of friction, then the layers at each place."""
+"""Element of each stop operator: the slips of friction, then the layers at each place."""
 STOP_SHARES = (*(1.0 for _ in range(SLIPS)), *(weight for _, weight in _GAUSS for _ in range(LAYERS)))
 """Share of its element's force."""
 STOP_DIRECTIONS = (

@@ -100,11 +100,11 @@ def length(sign: float, mounts: Mounts, l: Any, tip: Tip) -> tuple[Expression, E
     sign : float
         −1 for the left membrane, +1 for the right one.
     mounts : Mounts
-        Where it is fixed.
+        Points at which it is fixed.
     l : expression
         Length of the beam [m].
     tip : Tip
-        Where the beam's tip is.
+        Place of the beam's tip.
 
     Notes
     -----
@@ -138,7 +138,7 @@ def neo_hooke(stretch: Any) -> Expression:
 
 
 def neo_hooke_slope(stretch: Any, inverse: Any) -> Expression:
-    """Its derivative 2λ − 2/λ², with `inverse` = 1/λ."""
+    """Derivative 2λ − 2/λ², with `inverse` = 1/λ."""
     return 2.0 * stretch - 2.0 * inverse * inverse
 
 

@@ -163,7 +163,7 @@ class _Joint:
         return {"before": x[last:], "within": middles, "after": ends, "x": [*x[:last], *ends]}
 
     def read(self, x: Values, dx: Values) -> Outputs:
-        """In the units of the log."""
+        """Outputs in the units of the log."""
         return {"y": [self.middle + self.half * x[0], self.half * x[1], self.half * dx[1]]}
 
     def within(self, x: Values) -> Outputs:

@@ -37,7 +37,7 @@ COMPILERS = {
     "linux64": Compiler("gcc", ".so", ("-fPIC", "-fvisibility=hidden")),
     "win64": Compiler("x86_64-w64-mingw32-gcc", ".dll", ("-static-libgcc", "-Wl,--no-insert-timestamp")),
 }
-"""By the folder of FMI 2.0."""
+"""Platforms by the folder of FMI 2.0."""
 
 
 def write_fmu(subject: Subject, folder: Path) -> Exported:
@@ -65,7 +65,7 @@ def packed(sources: dict[str, str], description: str, identifier: str, folder: P
     identifier : str
         Name of the FMU and of its functions.
     folder : Path
-        Where it goes.
+        Path of the output.
     """
     files = {f"sources/{name}": text.encode() for name, text in sources.items()}
     files["modelDescription.xml"] = description.encode()

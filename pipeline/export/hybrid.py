@@ -171,7 +171,7 @@ class _Joint:
         return {"x": held, "z": inline(STOP_MOVE, x=held[:STATES], z=z, start=base, p=self.p)["moved"]}
 
     def read(self, x: Values, dx: Values) -> Outputs:
-        """As the laser shows it."""
+        """Outputs as the laser shows them."""
         return {"y": [x[0] + self.offset, x[1], dx[1]]}
 
     def _forces(self, x: Values, u: Values) -> Outputs:

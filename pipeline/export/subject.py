@@ -86,7 +86,7 @@ class Subject:
     model : DynamicModel
         The model itself.
     validity : Validity
-        Where it may be trusted.
+        Range in which it may be trusted.
     origin : str
         Content hash of the artifact that holds the model.
     t, v : FloatArray, shapes (N,), (N, K)
@@ -202,7 +202,7 @@ class Realisation:
     delay : float
         Time [s] by which the voltages act later than they were measured.
     between : {"linear", "cubic", "zero"}
-        What voltages are between the samples: lines, a cubic spline, or held.
+        Voltages between the samples: lines, a cubic spline, or held.
     structure : str
         The equations in a line.
     held : tuple of two int, optional

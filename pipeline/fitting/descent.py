@@ -221,7 +221,7 @@ class _Damped:
         return np.asarray(self._scale * (projected @ self._vectors.T))
 
     def lengths(self, steps: FloatArray) -> FloatArray:
-        """Of steps in units in which diag H is one, shape (B,)."""
+        """Lengths of steps in units in which diag H is one, shape (B,)."""
         return np.asarray(np.linalg.norm(steps / self._scale, axis=1))
 
 

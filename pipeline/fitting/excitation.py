@@ -109,7 +109,7 @@ def examine_excitation(
     interval : float
         Sample interval [s].
     plant : Device
-        How its inputs act, and whether it is the joint.
+        Its inputs, and whether it is the joint.
     basis_functions, smoothing : int, float
         M and σ_n of the curves that are to be identified.
 
@@ -202,7 +202,7 @@ def _ringing(q: FloatArray, interval: float) -> float | None:
 LEAST_VISITS = 3
 """Samples nearest to a basis centre, below which its weight is the ridge's choice."""
 LARGEST_CONDITION = 1e4
-"""Of the regressor on unit-norm columns: beyond it, an error of 0.01 % in the data is one of 100 % in some weight."""
+"""Condition number of unit-norm columns: beyond it, an error of 0.01 % in the data is one of 100 % in some weight."""
 
 
 def excitation_findings(
@@ -229,11 +229,11 @@ def excitation_findings(
     interval : float
         Sample interval [s].
     plant : Device
-        How its inputs act, and whether it is the joint.
+        Its inputs, and whether it is the joint.
     basis_functions, smoothing : int, float
         M and σ_n of the curves that are to be identified.
     bistable : bool
-        Whether the device is known to have two wells.
+        True if the device is known to have two wells.
 
     Raises
     ------

@@ -52,9 +52,9 @@ class HomotopyFit:
         Assumed standard deviation of the residual.
     levels : tuple of Level
     reached_last : bool
-        Whether the last level that was asked for (mostly the free run) was reached.
+        True if the last level that was asked for (mostly the free run) was reached.
     chaotic : bool
-        Whether the fit stopped before it because free runs part from those that start beside them.
+        True if the fit stopped before it because free runs part from those that start beside them.
     """
 
     theta: FloatArray
@@ -106,11 +106,11 @@ class Callbacks:
     begin : callable
         With θ and the gain, before each level.
     enough : callable
-        Whether the effort is spent: then the last level follows at once, with `LEAST_STEPS` steps.
+        Test if the effort is spent: then the last level follows at once, with `LEAST_STEPS` steps.
     on_progress : callable
         With the gain and the RMS of the residual, before each step.
     is_chaotic : callable
-        Whether a free run with θ diverges from one that starts beside it. It is called after the level
+        Test if a free run with θ diverges from one that starts beside it. It is called after the level
         `Schedule.chaos_gain`, which then is the last: the error of a chaotic run is no cost to descend on.
     """
 
@@ -141,7 +141,7 @@ def fit_homotopy(
     callbacks : Callbacks, optional
         Functions that the fit calls.
     descent : type of Descent
-        How steps are taken: `ParallelDescent` where simulations run side by side.
+        Descent method: `ParallelDescent` where simulations run side by side.
 
     Returns
     -------

@@ -41,7 +41,7 @@ class ScaledRegressor:
     scales : FloatArray, shape (2 + K,)
         Full scale of q [m], of the lagged velocity [m/s], and of each input signal.
     inputs : {"squared", "linear"}
-        How the inputs act.
+        Action of the inputs.
     """
 
     centres: FloatArray
@@ -76,7 +76,7 @@ class ScaledRegressor:
         basis_functions, smoothing : int, float
             M and σ_n.
         inputs : {"squared", "linear"}
-            How the inputs act.
+            Action of the inputs.
 
         Raises
         ------

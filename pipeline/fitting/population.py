@@ -73,7 +73,7 @@ class Oddity:
     size, error : float
         Deviation of that entry from its expectation under the others, and the standard error.
     odd : bool
-        Whether that is farther than chance explains, with the bound `FALSE_ALARMS` for a usual member.
+        True if that is farther than chance explains, with the bound `FALSE_ALARMS` for a usual member.
     """
 
     entry: int
@@ -95,9 +95,9 @@ def estimate_population(
     prior : NormalPopulation
         What is believed without them; its covariance counts as `Shrinkage` has it, its mean as one member's.
     shrinkage : Shrinkage, optional
-        How far the prior counts.
+        Weight of the prior.
     start : NormalPopulation, optional
-        Where the estimation starts: the prior if left out.
+        Start of the estimation: the prior if left out.
     rounds : int
         Steps. Cost: 4 N P³ flops each.
     """
@@ -150,14 +150,14 @@ def _variance_within(cut: float) -> float:
 def without_each(
     members: Sequence[Information], prior: NormalPopulation, whole: NormalPopulation
 ) -> Iterator[NormalPopulation]:
-    """For each member the population of all the others; `whole` is that of all. Cost: `MORE_ROUNDS` steps for each.
+    """Population of all the others for each member; `whole` is that of all. Cost: `MORE_ROUNDS` steps for each.
 
     Parameters
     ----------
     members : sequence of Information
         Of N members.
     prior : NormalPopulation
-        What is believed without them.
+        Prior without them.
     whole : NormalPopulation
         The population of all: where the estimation starts.
     """

@@ -126,7 +126,7 @@ def posterior_draws(mean: FloatArray, spread: FloatArray, count: int, seed: int)
     spread : FloatArray, shape (P, rank)
         S.
     count : int
-        How many.
+        Their number.
     seed : int
         The same seed gives the same draws.
     """

@@ -47,7 +47,7 @@ def basis_values(q: FloatArray, centres: FloatArray, width: float) -> FloatArray
     Parameters
     ----------
     q : FloatArray, shape (N,)
-        Where to evaluate.
+        Places of the evaluation.
     centres : FloatArray, shape (M,)
         ξ_i, in the unit of q.
     width : float

@@ -205,15 +205,15 @@ def main_model(models: Mapping[str, StoredModel], training: Training) -> tuple[s
     models : mapping of name to StoredModel
         The first is the one that was chosen beforehand.
     training : Training
-        What all of them were fitted to.
+        Training data of all of them.
 
     Returns
     -------
     str
         Name of the main model.
     str
-        Why it is not the first; empty where it is. Cost: a free run of each model over each log, and for a network the
-        restarts of two models.
+        Reason why it is not the first; empty where it is. Cost: a free run of each model over each log, and for a
+        network the restarts of two models.
     """
     first = next(iter(models))
     lost = {

@@ -135,7 +135,7 @@ def free_run(log: Log, model: DynamicModel) -> FreeRun:
     log : Log
         With the inputs between its samples if the model takes them.
     model : DynamicModel
-        What is simulated.
+        Model to simulate.
     """
     q, qdot, qddot = (np.full(len(log.t), np.nan) for _ in range(3))
     for rows, part in zip(log.part_rows(), log.parts(), strict=True):
@@ -236,7 +236,7 @@ def scale_on(records: Sequence[Log], model: DrawnModel, floor: float, margin: fl
     records : sequence of Log
         The training logs.
     model : DrawnModel
-        What was fitted to them.
+        Model fitted to them.
     floor : float
         RMS error of q [m or rad] on the training data.
     margin : float

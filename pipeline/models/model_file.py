@@ -68,7 +68,7 @@ class Table:
     least, most : float
         Range of the entries.
     whole : bool
-        Whether they are integers.
+        True if they are integers.
     """
 
     shape: str
@@ -218,7 +218,7 @@ def read_part(part: type[PartT], tree: Mapping[str, Any], name: str, command: st
     part : type
         A `FilePart`, or a dataclass of pydantic with `STORED`.
     tree : mapping
-        What the file holds.
+        Contents of the file.
     name : str
         Name of the model.
     command : str
@@ -373,7 +373,7 @@ def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[Any]
     Parameters
     ----------
     path : str
-        Where it lies in the file, such as ``rbf-paper/weights``.
+        Path in the file, such as ``rbf-paper/weights``.
     units : dict of str
         SI units: of the displacement (``q``), the inputs (``v``), the mass (``m``), a stiffness (``c``), and those of
         the curves (``F``, ``d``, ``g``; `pipeline.units.units.curve_units`).

@@ -107,7 +107,7 @@ class Training:
     units : (str, str)
         SI symbols of q (m or rad) and of the inputs.
     inputs : {"squared", "linear"}
-        How the inputs act.
+        Action of the inputs.
     known_mass : float or None
         Moving mass [kg] or inertia [kg·m²], if it is known.
     parameters : JointParameters or None
@@ -121,7 +121,7 @@ class Training:
     log_units : (float, float)
         Units of the log for q and the inputs, in SI.
     inputs_before : {"auto", "first", "zero"}
-        What the inputs were before a log.
+        Inputs before a log.
     siblings : NormalPopulation or None
         Prior of the deviations of `hybrid` from joints of the same drawing.
     on_progress : callable

@@ -270,7 +270,7 @@ def identify_narx(
     trajectories : sequence of Log
         Gap-free segments of the training logs, all of one sample interval; only q and v are used.
     inputs : {"squared", "linear"}
-        Whether v² or v enters.
+        Action of the inputs: v² or v enters.
     most : int, optional
         Candidates (a structure with a number of terms) after which no further structure is tried; none if left out.
 

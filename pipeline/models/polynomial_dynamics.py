@@ -65,7 +65,7 @@ class PolynomialDynamics:
     lags : tuple of Lag
         The lag states, which are scaled as what they follow.
     squared : bool
-        Whether the inputs are v² (electrostatic) or v.
+        True if the inputs are v² (electrostatic), false if v.
     low, high : float
         Displacement [m] outside of which a run counts as diverged.
     """

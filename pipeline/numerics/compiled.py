@@ -47,7 +47,7 @@ def compiled(function: Any = None, /, **options: Any) -> Any:
 
 
 def inner(function: Kernel, **options: Any) -> Kernel:
-    """For a function that kernels alone call: a wrapper for Python would be up to half of what it costs to compile."""
+    """Compile a function that kernels alone call: a wrapper for Python would take up to half of the compilation."""
     return compiled(no_cpython_wrapper=True, **options)(function)
 
 
@@ -136,7 +136,7 @@ def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray, c
     right : FloatArray, shape (n · count,)
         Right-hand sides, row by row; the solutions (output).
     count : int
-        How many there are.
+        Their number.
     """
     n = factors.shape[0]
     for k in range(n):

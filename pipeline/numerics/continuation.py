@@ -41,7 +41,7 @@ class Branch:
     y : FloatArray, shape (N, n)
         Solutions.
     stable : BoolArray, shape (N,)
-        Whether ∂G/∂y is positive definite.
+        True if ∂G/∂y is positive definite.
     special : tuple of SpecialPoint
         Folds and branch points on the curve, in its order.
     """

@@ -44,7 +44,7 @@ STAGE_SHARES = np.array(SHARES)
 
 
 def inlined(function: Kernel) -> Kernel:
-    """For a function that `rates` of a system call: it becomes a part of the run's machine code."""
+    """Inline a function that `rates` of a system call: it becomes a part of the run's machine code."""
     return inlinable(**_OPTIONS)(function)  # type: ignore[no-any-return]
 
 
@@ -61,7 +61,7 @@ def rates(system: Any, x: FloatArray, node: int, dx: FloatArray, acceleration: F
     Parameters
     ----------
     system : NamedTuple
-        What moves.
+        The system.
     x : FloatArray, shape (S,)
         State.
     node : int
@@ -93,7 +93,7 @@ def shown(system: Any, x: FloatArray, j: int, width: int) -> tuple[float, float]
 
 
 def _first_states(system, x, j, width):
-    """For systems whose first states are what is written out."""
+    """Outputs of systems whose first states are written out."""
     return x[j], x[width + j]
 
 
@@ -107,11 +107,11 @@ class Methods(NamedTuple):
 
 
 def no_begin(system, x, node):
-    """For systems of differential equations alone."""
+    """Do nothing: for systems of differential equations alone."""
 
 
 def no_finish(system, x):
-    """For systems of differential equations alone."""
+    """Do nothing: for systems of differential equations alone."""
 
 
 def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., int]:
@@ -254,7 +254,7 @@ def bounded_run(
     integrate : callable
         From `integrator`.
     system : NamedTuple
-        What moves.
+        The system.
     x : FloatArray, shape (S,)
         First state; becomes the last one.
     samples, steps : int

@@ -25,7 +25,7 @@ def stencil_weights(offsets: FloatArray, derivative: int) -> FloatArray:
     offsets : FloatArray, shape (w,)
         Positions of the samples relative to where the derivative is wanted, in steps.
     derivative : int
-        Which derivative.
+        Order of the derivative.
 
     Returns
     -------
@@ -61,7 +61,7 @@ def finite_difference(x: FloatArray, dt: float, derivative: int) -> FloatArray:
 
 
 def finite_difference_at_jumps(x: FloatArray, dt: float, derivative: int) -> FloatArray:
-    """As `finite_difference`, but from one side where the centred stencil reaches across a jump of the acceleration.
+    """Difference as in `finite_difference`, but one-sided where the centred stencil meets a jump of the acceleration.
 
     A step of the voltage makes the acceleration jump within a sample.  Centred stencils smear that over seven samples;
     the choice of the smoother side (as in essentially non-oscillatory schemes, Harten et al. 1987) does not.  The
@@ -111,7 +111,7 @@ def first_order_lag(
     start : float, optional
         z(0), where it is not x(0).
     held : bool
-        Whether x keeps its value from sample to sample instead; then z⁺ = a z + (1 − a) x.
+        True if x keeps its value from sample to sample instead; then z⁺ = a z + (1 − a) x.
 
     Returns
     -------

@@ -140,11 +140,11 @@ class Step:
     Attributes
     ----------
     t_s, target_m : float
-        When it came and where to.
+        Time and value of the new target.
     settling_s : float or None
         Time [s] after which q stays within the band about the target; None if it is outside at the end.
     overshoot_m : float
-        How far [m] q went beyond the target, at least 0.
+        Overshoot [m] of q beyond the target, at least 0.
     rms_m : float
         RMS [m] of q − target over the second half of the step.
     """

@@ -155,7 +155,7 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
     stage_of : callable
         Fills the right-hand side of a stage, see below.
     system : NamedTuple
-        What moves.
+        The system.
     x : FloatArray, shape (STATES · P,)
         State at the start of the step.
     h : float

@@ -237,7 +237,7 @@ def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> floa
     Parameters
     ----------
     at : Iterate
-        Where the step starts.
+        Start of the step.
     step : NewtonStep
         The step.
     share : float

@@ -56,7 +56,7 @@ class VariationProblem:
     order : int
         Order m of the difference whose variation is penalised.
     fitted_start : bool
-        Whether y_0 is an unknown with its misfit in the sum; otherwise ``y_0 = b_0``.
+        True if y_0 is an unknown with its misfit in the sum; otherwise ``y_0 = b_0``.
     weights : FloatArray, shape (N,), optional
         Positive factors on lam, one for each difference, aligned with the later sample; the first are not used.
     """
@@ -97,7 +97,7 @@ class Minimiser:
     iterations : int
         Newton steps.
     status : {"converged", "iteration limit", "limited by rounding"}
-        Why the iteration stopped.
+        Reason for the end of the iteration.
     """
 
     y: FloatArray
@@ -196,9 +196,9 @@ class TvDerivative:
     iterations : int
         Newton steps of the slowest channel.
     converged : bool
-        Whether every channel met the tolerance.
+        True if every channel met the tolerance.
     status : {"converged", "iteration limit", "limited by rounding"}
-        Why the slowest channel stopped.
+        Reason for the end of the slowest channel.
     """
 
     derivative: FloatArray

@@ -147,7 +147,7 @@ def structure_summary(data: RunData, sheet: Datasheet) -> str:
 
 
 def _known(quantities: Sequence[Calibrated]) -> list[Calibrated]:
-    """Without pure numbers of the beam's higher terms, whose names say nothing outside the equations."""
+    """Quantities without pure numbers of the beam's higher terms, whose names mean nothing outside the equations."""
     return [fitted for fitted in quantities if fitted.unit != "1" or fitted.nominal == 1.0]
 
 
@@ -235,7 +235,7 @@ def described(
     displacement : str
         SI unit of q.
     mass_known : bool
-        Whether the mass is more than 1 by convention.
+        True if the mass is more than 1 by convention.
     """
     facts = {key: value for key, value in description.items() if mass_known or key != "mass_kg"}
     stated = facts.pop("equations", ())

@@ -77,11 +77,11 @@ def error_bars(label: str, at: FloatArray, half: FloatArray, across: FloatArray,
     Parameters
     ----------
     label : str
-        What they are.
+        Name of the quantity.
     at, half, across : FloatArray, shape (n,)
         Middles, half lengths, and places on the other axis.
     upright : bool
-        Whether they stand along y.
+        True if they stand along y.
     """
     ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
     x, y = (np.repeat(across, 3), ends) if upright else (ends, np.repeat(across, 3))
@@ -116,7 +116,7 @@ class Panel:
     Attributes
     ----------
     name, unit : str
-        What the vertical axis shows, in SI.
+        Quantity and SI unit of the vertical axis.
     log : bool
         Logarithmic y.
     x : (str, str) or None
@@ -124,13 +124,13 @@ class Panel:
     x_log : bool
         That axis is logarithmic.
     x_limits, y_limits : (float, float) or None
-        What of the axes is shown, in SI; None: everything.
+        Visible part of the axes, in SI; None: everything.
     low : bool
         Half as high as others.
     whole : bool
         The vertical axis counts things.
     names : tuple of str
-        What stands at 0, 1, … of the vertical axis in place of numbers.
+        Texts at 0, 1, … of the vertical axis in place of numbers.
     """
 
     name: str
@@ -159,7 +159,7 @@ def rows_panel(names: Sequence[str], bars: Line, usual: str, within: FloatArray,
     bars : Line
         From :func:`error_bars`.
     usual : str
-        What the area behind the rows is.
+        Name of the area behind the rows.
     within : FloatArray, shape (2,)
         Its limits.
     points : sequence of Points
@@ -180,7 +180,7 @@ class Figure:
     name : str
         File name of the paper figure, without ending.
     title, caption : str
-        What it shows, and how to read it.
+        Contents, and how to read them.
     x_name, x_unit : str
         The horizontal axis, in SI.
     marks : mapping of str to FloatArray

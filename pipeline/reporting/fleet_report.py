@@ -32,27 +32,27 @@ class Summary:
     ----------
     name : str
     reason : str
-        Why its run failed; empty if it did not.
+        Cause of its failure; empty if it did not fail.
     link : str or None
         Its page relative to the fleet's page; None if there is none.
     done : bool
-        Whether it has a datasheet.
+        True if it has a datasheet.
     data, model : str
         Grades of the assessment; empty if it has none.
     why : str
         The finding that decides the lower of both grades, and how many more there are; empty where both are good.
     diverged : bool
-        Whether the judged model diverged on a log.
+        True if the judged model diverged on a log.
     error, switches : float
         Worst NRMSE of q and worst switch accuracy of the judged model; NaN if undefined.
     training : bool
-        Whether these are of the training logs, as there is no other.
+        True if these are of the training logs, as there is no other.
     facts : dict of str to (float, str)
         Value [SI] and unit of every known one of `FACTS`.
     instruments : float
         Largest error of an instrument of any log over its limit; NaN where none was measured.
     off : bool
-        Whether one is beyond its limit, or a log is of another device.
+        True if one is beyond its limit, or a log is of another device.
     """
 
     name: str
@@ -144,7 +144,7 @@ class FleetColumn:
 
 
 def decimals(values: FloatArray) -> int | None:
-    """Of a column whose values are of one size, so that its points stand under one another; else None."""
+    """Decimals for a column whose values are of one size, so that its points align; else None."""
     sizes = np.abs(values[np.isfinite(values)])
     if not sizes.size or sizes.min() <= 0.0 or sizes.max() > WIDE * sizes.min():
         return None

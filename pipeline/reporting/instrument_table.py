@@ -52,7 +52,7 @@ def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> In
     rows : sequence of records
         Rows of ``instruments.parquet``; shown are those of the model that comes first.
     parts : mapping of (role, name) to LogPart
-        What the settings state of each log.
+        Settings of each log.
     displacement : str
         SI unit of q.
     """

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 COLOURED = ("first", "second", "both", "fourth", "fifth")
 """Roles that take the colours of the models, in their order."""
 _ROLES = {"off": "measured", "left": "v1", "right": "v2"}
-"""Without voltage black; the left and the right membrane have their colours in all figures."""
+"""Colours: black without voltage; the left and the right membrane have theirs in all figures."""
 _STATES = {"off": "no voltage", "left": "left on", "right": "right on", "both": "both on"}
 _SHOWN = (-0.018, 0.018)
 _HIGHEST = 0.01

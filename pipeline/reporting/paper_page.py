@@ -103,7 +103,7 @@ def paper_page(
     data : RunData
         The run of the recipe.
     parameter_set : str
-        What the settings call the parameter set.
+        Name of the parameter set in the settings.
     """
     images = [
         {"title": title, "source": f"data:image/svg+xml;base64,{base64.b64encode(svg).decode()}"}

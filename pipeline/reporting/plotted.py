@@ -233,7 +233,7 @@ def _content(on: Axes, panel: Panel, models: Sequence[str], fx: float, fy: float
 
 
 def _dashes(where: str, dash: Dash, width: float) -> Any:
-    """On and off in widths of the line, as matplotlib counts them; a solid line has none."""
+    """Dash pattern, on and off in widths of the line, as matplotlib counts them; a solid line has none."""
     points = slot_dashes(where) if dash == "role" else _DASHES[dash]
     return tuple(length / width for length in points) if points else (None, None)
 

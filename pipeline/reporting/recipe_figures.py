@@ -16,7 +16,7 @@ from .figure import Figure, Line, Panel, Points
 ZOOM = (24.0, 30.0)
 """Segment of figure 13 [s]."""
 _OTHERS = ("v1", "analytical", "raw", "measured")
-"""Whose colours the α have that were not chosen."""
+"""Colours of the α that were not chosen."""
 
 
 def basis_figure(q: FloatArray, bells: FloatArray, weights: FloatArray) -> Figure:
@@ -107,7 +107,7 @@ def study_figure(name: StudyName, columns: Columns, units: Mapping[str, str]) ->
     Parameters
     ----------
     name : {"alpha", "basis", "data", "online", "folds"}
-        Which study.
+        Name of the study.
     columns : mapping of str to FloatArray, each of shape (n,)
         As the study's table holds them.
     units : mapping of str to str

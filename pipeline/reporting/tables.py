@@ -75,9 +75,9 @@ class TableCell:
     interval : str
         Its interval as printed, e.g. ``[1.90, 2.84]``; empty for none.
     is_number : bool
-        Whether `number` is one, by which a table can be sorted.
+        True if `number` is one, by which a table can be sorted.
     diverged : bool
-        Whether it states when the free run diverged.
+        True if it states when the free run diverged.
     best : bool
         Lowest of its log and signal, significantly lower than all others.
     tied : bool

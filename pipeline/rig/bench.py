@@ -234,7 +234,7 @@ def random_bench(rng: np.random.Generator, *, rate: float = RATE, charging: floa
     """A bench with its own converters and instrument errors, and the given electrodes."""
 
     def converter() -> Converter:
-        """Its lag [s], rate limit [V/s] and power limit [W]."""
+        """Lag [s], rate limit [V/s] and power limit [W]."""
         return Converter(
             lag=float(rng.uniform(2e-3, 7e-3)),
             rate_limit=float(rng.uniform(0.5e6, 1.4e6)),
@@ -242,7 +242,7 @@ def random_bench(rng: np.random.Generator, *, rate: float = RATE, charging: floa
         )
 
     def probe() -> Probe:
-        """Its noise [V] and gain."""
+        """Noise [V] and gain."""
         return Probe(noise=float(rng.uniform(3.0, 7.0)), gain=1.0 + float(rng.normal(0.0, 3e-3)))
 
     laser = Laser(noise=float(rng.uniform(0.5e-6, 2e-6)), hum=float(rng.uniform(0.01e-6, 0.2e-6)))

@@ -170,9 +170,9 @@ def draw_burst(
     rng : Generator
         Draws it.
     kind : BurstKind
-        What it is.
+        Type of the burst.
     start : float
-        When it begins [s].
+        Start [s].
     side : int
         Of a pulse: 0 is left.
     top : float

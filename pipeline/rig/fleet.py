@@ -112,7 +112,7 @@ def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed:
     name : str
         Name of the prototype.
     experiment : Experiment
-        What is drawn and recorded.
+        The experiment.
     seed : int
         Seed of all draws.
 
@@ -171,7 +171,7 @@ def simulate_fleet(folder: Path, count: int, experiment: Experiment, *, seed: in
     count : int
         Number of prototypes.
     experiment : Experiment
-        What is drawn and recorded.
+        The experiment.
     seed : int
         Seed of all draws.
     """

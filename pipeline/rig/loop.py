@@ -212,9 +212,9 @@ class Controller:
     begin : callable
         Receives the first reading [m] before the first step.
     failure : list of Exception
-        What its Python raised; the voltages are zero from there on.
+        Errors of its Python; the voltages are zero from there on.
     keep : tuple
-        What must stay alive.
+        Objects that must stay alive.
     """
 
     step: int
@@ -350,7 +350,7 @@ def run_loop(
     scenario : Scenario
         Targets and disturbances.
     controller : Controller
-        What commands the voltages.
+        Controller of the voltages.
     start : FloatArray, shape (n,), optional
         Coordinates at the start.
 

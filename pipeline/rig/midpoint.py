@@ -270,7 +270,7 @@ def advance(
     h : float
         Length of the step [s].
     renew : bool
-        Whether the inverse is made anew.
+        True if the inverse is made anew.
     state : _State
         State of the joint, which is moved.
     p : RigParameters

@@ -209,13 +209,13 @@ class Drift(SettingsTable):
     """Changes in a day, proportional to the age."""
 
     capacitance_percent: Number = 0.0
-    """Of both membranes."""
+    """Drift of both membranes."""
     stiffness_percent: Number = 0.0
-    """Of the beam in bending."""
+    """Drift of the beam in bending."""
     charging_s: Number = 0.0
-    """Of the time constant with which the membranes charge."""
+    """Drift of the time constant with which the membranes charge."""
     laser_m: Number = 0.0
-    """Of the laser's reading at q = 0."""
+    """Drift of the laser's reading at q = 0."""
 
 
 def aged(joint: RigParameters, bench: Bench, age: float, drift: Drift) -> tuple[RigParameters, Bench]:
@@ -230,7 +230,7 @@ def aged(joint: RigParameters, bench: Bench, age: float, drift: Drift) -> tuple[
     age : float
         [days].
     drift : Drift
-        What changes in a day.
+        Changes per day.
 
     Raises
     ------

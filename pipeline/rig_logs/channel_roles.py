@@ -111,13 +111,13 @@ def suggest(
     channels : sequence of (name, unit)
         The channels of the log, time bases left out where the format has them.
     own_time : bool
-        Whether the format carries its own time base, so that none has to be named.
+        True if the format carries its own time base, so that none has to be named.
     rising : sequence of str
         Channels that rise by equal steps; a single one may be the time, if no other is called so.
     counts : mapping of str to int, optional
         Samples of each channel where they are all of one raster: those of one record have equally many.
     described : mapping of str to str, optional
-        What the log writes beside a channel, which counts where no name says enough.
+        Text of the log beside a channel, which counts where no name suffices.
     """
     words = {name: f"{(described or {}).get(name, '')}" for name, _ in channels}
     sizes = dict.fromkeys((name for name, _ in channels), 0) | dict(counts or {})

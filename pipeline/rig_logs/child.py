@@ -244,7 +244,7 @@ class Format:
     module : str
         In `pipeline.rig_logs`; imported in the guarded child when such a file is opened.
     begins : callable
-        Whether a file whose first 1024 bytes are these is one.
+        Test of the first 1024 bytes of a file for the format.
     """
 
     name: str

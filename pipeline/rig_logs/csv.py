@@ -48,7 +48,7 @@ _MARKED = re.compile(r"\d([.,])\d")
 _EMPTY = "empty cells only in the first rows; no sensor, or another channel?"
 _FIRST_YEAR = "1678"
 _LAST_YEAR = "2261"
-"""Whose times a count of nanoseconds since 1970 holds."""
+"""Years whose times a count of nanoseconds since 1970 holds."""
 
 
 class CsvSource(Source):

@@ -96,7 +96,7 @@ def is_behind(cell: str, decimal: str) -> bool:
 
 
 def rows_of(text: str) -> list[str]:
-    """Its rows; those of `str.splitlines` end at characters, too, which may stand within a cell."""
+    """Rows of a text; those of `str.splitlines` end at characters, too, which may stand within a cell."""
     rows = _ROW_END.split(text)
     return rows if rows[-1] else rows[:-1]
 

@@ -208,7 +208,7 @@ SAMPLE_BYTES = 1 << 16
 _KEY = re.compile(r"[^\W\d]{2}\D*")
 """A word before a value that an instrument states for each channel, and no damaged number."""
 _STATISTIC = re.compile(r"(?i)(min|max|mean|avg|average|median|std|stdev|stddev|rms|sum|total|count)(imum|\.|:)*:?")
-"""Before what a program works out of each column."""
+"""Word before the statistics that a program writes below each column."""
 _STATEMENT = re.compile(r"[:=]")
 _SENTENCE = re.compile(r"[^\W\d_]{2,}\s+[^\W\d_]{2,}")
 
@@ -290,9 +290,9 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     start : bytes
         The first `SAMPLE_BYTES` bytes of the file.
     whole : bool
-        Whether that is the whole file.
+        True if that is the whole file.
     options : CsvOptions
-        What the user configured.
+        Settings of the user.
 
     Raises
     ------

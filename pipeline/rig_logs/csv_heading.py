@@ -17,14 +17,14 @@ _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
 _TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
 _QUANTITY = re.compile(rf"{NUMBER.pattern.removesuffix('$')} ?[A-Za-zµμ%]{{0,3}}$")
 _ROW_KEY = re.compile(r"(?i)(units?|names?|channels?|labels?|einheit(en)?)\s*[:=]\s*(?=\S)")
-"""Before a row of units or names, as in ``#UNITS:s,V,V`` of Hantek."""
+"""Mark before a row of units or names, as in ``#UNITS:s,V,V`` of Hantek."""
 _RATE_IN_WORDS = re.compile(
     r"(?i)(sampl|scan|\brate|abtast)[^\d]*(?P<number>\d+([.,]\d+)?) ?(?P<unit>k?Hz|(s|sa|samples)/s(ec)?)\b"
 )
 """A sample rate as in ``sampled at 500 Hz``."""
 _KEY_END = re.compile(r"[:=;,\t]")
 _APART = re.compile(r"\s{2,}|\t")
-"""Between names of several words above columns between blanks."""
+"""Gap between names of several words above columns between blanks."""
 _SEPARATORS = re.compile(r"[,;|\t]|\s+")
 _KNOWN = (
     "s sec second seconds ms us µs μs ns min h m mm cm um µm μm nm deg degree degrees ° rad mrad v volt volts kv mv a "
@@ -154,7 +154,7 @@ def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float
 
 
 _DISPLAY = re.compile(r"(?i)(vertical|horizontal|probe|trigger|time|x)\b")
-"""Before a scale or an offset of an oscilloscope's display."""
+"""Label before a scale or an offset of an oscilloscope's display."""
 
 
 def stated_scales(lines: Sequence[str], delimiter: str) -> list[str]:

@@ -73,7 +73,7 @@ def as_utf8(path: Path, length: int, encoding: str, owner: object) -> Any:
     encoding : str
         Its text encoding.
     owner : object
-        What reads it; see `written`.
+        Reader of it; see `written`.
     """
     if not _is_ascii_and_more(encoding):
         with text_of(path, length, encoding, newline="") as lines:

@@ -68,11 +68,11 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     Parameters
     ----------
     inspections : sequence of Inspection
-        What is in the logs; the channels are taken from the first.
+        Contents of the logs; the channels are taken from the first.
     logs : sequence of str, optional
         The logs' paths as they shall stand in the file, relative to where the file is saved; their names by default.
     folder : str
-        What these paths are relative to, in words.
+        Base of these relative paths, in words.
 
     Returns
     -------

@@ -43,7 +43,7 @@ def read_recording(
     channels : sequence of str, optional
         Names of the channels to read; only these are materialised. All numeric ones by default.
     csv : CsvOptions, optional
-        What is known of a CSV log; the rest is found out.
+        Stated format of a CSV log; the rest is detected.
     limits : Limits, optional
         Memory, processor time and sizes that are allowed.
     progress : callable, optional

@@ -224,7 +224,7 @@ def rows_at_a_time(dataset: Any, axis: int) -> int:
 
 
 _Column = int | tuple[str] | tuple[str, int] | None
-"""Of a matrix its column or row; of a table the name of a field, and its column where it has several."""
+"""Part of a dataset: column or row of a matrix; name of a field of a table, and its column if there are several."""
 
 
 class Hdf5Source(Source):

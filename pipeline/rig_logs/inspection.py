@@ -51,13 +51,13 @@ class InspectedChannel:
     quality : SignalQuality
         In the numbers of the log, times in s.
     remarks : tuple of str
-        What is noteworthy, in words with numbers.
+        Remarks, in words with numbers.
     codes : tuple of float
         Numbers that seem to stand for no value; they are left out of `quality`.
     every : int
         Rows from one sample to the next, where blanks stand between.
     description : str
-        What the log writes beside it.
+        Text of the log beside it.
     """
 
     name: str
@@ -84,21 +84,21 @@ class Inspection:
     size : int
         Bytes of the file.
     own_time : bool
-        Whether the format carries its own time base.
+        True if the format carries its own time base.
     time_bases : tuple of TimeQuality
         The different time bases, in s.
     channels : tuple of InspectedChannel
         Every numeric channel.
     suggestions : tuple of Suggestion
-        Which channel might be what; nothing decides on them.
+        Possible roles of the channels; nothing decides on them.
     apart : tuple of str
         Channels for which no role is suggested, as they are not of the same record as the others.
     rates : mapping of str to float
         Sample rates [Hz] that numbers in the log state, by their names; nothing decides on them.
     notes : tuple of str
-        What the reader found out or had to assume.
+        Findings and assumptions of the reader.
     heading : str
-        What the log writes above or beside all channels.
+        Text of the log above or beside all channels.
     """
 
     path: Path

@@ -19,7 +19,7 @@ from ..signals.columns import column
 
 _MOST_LISTED = 30
 NOT_APPLIED = "not applied here"
-"""In a note on a number that looks like a calibration."""
+"""Words in a note on a number that looks like a calibration."""
 _NUMBERED = re.compile(r"column \d+")
 """Names of columns without a header."""
 
@@ -64,15 +64,15 @@ class Recording:
     listed : tuple of str
         Names of all numeric channels of the log.
     notes : tuple of str
-        What a reader should know, such as the dialect that was found in a CSV file.
+        Remarks for the user, such as the detected dialect of a CSV file.
     warnings : tuple of str
-        What of the samples was left out or changed.
+        Samples that were left out or changed.
     rates : mapping of str to float
         Sample rates [Hz] that single numbers beside the channels state, by their names; information only.
     descriptions : mapping of str to str
-        What the log writes beside a channel, by its name.
+        Text of the log beside a channel, by its name.
     heading : str
-        What it writes above or beside all of them.
+        Text of the log above or beside all of them.
     """
 
     path: Path

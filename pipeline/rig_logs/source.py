@@ -105,23 +105,23 @@ class Source(ABC):
     format : str
         As people say it.
     one_pass : bool
-        Whether all channels are read in one pass, so that one of them cannot fail alone.
+        True if all channels are read in one pass, so that one of them cannot fail alone.
     notes : list of str
-        What its reader found out or had to assume.
+        Findings and assumptions of its reader.
     warnings : list of str
-        What of the samples it left out or changed, of which every use of them speaks.
+        Samples that it left out or changed, which every use of them reports.
     texts : dict of str to str
         Names of columns that are no numbers, with a cell that shows it and what to do.
     rates : dict of str to float
         The sample rates [Hz] that single numbers state, by their names.
     starts : dict of str to (float, float)
-        When each channel begins, and its step [s], where the log states them.
+        Start and step [s] of each channel, where the log states them.
     stated_starts : dict of str to float
         Numbers that state when a channel or those of a group begin [s], by their names.
     descriptions : dict of str to str
-        What the log writes beside a channel, by its name.
+        Text of the log beside a channel, by its name.
     heading : str
-        What it writes above or beside all of them.
+        Text of the log above or beside all of them.
     """
 
     format = ""
@@ -207,7 +207,7 @@ class Counted(dict[str, Any]):
         return np.where(np.abs(far) < EXACT, near, far)
 
     def notes(self) -> list[str]:
-        """From what the channels count."""
+        """Origin of the channels' times."""
         return [f"{name!r} counts from {origin}, its first sample" for name, origin in self.items() if origin != 0]
 
 

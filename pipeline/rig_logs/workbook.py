@@ -27,7 +27,7 @@ _LOCAL_HEADER = 30
 """Bytes before the name of a member in a ZIP file."""
 _DAY_0 = datetime(1899, 12, 30)
 _DAY_1 = datetime(1899, 12, 31)
-"""From where Excel counts days; calamine takes the first ones of 1900 for what Excel shows."""
+"""Day from which Excel counts; calamine takes the first ones of 1900 for what Excel shows."""
 _OPEN_FORMULA = re.compile(rb"(?:</f>|<f[^>]*/>)\s*(?:<v\s*/>|<v></v>)?\s*</c>")
 _START = 100
 """Rows among which a heading stands."""
@@ -154,7 +154,7 @@ def _text(cell: Any, number: Any, mark: str, clock: str) -> str:
     mark : str
         Decimal mark.
     clock : {"", "day", "stamp"}
-        Whether times are written as times of day, which may pass midnight, or with a date.
+        Format of times: times of day, which may pass midnight, or with a date.
     """
     if clock and _is_time(cell):
         day, of_day = _stamp(number if isinstance(number, float | int) else cell)

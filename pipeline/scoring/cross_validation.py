@@ -283,7 +283,7 @@ def amount_study(
     Parameters
     ----------
     training, held_out : sequence of Log
-        What may be fitted, and what is predicted freely.
+        Logs for the fit, and logs that are predicted freely.
     identify : callable
         The method.
     amounts : sequence of int
@@ -317,7 +317,7 @@ def noise_study(
     Parameters
     ----------
     training, held_out : sequence of Log
-        What is corrupted and fitted, and what is predicted freely and left as it is.
+        Logs that are corrupted and fitted, and logs that are left as they are and predicted freely.
     identify : callable
         The method.
     differentiate : callable

@@ -161,7 +161,7 @@ class HorizonError:
     Attributes
     ----------
     horizon_s : float
-        How far ahead is predicted [s].
+        Horizon of the prediction [s].
     nrmse : float or None
         RMS of the error of q at the horizon over the range of q (eq. 41). A restart that diverged counts as an error
         of the whole range. None if every start diverged or none exists.
@@ -203,7 +203,7 @@ def horizon_errors(
     horizons : sequence of float
         Times ahead [s]; rounded to samples, at least one.
     plant : Device or None
-        Whether it is the joint, see `pipeline.scoring.intervals.block_of`.
+        True if it is the joint, see `pipeline.scoring.intervals.block_of`.
     most_starts : int
         Upper bound of the restarts of a horizon; they are at least one horizon apart, but for the one-step horizon.
 

@@ -56,7 +56,7 @@ def translated(stored: Mapping[str, Any], *, used: bool = False) -> dict[str, An
     stored : mapping
         Tables of settings, as JSON values; some may be absent.
     used : bool
-        Whether an artifact was made with them. Then a value that no setting has any more stays, so that it counts as a
+        True if an artifact was made with them. Then a value that no setting has any more stays, so that it counts as a
         change.
     """
     tables = {name: dict(table) if isinstance(table, Mapping) else table for name, table in stored.items()}

@@ -129,7 +129,7 @@ class LogPart(SettingsTable):
 
     @property
     def span(self) -> tuple[float, float]:
-        """From when to when it lasts [s]."""
+        """Start and end of the part [s]."""
         return (
             -math.inf if self.start is None else parse_quantity(self.start, TIME, "start"),
             math.inf if self.stop is None else parse_quantity(self.stop, TIME, "stop"),

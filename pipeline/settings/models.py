@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 AUTO = "auto"
-"""In `[identify] models`: whichever of `hybrid` and `rbf` predicts held-out training data better."""
+"""Entry of `[identify] models`: whichever of `hybrid` and `rbf` predicts held-out training data better."""
 
 
 @dataclass(frozen=True)
@@ -20,9 +20,9 @@ class ModelEntry:
     part : {"identify", "compare"}
         The settings table that names it, and the stage that fits it.
     needs_parameters : bool
-        Whether it needs a parameter set of the analytical joint.
+        True if it needs a parameter set of the analytical joint.
     takes_mass : bool
-        Whether the mass in the settings enters its fit.
+        True if the mass in the settings enters its fit.
     stands_in : tuple of str
         Gates of the training data (`TrainingGate`) that need not hold for it: what the data do not show, its
         equations or its priors decide.

@@ -23,7 +23,7 @@ class Quantity(SettingsTable):
     value: Number = Field(gt=0.0)
     """The number, above zero."""
     unit: str = Field(min_length=1, max_length=100)
-    """Its unit in pint notation."""
+    """Unit in pint notation."""
 
 
 FILM_THICKNESS = 50.0
@@ -74,7 +74,7 @@ class Csv(SettingsTable):
 
 
 class Ingest(SettingsTable):
-    """From raw logs to uniform records."""
+    """Conversion of raw logs to uniform records."""
 
     sample_interval: Number = Field(default=0.01, ge=1e-5, le=10.0)
     """Interval [s] of the uniform record on which models are identified and scored."""
@@ -110,7 +110,7 @@ class Ingest(SettingsTable):
 
 
 class Differentiate(SettingsTable):
-    """From displacement to velocity and acceleration."""
+    """Differentiation of the displacement."""
 
     method: Literal["tvregdiff", "savitzky-golay"] = "tvregdiff"
     """Differentiator: total-variation regularised, or Savitzky-Golay filter."""
@@ -166,7 +166,7 @@ class Structure(SettingsTable):
 
 
 class Identify(SettingsTable):
-    """From kinematics to models."""
+    """Identification of models."""
 
     models: tuple[str, ...] = Field(default=(AUTO, "rbf", "rbf-paper"), min_length=1)
     """Models to identify; the first is the main model. "auto": "hybrid" or "rbf", whichever predicts held-out training
@@ -295,7 +295,7 @@ class Prototype(SettingsTable):
 
     @model_validator(mode="after")
     def _read(self) -> "Prototype":
-        """Nothing is set that nothing reads; the paper's M and σ_n also decide gates and studies."""
+        """Refuse settings that nothing reads; the paper's M and σ_n also decide gates and studies."""
         set_here = [f"identify.structure.{key}" for key, value in self.identify.structure if value != AUTO]
         set_here += ["identify.time_limit"] if self.identify.time_limit != _default(Identify, "time_limit") else []
         set_here += ["plant.curves"] if self.plant.curves is not None else []

@@ -1,1 +1,1 @@
-"""From raw samples to uniform records with derivatives: time bases, gaps, decimation, quality, differentiation."""
+"""Raw samples to uniform records with derivatives: time bases, gaps, decimation, quality, differentiation."""

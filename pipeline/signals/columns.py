@@ -225,7 +225,7 @@ def codes_in(
         Numbers that stand for no value; without them numbers of 1e20 and more, taken as one, and usual codes that lie
         further from the rest than that is wide.
     of_time : bool
-        Whether the column is a clock, which may pass by any smaller number.
+        True if the column is a clock, which may pass by any smaller number.
 
     Notes
     -----

@@ -42,7 +42,7 @@ class Kinematics:
     noise_std : float
         Estimated standard deviation of the noise on the samples [signal].
     converged : bool
-        Whether the differentiator met its tolerance and an automatic parameter settled.
+        True if the differentiator met its tolerance and an automatic parameter settled.
     iterations : int
         Newton steps of TVRegDiff, 0 for the others.
     """
@@ -199,7 +199,7 @@ class AlphaStudy:
     qdot, qddot : FloatArray, shape (K, N)
         Velocity and acceleration [signal/s, signal/s²].
     automatic : SmoothingParameter
-        What would be chosen for the record without reweighting, with its estimate of the noise.
+        Choice for the record without reweighting, with its estimate of the noise.
     """
 
     alphas: FloatArray

@@ -207,7 +207,7 @@ def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -
 
 
 def scale_suspicion(span: float, plausible: tuple[float, float] | None) -> float | None:
-    """By what factor numbers look too large, if a unit prefix seems to be wrong.
+    """Factor by which numbers look too large, if a unit prefix seems to be wrong.
 
     Parameters
     ----------

@@ -290,7 +290,7 @@ class RawLog:
     velocity : Signal or None
         Measured velocity [m/s or rad/s].
     notes : tuple of str
-        What was masked or interpolated, by the names in a record.
+        Masked and interpolated samples, by the names in a record.
     """
 
     q: Signal

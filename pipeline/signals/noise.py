@@ -67,7 +67,7 @@ def noise_std(samples: FloatArray) -> float:
 
 
 def noise_level(samples: FloatArray) -> float:
-    """As `white_noise`, 0 for the steps of a command, which would make all of it noise."""
+    """Noise as by `white_noise`, 0 for the steps of a command, which would make all of it noise."""
     level = white_noise(samples)
     is_command = level > 0.0 and float(np.ptp(samples)) <= 2.0 * REACH * level and is_stepped(samples)
     return 0.0 if is_command else level

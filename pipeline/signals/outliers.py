@@ -354,9 +354,9 @@ def trusted(
     step : float
         Nominal sampling step [s].
     rails, lost, spikes : bool
-        What to leave out.
+        Settings of the masks.
     inert : bool
-        Whether the device has inertia, as a circuit need not: then it cannot jump.
+        True if the device has inertia, as a circuit need not: then it cannot jump.
     """
     time, samples = q
     bounds = lost_bounds(q, inputs, quality, step) if lost and not quality.constant else (-np.inf, np.inf)

@@ -328,7 +328,7 @@ class _Bins:
     low : int
         Row of the first sample.
     starts : IntArray, shape (last − first + 1,)
-        Where each bin begins, counted from there.
+        Start of each bin, counted from there.
     stamps, shares : FloatArray
         Time stamps [s] of the samples, and their trapezoidal shares of the time axis.
     """

@@ -44,7 +44,7 @@ class UniformClock:
 
     @property
     def described(self) -> str:
-        """Its rate, and how its stamps were rounded."""
+        """Rate of the clock, and rounding of its stamps."""
         rounded = f"rounded to {quantity(self.resolution, 's')}"
         return f"those of a clock of {1.0 / self.step:.6g} Hz, {rounded}: taken as uniform"
 

@@ -180,7 +180,7 @@ def _approach(off: FloatArray, stay: int, width: float, *, noisy: bool) -> tuple
     width : float
         Half the level's width.
     noisy : bool
-        Whether noise makes the width. Then an approach within two samples is a line by its next steps only, as it may
+        True if noise makes the width. Then an approach within two samples is a line by its next steps only, as it may
         be the step of a command; in steps of a converter it is one.
     """
     far = int(np.argmax(off >= _APPROACH * width))
@@ -224,7 +224,7 @@ class SignalQuality:
     n, not_finite, lost : int
         Samples, how many of them are NaN or infinite, and of how many either this is so or the time is not known.
     not_finite_at : tuple of float
-        Where, the first `LOCATED` of them.
+        Places of the first `LOCATED` of them.
     smallest, largest, mean : float
         Of the finite samples.
     usual : (float, float)
@@ -252,7 +252,7 @@ class SignalQuality:
     spikes : int
         Single samples that leave the line between their neighbours by more than noise reaches.
     spikes_at : tuple of float
-        Where, the first `LOCATED` of them.
+        Places of the first `LOCATED` of them.
     hum : tuple of Hum
         Mains lines, as far as the sampling rate and the duration allow.
     band : Bandwidth

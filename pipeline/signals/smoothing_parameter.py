@@ -66,7 +66,7 @@ class SmoothingParameter:
     effective_parameters : float
         Number gamma of increments that the data determine.
     settled : bool
-        Whether the scale of the increments stopped changing.
+        True if the scale of the increments stopped changing.
     weights : FloatArray, shape (N,), optional
         Weights of the variation's terms, with reweighting.
     """
@@ -91,7 +91,7 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
     order : int
         Derivative m whose variation is penalised.
     reweighted : bool
-        Whether the record may jump: Cauchy's density for the increments instead of the hyperbolic one.
+        True if the record may jump: Cauchy's density for the increments instead of the hyperbolic one.
 
     Returns
     -------

@@ -50,7 +50,7 @@ class TimeQuality:
     gap_limit : float
         Steps longer than this are gaps.
     repeated_at, backward_at : tuple of float
-        Where (the stamp before the event), the first `LOCATED` ones.
+        Stamps before the first `LOCATED` events.
     gaps_at : tuple of (float, float)
         Last stamp before and first stamp after a gap, the first `LOCATED` ones.
     """

@@ -54,7 +54,7 @@ def refuse_link(path: Path, *, within: Path | None = None) -> None:
     Parameters
     ----------
     path : Path
-        What is going to be written.
+        Path to be written.
     within : Path, optional
         A folder above it; no step from there on may be a link. Only `path` itself if left out.
 
@@ -86,7 +86,7 @@ def make_folder(path: Path) -> None:
 
 
 def not_written(path: Path, error: OSError) -> InputError:
-    """That a file could not be written, and why."""
+    """Error of a file that could not be written, with the reason."""
     if isinstance(error, FileExistsError | NotADirectoryError):
         return InputError(f"{path}: cannot be written: a file is in the way of a folder; name another place")
     if isinstance(error, FileNotFoundError) and not error.filename:  # that of the current folder is looked for

@@ -55,9 +55,9 @@ class Column:
     unit : str
         SI unit of the values in files, "1" for numbers and texts without one.
     help : str
-        What the values mean.
+        Meaning of the values.
     cell : Cell or None
-        How tables for people show a score; None for a column that only files have.
+        Printed form of a score; None for a column that only files have.
     dtype : str
         Type in files.
     """

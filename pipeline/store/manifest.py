@@ -130,7 +130,7 @@ class Manifest:
     prototype : dict
         The settings.
     prototype_file : str
-        Where they were read from.
+        Path of the file that they were read from.
     versions : dict of str to str
         Of debist, Python and the packages that can move a digit, when an artifact was written last.
     artifacts : dict of str to ArtifactRecord

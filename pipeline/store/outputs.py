@@ -43,7 +43,7 @@ def new_outputs(
     command : str
         Who writes.
     force : bool or None
-        Whether files of others may be replaced, raw logs excepted; None where the command has no such option.
+        True if files of others may be replaced, raw logs excepted; None where the command has no such option.
     names : iterable of str
         Files that are going to be written, to refuse them before the work.
     made_from : mapping of str to str, optional

@@ -165,7 +165,7 @@ class Document(dict[str, Any]):
     where : str
         File and key, for whoever misses something.
     remedy : str
-        What to do then.
+        Advice for the user.
     """
 
     def __init__(self, entries: Mapping[str, Any], where: str, remedy: str = _ELSEWHERE) -> None:

@@ -34,7 +34,7 @@ def write_table(
     Parameters
     ----------
     target : Path
-        Where the file goes.
+        Path of the file.
     schema : Schema
         Resolved for the device; decides order, types and metadata.
     columns : mapping of str to array-like, each of length N

@@ -46,7 +46,7 @@ def write_tree(
     Parameters
     ----------
     target : Path
-        Where the file goes.
+        Path of the file.
     tree : mapping
         Nested arrays, numbers and texts.
     columns : callable, optional

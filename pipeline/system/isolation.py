@@ -105,7 +105,7 @@ class Isolated:
     work : callable
         A function of a module, called as ``work(send, *arguments)``.
     arguments : object
-        What can be pickled.
+        Objects that can be pickled.
     time_limit : float
         Wall time [s] after which the process is killed.
 
@@ -114,9 +114,9 @@ class Isolated:
     channel : Connection
         Ready to be read when there is a message, or the process has ended.
     end : float
-        When it is killed, on the monotonic clock [s].
+        Time at which it is killed, on the monotonic clock [s].
     late : bool
-        Whether the process was killed at its time limit.
+        True if the process was killed at its time limit.
     """
 
     def __init__(self, work: Callable[..., None], *arguments: Any, time_limit: float = math.inf) -> None:
@@ -257,7 +257,7 @@ def _current_folder() -> str | None:
 
 
 def _work(channel: Connection, here: str | None, words: str, work: Callable[..., None], arguments: Any) -> None:
-    """In the process: do the work, with standard error in a file and standard output nowhere."""
+    """Do the work in the process, with standard error in a file and standard output nowhere."""
     begin()
     if not Path(words).parent.is_dir():  # the command was stopped while this process began
         return

@@ -152,7 +152,7 @@ _GONE = (
 
 
 def _serve(channel: Connection) -> None:
-    """In a process: make the calls that come, until the pool closes."""
+    """Make the calls that come in a process, until the pool closes."""
     begin()
     while (call := channel.recv()) is not None:
         channel.send(_made(call, lambda what, share: channel.send((what, share))))

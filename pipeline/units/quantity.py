@@ -48,7 +48,7 @@ def _in_degrees(unit: str) -> tuple[str, float]:
 
 
 def axis_scale(unit: str, largest: float) -> tuple[str, float]:
-    """As `scale`; where no prefix fits, such as to 1/V², a power of ten keeps the labels of an axis short."""
+    """Scale as by `scale`; where no prefix fits, such as to 1/V², a power of ten keeps the labels of an axis short."""
     shown, factor = scale(unit, largest)
     magnitude = abs(largest) * factor
     if SHORT[0] <= magnitude < SHORT[1] or magnitude == 0.0 or not math.isfinite(magnitude):

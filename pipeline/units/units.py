@@ -137,7 +137,7 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
     allowed : tuple of str
         The SI units that the quantity may have.
     where : str
-        What to name in the error, e.g. ``P1.toml: [channels] q``.
+        Place for the error, e.g. ``P1.toml: [channels] q``.
 
     Raises
     ------
@@ -242,9 +242,9 @@ def curve_units(displacement: str, voltage: str, *, squared: bool, mass_known: b
     displacement, voltage : str
         Symbols of the displacement and of the input.
     squared : bool
-        Whether the input acts by its square; g of a squared voltage is half the slope of a capacitance.
+        True if the input acts by its square; g of a squared voltage is half the slope of a capacitance.
     mass_known : bool
-        Whether a mass (or inertia) was given; without one, and where the displacement is that of an electronic device,
+        True if a mass (or inertia) was given; without one, and where the displacement is that of an electronic device,
         curves are per unit mass.
     """
     symbol = f"({voltage})" if "/" in voltage or "·" in voltage else voltage

@@ -1,1 +1,1 @@
-"""From settings and logs to a finished run: stages, what is redone and why, batches, and uses of a run."""
+"""Runs from settings and logs: stages, what is redone and why, batches, and uses of a run."""

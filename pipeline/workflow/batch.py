@@ -120,7 +120,7 @@ class Worker(Isolated):
 
 
 def _run(send: Send, program: Program, command: list[str]) -> None:
-    """In the process: run the command, and send its exit code and its cost."""
+    """Run the command in the process, and send its exit code and its cost."""
     code = 0
     try:
         program(command)
@@ -234,7 +234,7 @@ def run_batch(
     options = () if execution.report else ("--no-report",)
 
     def begin(member: Member) -> "Worker | None":
-        """Its process; None where none is needed."""
+        """Process of the prototype; None where none is needed."""
         forget_failure(output, member.name)
         if _is_up_to_date(member.settings, output / member.name, execution.report):
             return None

@@ -40,13 +40,13 @@ class Task:
     sources : mapping of str to Path
         Raw files by the name under which they are recorded.
     named_in : str
-        Where the settings name them.
+        Keys of the settings that name them.
     outputs : tuple of str
         Names of the artifacts it always writes; it may write more where the data ask for it.
     work : callable
         Writes the outputs into the run that it is given, and returns them by name.
     reports : bool
-        Whether `work` also takes a callable (current step, share done) that reports its progress.
+        True if `work` also takes a callable (current step, share done) that reports its progress.
     """
 
     stage: str
@@ -65,7 +65,7 @@ class Observer(Protocol):
     """Receiver of what happens; the command prints it."""
 
     def planned(self, stages: Sequence[str]) -> None:
-        """These tasks are to come, named by their stages, up-to-date ones too."""
+        """Receive the tasks to come, named by their stages, up-to-date ones too."""
 
     def started(self, task: Task, reasons: list[str]) -> None:
         """The task is being done, for these reasons."""
@@ -167,7 +167,7 @@ def recipe_of(run: RunFolder, task: Task) -> Recipe:
 
 
 def missing_source(path: Path, task: Task) -> str:
-    """That a raw log or table of a task is not there."""
+    """Message that a raw log or table of a task is missing."""
     beside = {other.name.casefold(): other.name for other in path.parent.iterdir()} if path.parent.is_dir() else {}
     close = get_close_matches(path.name.casefold(), beside, n=1)
     hint = f"did you mean {beside[close[0]]!r}? " if close else ""

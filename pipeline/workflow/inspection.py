@@ -59,7 +59,7 @@ def shortfalls(
     Parameters
     ----------
     excitation : Excitation
-        What a log excites, in SI.
+        Excitation of a log, in SI.
     names : sequence of str
         Names of the inputs.
     factor : float
@@ -67,7 +67,7 @@ def shortfalls(
     unit : str
         Unit in which q is printed.
     plant : Device
-        Whether it is the joint, which needs two wells.
+        True if it is the joint, which needs two wells.
     """
     return [
         *(_wells(excitation, names) if plant.joint else ()),

@@ -55,7 +55,7 @@ def table_settings(table: Path, base: Path | None, folder: Path) -> list[Path]:
     base : Path or None
         Settings that all rows share; None: the TOML file beside the table with its name, or ``base.toml`` there.
     folder : Path
-        Where the settings files go.
+        Folder of the settings files.
 
     Raises
     ------
@@ -300,7 +300,7 @@ def prototype_files(places: Sequence[Path], output: Path, base: Path | None = No
     Parameters
     ----------
     places : sequence of Path
-        What the user names.
+        Files and folders that the user names.
     output : Path
         The folder of the runs: settings files of a table's rows are written into ``settings/`` there.
     base : Path, optional

@@ -124,9 +124,9 @@ def plot_figure(root: Path, name: str, output: Path | None, part: Excerpt = WHOL
     output : Path or None
         The file; ``PROTOTYPE-FIGURE.svg`` if None.
     part : Excerpt
-        What is drawn of it, and how.
+        Part to draw, and its typography.
     force : bool
-        Whether a file of others may be replaced.
+        True if a file of others may be replaced.
 
     Raises
     ------

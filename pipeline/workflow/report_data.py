@@ -227,7 +227,7 @@ def load_datasheet(root: Path) -> dict[str, Any]:
 
 
 def ingested(run: RunFolder) -> list[dict[str, Any]]:
-    """Of each log the rows of its uniform record, their interval [s], how many are masked, and its gaps in time."""
+    """Ingest results of each log: rows of its uniform record, their interval [s], masked rows, and gaps in time."""
     results = []
     for role, log, path in layout.logs(run.prototype):
         notes = run.record(layout.signals(role, log)).notes
@@ -244,7 +244,7 @@ def ingested(run: RunFolder) -> list[dict[str, Any]]:
 
 
 def differentiated(run: RunFolder) -> list[dict[str, Any]]:
-    """Of each log the method, and of each of its segments α and the noise, in units that the settings have α in."""
+    """Method of each log, with α and the noise of each of its segments, in units that the settings have α in."""
     unit = ALPHA_UNIT[device(run.prototype).displacement.symbol][0]
     results = []
     for role, log, path in layout.logs(run.prototype):
@@ -266,7 +266,7 @@ def differentiated(run: RunFolder) -> list[dict[str, Any]]:
 
 
 def identified(run: RunFolder) -> list[dict[str, Any]]:
-    """Of each identified model its processor time [s], whether it is the main model, and why where "auto" chose it."""
+    """Processor time [s] of each identified model, whether it is the main model, and why where "auto" chose it."""
     notes = run.record(layout.MODELS).notes
     choice = notes.get(CHOICE, {})
     return [

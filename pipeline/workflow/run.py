@@ -204,7 +204,7 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
     Raises
     ------
     CorruptArtifactError
-        What the stage reads is damaged.
+        An input of the stage is damaged.
     """
     root = run_folder(root)
     load_manifest(root)  # a folder without a run is refused before a lock is laid into it
@@ -255,7 +255,7 @@ def _bring_up_to_date(
 
 
 def missing_settings(root: Path) -> str:
-    """That the settings file of a run is not where it was; empty if it is."""
+    """Message that the settings file of a run is not where it was; empty if it is."""
     named = load_manifest(run_folder(root)).prototype_file
     gone = bool(named) and not Path(named).is_file()
     return f"its settings file {named} is not there any more: compared with what the run keeps of it" if gone else ""
@@ -265,7 +265,7 @@ def run_status(root: Path) -> list[TaskStatus]:
     """State of a run's tasks by the present settings file, or by the stored settings where that file is gone."""
 
     def judged(run: RunFolder) -> list[TaskStatus]:
-        """Its tasks, by the settings file if there is one."""
+        """State of the tasks, by the settings file if there is one."""
         prototype_file = Path(run.manifest.prototype_file)
         prototype = load_prototype(prototype_file) if prototype_file.is_file() else run.prototype
         return status(run, plan(Planned(run, prototype, prototype_file)))

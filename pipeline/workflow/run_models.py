@@ -102,7 +102,7 @@ def made_control(run: RunFolder) -> tuple[str, ...]:
 
 
 def failed_validations(run: RunFolder, name: str) -> list[str]:
-    """On which validation logs a model diverges, or errs by more than `WORST`; a sentence each, none without scores."""
+    """Sentences on validation logs on which a model diverges, or errs by more than `WORST`; none without scores."""
     if layout.SCORES not in run.manifest.artifacts:
         return []
     table = run.read_table(layout.SCORES)

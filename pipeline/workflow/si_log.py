@@ -80,7 +80,7 @@ def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | 
         velocity = velocity[0], velocity[1] * displacement_of_rotation(at, parameters)[1]
 
     def displacement() -> Iterator[FloatArray]:
-        """Its parts, so that a long log does not lie in memory."""
+        """Parts of the log, so that a long log does not lie in memory."""
         return (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
 
     return replace(log, q=(time, column(phi.size, displacement(), np.float64)), velocity=velocity)

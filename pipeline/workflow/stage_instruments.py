@@ -62,7 +62,7 @@ def instrument_rows(
     logs : mapping of (role, name) to Log
         All logs.
     stated : mapping of (role, name) to Corrections
-        What already corrects each of them.
+        Corrections already stated for each of them.
     """
     from ..diagnostics.instruments import SIGNIFICANCE, InstrumentTest, ObservedModel
 

@@ -71,7 +71,7 @@ class CalibrationProblem:
     start : JointParameters
         The designer's set.
     names : sequence of str
-        What is fitted.
+        Names of the fitted unknowns.
     pool : ThreadPoolExecutor
         Threads for the windows.
     """
@@ -229,7 +229,7 @@ class Calibration:
     parameters : JointParameters
         The calibrated set.
     names : tuple of str
-        What was fitted.
+        Names of the fitted unknowns.
     values, standard_errors : FloatArray, shape (P,)
         Fitted values and their standard errors [SI], robust against errors that are correlated within a window.
     correlation : FloatArray, shape (P, P)
@@ -239,7 +239,7 @@ class Calibration:
     rmse : float
         RMS of simulated minus measured q over the windows [m].
     converged : bool
-        Whether the last search met its tolerance rather than its limit of evaluations.
+        True if the last search met its tolerance rather than its limit of evaluations.
     evaluations : int
         Simulations of all windows.
     start_costs : FloatArray, shape (S,)
@@ -286,7 +286,7 @@ def calibrate(
     rng : numpy.random.Generator
         Draws the other starts from the prior.
     names : sequence of str
-        What to fit, e.g. `PAPER_NAMES` or `ASYMMETRIC_NAMES` + `FRICTION_NAMES`.
+        Unknowns to fit, e.g. `PAPER_NAMES` or `ASYMMETRIC_NAMES` + `FRICTION_NAMES`.
     starts : int
         Number of starts. Each is improved in up to five iterations on a third of the windows, then the best is refined.
     jobs : int

@@ -42,7 +42,7 @@ def state_sensitivities(
     points : FloatArray, shape (1 + P, 41)
         The parameters of the solution, and those with one unknown moved by its entry of `steps`.
     steps : FloatArray, shape (P,)
-        What the unknowns were moved by: a ten-thousandth of their typical size.
+        Steps of the unknowns: a ten-thousandth of their typical size.
     start : FloatArray, shape (11, P)
         Derivatives of the first state.
 
@@ -185,7 +185,7 @@ def integrate_sensitivities(
     t : FloatArray, shape (N,)
         Sample times [s].
     system : _Variation
-        What is tabulated along the solution.
+        Table along the solution.
     x : FloatArray, shape (11 P,)
         Derivatives of the first state; overwritten.
     work : Work

@@ -33,7 +33,7 @@ _MOST_STEPS = 60
 _LONGEST = 5e-2
 _LOST = 1e3
 _CONVERGED = 1e-9
-"""Of Newton's method: most steps, and in metres of a coordinate's tip contribution the longest one, one from which it
+"""Newton's method: most steps, and in metres of a coordinate's tip contribution the longest one, one from which it
 does not come back, and one after which rounding alone is left."""
 
 
@@ -50,7 +50,7 @@ class JointEquilibrium:
     energy : float
         Total potential U − ½ΣC_i v_i² − F q [J].
     stable : bool
-        Whether the Hessian of that potential is positive definite.
+        True if the Hessian of that potential is positive definite.
     """
 
     qm: FloatArray
@@ -219,9 +219,9 @@ class StaticPath:
     stretch, capacitance, capacitance_slope : FloatArray, shape (N, 2)
         λ_{1,i}, C_i [F] and dC_i/dq [F/m] along the path, left and right.
     stable : BoolArray, shape (N,)
-        Whether the free joint, loaded by `force`, would stay.
+        True if the free joint, loaded by `force`, would stay.
     held : BoolArray, shape (N,)
-        Whether the beam keeps its shape while the tip is held.
+        True if the beam keeps its shape while the tip is held.
     """
 
     q: FloatArray

@@ -92,7 +92,7 @@ class Windows:
         return Windows(self.motions, self.spans[::by], self.parts[::by])
 
     def resolved(self, lost_windows: BoolArray, finer: "Windows") -> "Windows":
-        """These windows, the `lost_windows` (W,) of them cut where `finer` windows are cut."""
+        """Windows, the `lost_windows` (W,) of them cut where `finer` windows are cut."""
         spans = [(int(index), int(begin), int(end)) for index, begin, end in self.spans[~lost_windows]]
         for index, begin, end in self.spans[lost_windows]:
             near = finer.spans[finer.spans[:, 0] == index]
@@ -180,7 +180,7 @@ class WindowRuns:
     parameters : JointParameters
         The joint that was simulated.
     windows : Windows
-        What it was compared with.
+        Windows of the logs that it was compared with.
     runs : tuple of WindowRun
         The solution of each window; none where the joint has no static path to start from.
     errors : FloatArray, shape (samples,)
@@ -250,7 +250,7 @@ def error_derivatives(
     moved : sequence of JointParameters
         The parameters with one unknown moved by its step.
     steps : FloatArray, shape (P,)
-        What the unknowns are moved by.
+        Steps of the unknowns.
     pool : ThreadPoolExecutor, optional
         Threads for the windows.
 

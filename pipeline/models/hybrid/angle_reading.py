@@ -26,7 +26,7 @@ _NEWTON = 4
 
 @dataclass(frozen=True)
 class AngleReading:
-    """Between the displacement of a log and the reading of the equations.
+    """Conversion between the displacement of a log and the reading of the equations.
 
     Attributes
     ----------

@@ -107,7 +107,7 @@ def identify_hybrid(
     similarity : Similarity
         The device in units of the set's joint.
     corrections : {"auto", "none", "always"}
-        Whether corrections are fitted, and kept: as above, or never, or whatever they do on the rest of the logs.
+        Fit of corrections: kept as above, never, or always.
     siblings : NormalPopulation, optional
         The prior of the deviations, where joints of the same drawing are known (`pipeline.models.hybrid.siblings`). It
         is set aside where errors on the first parts of the logs, or on the rest, are `HARMFUL_RATIO` times as large
@@ -273,7 +273,7 @@ class _Search:
         return replace(self, records=tuple(r.part(0, fitted_samples(len(r.t))) for r in self.records))
 
     def within(self, samples: int) -> "_Search":
-        """So many samples at most: the first share of every log."""
+        """Search over so many samples at most: the first share of every log."""
         return replace(self, records=tuple(within(self.records, samples)))
 
     def prior(self, count: int) -> Prior:

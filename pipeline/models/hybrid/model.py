@@ -239,7 +239,7 @@ class HybridModel:
 
     @property
     def of_curves(self) -> "HybridModel":
-        """For the curves: the same with the corrections that their bands leave open, zero where none acts."""
+        """Model for the curves: the same with the corrections that their bands leave open, zero where none acts."""
         more = len(self.curve_spread) - len(self.theta)
         centres = self.centres + more // CURVES
         return replace(self, centres=centres, theta=np.append(self.theta, np.zeros(more)))

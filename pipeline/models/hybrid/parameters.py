@@ -1,4 +1,4 @@
-"""From a parameter set and deviations with stated widths to the constants of the slow-coordinate joint.
+"""Constants of the slow-coordinate joint from a parameter set and deviations with stated widths.
 
 A deviation is counted in prior standard deviations, so that the ridge of every estimate is the unit matrix. The
 widths are those of a joint of which no drawing is at hand: it is larger, slower or less sensitive by a tenth to a

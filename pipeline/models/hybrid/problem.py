@@ -209,7 +209,7 @@ class CondensedProblem:
     records : sequence of Log
         Training logs.
     fitted : callable
-        How many of a log's samples are compared; the rest is held out.
+        Number of a log's samples that are compared; the rest is held out.
     from_start : bool
         Compare a log that begins in motion from its first sample on, too, where an observer holds the run anyway.
     """
@@ -433,7 +433,7 @@ def simulate(
     start : FloatArray, shape (3,) or (B, 3)
         Reading [m] and its rate [m/s] at the first sample, and the time [s] since the recording began.
     followed : Followed
-        What an observer follows.
+        Measurement that an observer follows.
     stepping : Stepping
         Steps of the run.
     every_step : bool

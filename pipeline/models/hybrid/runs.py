@@ -40,7 +40,7 @@ class Joints(NamedTuple):
     squares : FloatArray, shape (V, H, 2)
         Squared voltages [V²] on the H half steps, as V different sets of instruments show them.
     variant : NDArray[int64], shape (W,)
-        Which of them drives a joint.
+        Index of the set that drives each joint.
     basis, weights : FloatArray, shapes (3,) and (W, CURVES, M)
         Of the corrections, see `pipeline.models.hybrid.kernels.corrections_at`.
     offset : FloatArray, shape (W,)
@@ -206,7 +206,7 @@ class Driving(NamedTuple):
     squares : FloatArray, shape (V, 2 substeps (N−1) + 1, 2)
         Squared voltages [V²] on the half steps, as V different sets of instruments show them.
     variant : NDArray[int64], shape (B,)
-        Which of them drives each joint.
+        Index of the set that drives each joint.
     offset : FloatArray, shape (B,)
         Of each joint's laser [m]: reading = q + offset.
     start : FloatArray, shape (3,) or (B, 3)
@@ -247,7 +247,7 @@ class Stepping(NamedTuple):
     lead : float
         dτ/dq [1/m] of slow motions.
     reading : (float, float)
-        What q [1] and τ [m] contribute to the reading [m]: q alone, or τ alone where the angle was measured.
+        Weights of q [1] and τ [m] in the reading [m]: q alone, or τ alone where the angle was measured.
     """
 
     dt: float

@@ -167,7 +167,7 @@ def rest_at_reading(
     reading : float
         Reading [m] without the laser's offset.
     by : (float, float)
-        What q [1] and τ [m] contribute to it.
+        Weights of q [1] and τ [m] in it.
     u, k, p, basis, weights, age
         As in `rest_state`.
     """

@@ -126,7 +126,7 @@ class LaggedEquation:
     lag : float
         T_z [s].
     squared : bool
-        Whether the force goes with the square of the voltage.
+        True if the force goes with the square of the voltage.
     """
 
     centres: FloatArray
@@ -377,7 +377,7 @@ def identify_rbf_paper(
     mass : float
         m_q [kg]; 1 if unknown, the weights are then per unit mass.
     inputs : {"squared", "linear"}
-        Whether u = v² or u = v.
+        Action of the inputs: u = v² or u = v.
 
     Raises
     ------

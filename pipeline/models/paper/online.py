@@ -61,7 +61,7 @@ def follow(
     force : FloatArray, shape (G, P)
         Rows that give the restoring force F [N] at G displacements.
     true_force : FloatArray, shape (N, G)
-        What F is at each sample: constant rows, or those of a joint that drifts.
+        F at each sample: constant rows, or those of a joint that drifts.
     forgetting : float
         λ in (0, 1]; the memory is 1/(1 − λ) samples.
     """

@@ -91,15 +91,15 @@ class RbfChoice:
     hold : str, optional
         The inputs between samples.
     rest_at_zero : bool, optional
-        Whether hidden states rested without inputs before a log, instead of under its first ones.
+        True if hidden states rested without inputs before a log, instead of under its first ones.
     effect : str, optional
         One of `EFFECT`: in proportion (or by the square), by a curve that saturates, or beyond a dead zone.
     drag : bool, optional
-        Whether a fluid's drag acts.
+        True if a fluid's drag acts.
     stops : bool, optional
-        Whether the motion may meet end stops.
+        True if the motion may meet end stops.
     population : bool
-        Whether the prior of a bistable joint may be what simulated joints teach.
+        True if the prior of a bistable joint may be what simulated joints teach.
     """
 
     friction: FrictionLaw | None = None
@@ -180,11 +180,11 @@ def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -
     choice : RbfChoice
         Decisions of the user.
     pair : bool
-        Whether two inputs pull at the two sides of a bistable joint.
+        True if two inputs pull at the two sides of a bistable joint.
     angle : bool
-        Whether q is an angle.
+        True if q is an angle.
     fine : bool
-        Whether the inputs are known between the samples.
+        True if the inputs are known between the samples.
     """
     usual: dict[str, Any] = {
         **FRICTION["viscous"],
@@ -235,13 +235,13 @@ def joint_offers(
     Parameters
     ----------
     choice : RbfChoice
-        What is decided and not offered.
+        Parts that are decided and not offered.
     angle : bool
-        Whether q is an angle: else the tip may move on an arc, as that of a beam with hidden shapes does.
+        True if q is an angle: else the tip may move on an arc, as that of a beam with hidden shapes does.
     mirrored : bool
-        Whether q = 0 is within its range and so may be its mirror plane.
+        True if q = 0 is within its range and so may be its mirror plane.
     knows : callable
-        Whether simulated joints teach a prior of a structure.
+        True if simulated joints teach a prior of a structure.
     """
     change = _Change(choice)
     shapes = change.to(FRICTION["lags+slip"] | {"arc": not angle})
@@ -272,15 +272,15 @@ def offers(
     Parameters
     ----------
     choice : RbfChoice
-        What is decided and not offered.
+        Parts that are decided and not offered.
     fine : bool
-        Whether the inputs are known between the samples.
+        True if the inputs are known between the samples.
     slow : bool
-        Whether the device looks overdamped.
+        True if the device looks overdamped.
     driven : bool
-        Whether an input acts at the first sample: else a lag rested without inputs either way.
+        True if an input acts at the first sample: else a lag rested without inputs either way.
     squared : bool
-        Whether inputs act by their squares: else it is the same whether they or what they do lag.
+        True if inputs act by their squares: else it is the same whether they or what they do lag.
 
     Returns
     -------

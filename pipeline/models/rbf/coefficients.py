@@ -74,7 +74,7 @@ class SensitivityParameters(NamedTuple):
 
 
 def no_sensitivities() -> SensitivityParameters:
-    """For a simulation without sensitivities."""
+    """Empty parameters for a simulation without sensitivities."""
     none = np.empty(0, dtype=np.int64)
     return SensitivityParameters(none, none, none, np.empty(0))
 

@@ -209,7 +209,7 @@ def slide(
     Parameters
     ----------
     slip : FloatArray, shape (D, 1 + P)
-        Where the travel begins.
+        Start of the travel.
     way : float
         Travel [half ranges].
     there, here : FloatArray, shape (P,)

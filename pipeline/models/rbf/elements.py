@@ -25,7 +25,7 @@ def acting_forces(p: ParameterLayout, theta: FloatArray, states: FloatArray, inp
     states : FloatArray, shape (N, 2 + L + D)
         x, p, hidden elements and friction.
     inputs : FloatArray, shape (N, K)
-        What acts there.
+        Acting inputs there.
     """
     c = p.coefficients(theta)
     whole = _accelerations(c, states, inputs)

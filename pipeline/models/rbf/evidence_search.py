@@ -70,7 +70,7 @@ def search_by_evidence(
     records : sequence of Log
         Training logs.
     setting : Setting
-        What all candidates share; nothing more is offered once its effort is spent.
+        Settings that all candidates share; nothing more is offered once its effort is spent.
     first : Candidate
         The simplest one.
     offers : sequence of Offer

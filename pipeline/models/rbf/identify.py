@@ -80,11 +80,11 @@ def identify_rbf(
     mass : float
         Moving mass [kg]; 1 if unknown.
     inputs : {"squared", "linear"}
-        Whether the force goes with v² or v.
+        Action of the inputs: the force goes with v² or v.
     angle : bool
-        Whether q is an angle [rad].
+        True if q is an angle [rad].
     choice : RbfChoice, optional
-        What is decided of the structure.
+        Decided parts of the structure.
     candidates : sequence of Candidate, optional
         Structures among which the inner validation chooses instead; a single one is taken as it is.
     measured : KnownCurves, optional

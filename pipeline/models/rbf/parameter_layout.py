@@ -175,7 +175,7 @@ class ParameterLayout:
 
     @np.errstate(over="ignore")
     def sensitivity_parameters(self, theta: FloatArray) -> SensitivityParameters:
-        """For each parameter: the kind of coefficient that it moves, where that one stands, and its slope."""
+        """Map of each parameter: the kind of coefficient that it moves, where that one stands, and its slope."""
         kind, first, second = (np.zeros(self.count, dtype=np.int64) for _ in range(3))
         factor = np.ones(self.count)
         for name, row in self.rows.items():

@@ -275,9 +275,9 @@ def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: Kn
     p : ParameterLayout
         Gains of known curves have their signs.
     start : FloatArray, shape (P,)
-        Where the estimation would start without them.
+        Start of the estimation without them.
     prior : Prior
-        What is believed without them.
+        Prior without them.
     measured : KnownCurves
         Per unit mass.
     """

@@ -50,7 +50,7 @@ def data_scales(
     records : sequence of Log
         The training logs.
     centred : bool
-        Whether x = 0 is q = 0 (a symmetric device) instead of the middle of the data.
+        True if x = 0 is q = 0 (a symmetric device) instead of the middle of the data.
     reach : (float, float)
         Smallest and largest displacement that the joint shall span beside the data.
 
@@ -98,7 +98,7 @@ def starting_joint(
     known_signs : mapping of int to int, optional
         Signs of gains by the number of the input.
     timing : mapping of str to FloatArray, optional
-        Where the blocks of lag and delay start; signs are those that they give.
+        Start values of the blocks of lag and delay; they decide the signs.
     """
     measured = data_scales(records, centred=centred, reach=reach)
     inputs = records[0].v.shape[1]
@@ -308,7 +308,7 @@ def _motion(records: Sequence[Log], p: ParameterLayout) -> tuple[list[FloatArray
 
 
 def _gains(u: FloatArray, basis: FloatArray) -> list[FloatArray]:
-    """For each g_k the basis times u_k."""
+    """Columns of each g_k: the basis times u_k."""
     return [signal[:, None] * basis for signal in u.T]
 
 

@@ -164,7 +164,7 @@ def drive_at_nodes(
     spline : CubicSpline, optional
         `spline_through` the inputs, where it is known.
     squared : bool
-        Whether inputs act by their squares: then nodes of a record are signed roots of those of the squares.
+        True if inputs act by their squares: then nodes of a record are signed roots of those of the squares.
 
     Returns
     -------
@@ -242,9 +242,9 @@ def lagged(
     lag : float
         Time constant [s].
     held : bool
-        Whether inputs are constant from node to node.
+        True if inputs are constant from node to node.
     rest_at_zero : bool
-        Whether the lag starts at zero instead of at the first input.
+        True if the lag starts at zero instead of at the first input.
     """
     out = np.empty_like(volts)
     by_lag = np.empty_like(volts)

@@ -88,7 +88,7 @@ class SearchResult:
         RMS held-out error of each candidate that was tried, in the unit of q, the geometric mean of the folds; empty if
         nothing was offered.
     complete : bool
-        Whether all was offered and judged before `SEARCH_SHARE` of the effort was spent.
+        True if all was offered and judged before `SEARCH_SHARE` of the effort was spent.
     """
 
     chosen: Candidate
@@ -175,7 +175,7 @@ def search(
     records : sequence of Log
         Training logs.
     setting : Setting
-        What all candidates share.
+        Settings that all candidates share.
     first : Candidate
         The simplest one.
     once, again : sequence of Offer

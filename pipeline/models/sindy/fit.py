@@ -62,7 +62,7 @@ class SindyFit:
         Free-run NRMSE of q on the held-out blocks of every candidate, the mean over their parts; 1 stands for a run
         that diverged or missed everything.
     search_status : {"completed", "limit"}
-        What ended the search.
+        Reason for the end of the search.
     library_terms, rank : int
         Columns and numerical rank of the scaled library on all training data.
     condition_number : float
@@ -102,7 +102,7 @@ def fit_sindy(
     squared : bool
         Inputs v² (electrostatic) or v.
     angle : bool
-        Whether q is an angle [rad]: libraries of sin q and cos q are tried too.
+        True if q is an angle [rad]: libraries of sin q and cos q are tried too.
     most : int, optional
         Candidates after which the search ends with what it has tried; it ends by itself if left out. Counted, so that
         no machine decides.

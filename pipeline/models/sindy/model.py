@@ -98,7 +98,7 @@ class SindyModel(ModelFile):
         mass : float
             Moving mass [kg], which only scales `curves`; 1 if unknown.
         diagnostics : mapping, optional
-            How the treatment was chosen.
+            Choice of the treatment.
         units : (str, str)
             SI units of q and of the inputs, in which equations are printed.
         """
@@ -271,7 +271,7 @@ def identify_sindy(
     trajectories : sequence of Log
         Gap-free segments of the training logs, voltages as finely as they are known.
     inputs : {"squared", "linear"}
-        Whether v² or v enters the equation.
+        Action of the inputs: v² or v enters the equation.
     mass : float
         Moving mass [kg]; 1 if unknown. It scales the characteristic curves only.
     units : (str, str)
@@ -328,7 +328,7 @@ def identify_default_sindy(
     trajectories : sequence of Log
         Gap-free segments of the training logs.
     inputs : {"squared", "linear"}
-        Whether v² or v enters the equation.
+        Action of the inputs: v² or v enters the equation.
     mass : float
         Moving mass [kg]; 1 if unknown.
     units : (str, str)

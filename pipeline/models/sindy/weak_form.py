@@ -98,7 +98,7 @@ def weak_rows(
     count : int
         Test functions.
     angle : bool
-        Whether sin q and cos q are candidates.
+        True if sin q and cos q are candidates.
 
     Returns
     -------
@@ -138,9 +138,9 @@ def admitted(
     degrees : (int, int, int)
         Highest power of q alone, as a factor of velocities and lags, and as a factor of inputs.
     friction : bool
-        Whether tanh(q̇/w) is one of them.
+        True if tanh(q̇/w) is one of them.
     turning : bool
-        Whether 1, sin q and cos q stand in the place of the powers of q.
+        True if 1, sin q and cos q stand in the place of the powers of q.
     lags : set of int
         Columns of the lag states that may enter.
     """
@@ -188,13 +188,13 @@ class Library:
     degrees : (int, int, int)
         Highest power of q alone, as a factor of velocities and lags, and as a factor of inputs.
     turning : bool
-        Whether 1, sin q and cos q stand in the place of the powers of q (an angle).
+        True if 1, sin q and cos q stand in the place of the powers of q (an angle).
     friction : bool
         A smoothed dry friction tanh(q̇/w).
     lags : tuple of float
         Times [s] of first-order lags of the velocity.
     lagged_inputs : bool
-        Whether the inputs enter lagged, too.
+        True if the inputs enter lagged, too.
     """
 
     degrees: tuple[int, int, int]

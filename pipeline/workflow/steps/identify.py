@@ -54,7 +54,7 @@ def training(
     parameters : JointParameters or None
         Parameter set of the analytical joint.
     prior_knowledge : PriorKnowledge, optional
-        What is known beside the logs.
+        Knowledge beside the logs.
     on_progress : callable
         Receives what a fit is doing.
     """

@@ -49,7 +49,7 @@ def validated(
     trained : sequence of Log
         The training logs.
     plant : Device
-        How its inputs act, and whether it is the joint.
+        Its inputs, and whether it is the joint.
     """
     began = time.process_time()
     result = free_run(log, model)

@@ -179,7 +179,7 @@ class TipForce(SettingsTable):
     start_s: Number = Field(ge=0.0)
     """Start [s]."""
     force_N: Number
-    """Its size, of a hand at its greatest, of a table its amplitude."""
+    """Size: of a hand the greatest, of a table the amplitude [N]."""
     length_s: Number = Field(gt=0.0)
     """Length [s]."""
 
@@ -188,7 +188,7 @@ class Shake(TipForce):
     """A force that swings."""
 
     frequency_Hz: Number = Field(gt=0.0)
-    """Its frequency."""
+    """Frequency [Hz]."""
 
 
 class Loss(SettingsTable):
@@ -312,7 +312,7 @@ def closed_loop_log(
     duration : float
         Length [s].
     options : ScenarioFile
-        What is rare.
+        The rare settings.
 
     Returns
     -------

@@ -166,7 +166,7 @@ def write_pulse(root: Path, document: Mapping[str, Any], output: Path, *, force:
     output : Path
         The file.
     force : bool
-        Whether a file of others may be replaced.
+        True if a file of others may be replaced.
     """
     check_pulse_name(output)
     t = np.array(document["t_s"])

@@ -305,7 +305,7 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
     output : Path or None
         Folder of the files; None: the exports of the run.
     force : bool
-        Whether files of others may be replaced.
+        True if files of others may be replaced.
     """
     from scipy.io import savemat
 

@@ -72,7 +72,7 @@ class RunDifferences:
     Attributes
     ----------
     names : tuple of str
-        What the runs are called here: folder names, or paths where some of those are equal.
+        Names of the runs here: folder names, or paths where some of those are equal.
     settings, versions, sources, scores, facts : tuple of Change
         Keys of the settings, packages, raw logs (SHA-256), NRMSE of free runs (fractions; log, model and signal), and
         facts of the device (SI) that differ, the last two by more than rounding.
@@ -108,11 +108,11 @@ def compare_runs(root: Path, other: Path) -> list[Comparison]:
 
 
 Pairs = Mapping[tuple[str, str], str]
-"""By role and name of a log of one run, the name of the log of another one that stands beside it."""
+"""Name of the log of another run beside each log of one run, by role and name."""
 
 
 def _log_contents(run: RunFolder) -> dict[tuple[str, str], str]:
-    """By role and name of each log of a run, the hash of the raw log; empty where nothing was read."""
+    """Hash of each raw log of a run, by role and name; empty where nothing was read."""
     contents: dict[tuple[str, str], str] = {}
     for role, name, _ in layout.logs(run.prototype):
         record = run.manifest.artifacts.get(layout.record(role, name))
@@ -204,7 +204,7 @@ def diff_runs(roots: Sequence[Path]) -> RunDifferences:
 
 
 def _paired(roots: Sequence[Path]) -> list[dict[tuple[str, str], str]]:
-    """For each run the names of its logs in the first."""
+    """Names of each run's logs in the first run."""
     contents = [in_snapshot(root, _log_contents) for root in roots]
     return [paired_logs(contents[0], of_run) for of_run in contents]
 
@@ -240,16 +240,16 @@ def write_diff_page(roots: Sequence[Path], names: Sequence[str], tables: Sequenc
     roots : sequence of Path
         Run folders.
     names : sequence of str
-        What each is called.
+        Name of each.
     tables : sequence of DiffTable
-        What differs.
+        The differences.
     target : Path
         The page.
 
     Raises
     ------
     DebistError
-        What is drawn cannot be read, or the page not be written.
+        A run cannot be read, or the page cannot be written.
     """
     drawn = [
         in_snapshot(root, partial(_drawn, name, pairs))

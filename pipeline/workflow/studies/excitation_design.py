@@ -118,11 +118,11 @@ class Design:
     Attributes
     ----------
     wanted : Requirements
-        What was asked for.
+        The requirements.
     bursts : list of Burst
         The sequence.
     weights : ScaledRegressor
-        What it was designed for.
+        Regressor that it was designed for.
     wells : Wells
         Of the device as drawn.
     designed, plain : Assessment
@@ -392,7 +392,7 @@ def design_next_log(
     model : HybridModel
         Identified.
     start : float
-        Where it rests before a log [m].
+        Displacement at rest before a log [m].
     interval : float
         Sample interval [s] of its logs.
     programme : str

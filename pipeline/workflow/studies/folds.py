@@ -78,7 +78,7 @@ def run_folds(
     observer : Observer
         Receives what is done.
     by : {"blocks", "logs"}
-        What is left out.
+        Parts that are held out.
     folds : int, optional
         5 for blocks, every log once for logs, if left out.
     models : sequence of str

@@ -56,7 +56,7 @@ class StudyResult:
     units : mapping of str to str
         Of the columns.
     figure : Path
-        Where it is drawn.
+        Path of the figure.
     notes : mapping
         Notes of the study.
     """
