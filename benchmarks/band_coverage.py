@@ -302,8 +302,8 @@ class Tally:
         if device.itself:
             curves, true_curves = _curves(found, device.q), _curves(truth, device.q)
             rings = simulated_ring_downs(device.model, own, curves, 2)
-            drawn = [drawn_ring_downs(rings, curves, _curves(row, device.q), plant=JOINT) for row in draws]
-            limits |= intervals(rings, drawn)
+            drawn = [_curves(row, device.q) for row in draws]
+            limits |= intervals(rings, drawn_ring_downs(device.model, rings, curves, drawn, JOINT))
             true |= simulated_ring_downs(device.itself, true, true_curves, 2)
         for name, value in true.items():
             if name in limits and value is not None:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..device.device import Device
-from ..models.base import DynamicModel
+from ..models.base import DynamicModel, HasOutcomeDraws
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90
 from ..scoring.wells import NoWells, Wells
@@ -18,6 +18,7 @@ from .characteristics import (
     COVERAGE,
     Curves,
     believed_wells,
+    curves_from,
     device_facts,
     equilibria,
     intervals,
@@ -227,7 +228,7 @@ def make_datasheet(data: RunData) -> Datasheet:
             wells = believed
             rests = rest_facts(records, believed, hum, plant=data.device)
         rings = simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
-        limits |= intervals(rings, [drawn_ring_downs(rings, curves[source], draw, plant=data.device) for draw in drawn])
+        limits |= intervals(rings, drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device))
         values |= rings
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, in_draws, rests, wells, events)
@@ -288,19 +289,45 @@ def simulated_ring_downs(
 
 
 def drawn_ring_downs(
-    rings: Mapping[str, float | None], own: Curves, draw: Curves, plant: Device
-) -> dict[str, float | None]:
-    """Frequencies and damping ratios of a draw: to first order they go with √k and d/√k of the curves at a rest.
+    model: DynamicModel, rings: Mapping[str, float | None], own: Curves, draws: Sequence[Curves], plant: Device
+) -> list[dict[str, float | None]]:
+    """Frequencies and damping ratios of draws from a model's posterior.
+
+    They are those of the whole model where it has such draws: friction that sticks stiffens a small motion, a relaxing
+    element stiffens and damps it, and neither is in the curves. Otherwise they follow from the curves.
 
     Parameters
     ----------
+    model : DynamicModel
+        The model.
     rings : mapping of str to float or None
-        Those of the model itself.
-    own, draw : Curves
-        Curves of the model and of a draw from them.
+        Its own frequencies and damping ratios.
+    own : Curves
+        Its curves.
+    draws : sequence of Curves
+        Draws from them.
     plant : Device
         Its inputs, and whether it is the joint.
     """
+    if not isinstance(model, HasOutcomeDraws):
+        return [_ring_downs_by_curves(rings, own, draw, plant=plant) for draw in draws]
+    keys = [key for key, value in rings.items() if value is not None]
+    if not keys or not draws:
+        return []
+
+    def simulated(near: Any) -> FloatArray:
+        curves = curves_from(near.curves(own.q), own.q)
+        found = simulated_ring_downs(near, device_facts(curves, plant=plant), curves, len(own.gains))
+        return np.array([found.get(key) for key in keys], dtype=np.float64)
+
+    rows = model.outcome_ensemble(simulated, len(draws))
+    return [{key: float(x) for key, x in zip(keys, row, strict=True) if np.isfinite(x)} for row in rows]
+
+
+def _ring_downs_by_curves(
+    rings: Mapping[str, float | None], own: Curves, draw: Curves, plant: Device
+) -> dict[str, float | None]:
+    """Frequencies and damping ratios of a draw: to first order they go with √k and d/√k of the curves at a rest."""
     facts: dict[str, float | None] = {}
     values, drawn = (device_facts(curves, plant=plant) for curves in (own, draw))
     for side, rest in RESTS.items():

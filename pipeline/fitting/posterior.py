@@ -134,6 +134,29 @@ def posterior_draws(mean: FloatArray, spread: FloatArray, count: int, seed: int)
     return np.asarray(mean + standard @ spread.T)
 
 
+def outcome_draws(
+    outcome: Callable[[FloatArray], FloatArray], mean: FloatArray, spread: FloatArray, count: int, seed: int
+) -> FloatArray:
+    """Outcomes of draws from the covariance S Sᵀ about `mean`, θ acting to first order, shape (count, n).
+
+    The slope along each column of S is that between the two points at one standard deviation: an outcome is simulated
+    and evaluated by a search, whose rounding a small step would multiply.
+
+    Parameters
+    ----------
+    outcome : callable
+        Parameter vector (P,) → numbers, shape (n,); those that do not exist at some point are NaN in all draws.
+    mean : FloatArray, shape (P,)
+        θ.
+    spread : FloatArray, shape (P, R)
+        S. Cost: 2 R + 1 outcomes.
+    count, seed : int
+        Number of draws, and the seed that repeats them.
+    """
+    halves = [0.5 * (outcome(mean + column) - outcome(mean - column)) for column in spread.T]
+    return posterior_draws(outcome(mean), np.stack(halves, axis=1), count, seed)
+
+
 def curves_of_draws(
     draws: Iterable[FloatArray], curves: Callable[[FloatArray], dict[str, FloatArray]]
 ) -> dict[str, FloatArray]:

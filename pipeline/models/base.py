@@ -141,6 +141,22 @@ class HasDraws(Protocol):
         """
 
 
+@runtime_checkable
+class HasOutcomeDraws(Protocol):
+    """A model of which whatever follows from it has error bands, hidden states and friction included."""
+
+    def outcome_ensemble(self, outcome: Callable[[Any], FloatArray], count: int = 64) -> FloatArray:
+        """Outcomes of draws from the posterior of its parameters, shape (count, n).
+
+        Parameters
+        ----------
+        outcome : callable
+            Such a model → numbers, shape (n,), NaN where there is none.
+        count : int
+            Number of draws.
+        """
+
+
 class DrawnModel(DynamicModel, HasDraws, Protocol):
     """A dynamic model with draws."""
 

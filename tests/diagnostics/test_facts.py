@@ -1,18 +1,21 @@
 """Device facts against closed forms of a double well."""
 
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 import pytest
 
 from pipeline.device.device import JOINT
-from pipeline.diagnostics.characteristics import Curves, device_facts, equilibria, intervals
-from pipeline.diagnostics.datasheet import drawn_ring_downs, make_datasheet
+from pipeline.diagnostics.characteristics import Curves, curves_from, device_facts, equilibria, intervals
+from pipeline.diagnostics.datasheet import drawn_ring_downs, make_datasheet, simulated_ring_downs
 from pipeline.diagnostics.events import rest_facts, ring_down, voltage_switches
 from pipeline.diagnostics.model_quality import model_checks
 from pipeline.diagnostics.phase_plane import basins
 from pipeline.diagnostics.run_data import LogData
+from pipeline.fitting.posterior import outcome_draws
+from pipeline.models.base import FreeRun
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.units.units import SiUnit
 from tests.reporting.synthetic import (
@@ -230,7 +233,52 @@ def test_a_drawn_ring_down_is_that_of_its_own_spring_and_damper() -> None:
 
     frequency, ratio = closed(2.0 * K * WELL**2, DAMPING)
     rings = {"frequency_left": frequency, "damping_left": ratio, "frequency_right": None, "damping_right": None}
-    facts = drawn_ring_downs(rings, own, draw, plant=JOINT)
+    model = run_data().models["rbf"]
+    (facts,) = drawn_ring_downs(model, rings, own, [draw], JOINT)
     drawn = closed(1.04 * 2.0 * K * WELL**2, 1.1 * DAMPING)
     assert facts == {"frequency_left": pytest.approx(drawn[0]), "damping_left": pytest.approx(drawn[1])}
-    assert drawn_ring_downs(rings, own, replace(draw, damping=None), plant=JOINT).keys() == {"frequency_left"}
+    (facts,) = drawn_ring_downs(model, rings, own, [replace(draw, damping=None)], JOINT)
+    assert facts.keys() == {"frequency_left"}
+
+
+@dataclass(frozen=True)
+class Stuck:
+    """A spring and a damper of known curves, stiffened by friction that sticks and is known to 4 %."""
+
+    stuck: float = 300.0
+    input_count = 2
+    fine_voltages = False
+    name = "rbf"
+    mass = MASS
+
+    def curves(self, q: np.ndarray[Any, Any]) -> dict[str, np.ndarray[Any, Any]]:
+        none = np.zeros_like(q)
+        return {"F": STIFFNESS * q, "d": none + DAMPING, "dC1_dq": none, "dC2_dq": none}
+
+    def simulate(self, t: np.ndarray[Any, Any], v: np.ndarray[Any, Any], q0: float, qdot0: float) -> FreeRun:
+        decay = DAMPING / (2.0 * MASS)
+        angular = np.sqrt((STIFFNESS + self.stuck) / MASS - decay**2)
+        q = np.exp(-decay * t) * (q0 * np.cos(angular * t) + (qdot0 + decay * q0) / angular * np.sin(angular * t))
+        return FreeRun(t, q, np.zeros_like(q), np.zeros_like(q), "ok")
+
+    def describe(self) -> dict[str, Any]:
+        return {}
+
+    def outcome_ensemble(self, outcome: Callable[[Any], np.ndarray[Any, Any]], count: int = 64) -> np.ndarray[Any, Any]:
+        spread = np.array([[0.04 * self.stuck]])
+        return outcome_draws(lambda theta: outcome(Stuck(theta[0])), np.array([self.stuck]), spread, count, 1)
+
+
+def test_the_interval_of_a_ring_down_holds_what_sticking_friction_leaves_open() -> None:
+    """Against the closed form: ω₀² = (k + s)/m, so that the frequency is known to half of what s is of k + s."""
+    model = Stuck()
+    own = curves_from(model.curves(Q), Q)
+    rings = simulated_ring_downs(model, device_facts(own, plant=JOINT), own, 2)
+    draws = drawn_ring_downs(model, rings, own, 400 * [own], JOINT)
+    stiffness = STIFFNESS + model.stuck
+    frequencies = np.array([draw["frequency"] for draw in draws], dtype=np.float64)
+    ratios = np.array([draw["damping"] for draw in draws], dtype=np.float64)
+    assert frequencies.mean() == pytest.approx(np.sqrt(stiffness / MASS) / (2.0 * np.pi), rel=0.01)
+    known = 0.5 * 0.04 * model.stuck / stiffness
+    assert frequencies.std() / frequencies.mean() == pytest.approx(known, rel=0.1)
+    assert ratios.std() / ratios.mean() == pytest.approx(known, rel=0.1)

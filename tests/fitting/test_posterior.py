@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pipeline.fitting.descent import Prior
-from pipeline.fitting.posterior import posterior_factor, robust_spread
+from pipeline.fitting.posterior import outcome_draws, posterior_factor, robust_spread
 
 
 def covered(wrong: float, prior: float, seed: int) -> bool:
@@ -65,3 +65,26 @@ def test_the_factor_is_a_root_of_the_covariance_that_hardly_moves_with_the_data(
     precision = np.linalg.inv(found @ found.T)
     data = precision - np.eye(6)
     np.testing.assert_allclose(data / data[0, 0], hessian / hessian[0, 0], atol=1e-9)
+
+
+def test_draws_of_an_outcome_have_the_covariance_of_its_slopes_whatever_its_curvature() -> None:
+    random = np.random.default_rng(6)
+    spread, slopes, mean = random.standard_normal((5, 7)), random.standard_normal((3, 5)), random.standard_normal(5)
+
+    def outcome(theta: np.ndarray) -> np.ndarray:
+        away = theta - mean
+        return np.array([2.0, 3.0, 4.0]) + slopes @ away + np.sum(away**2)
+
+    drawn = outcome_draws(outcome, mean, spread, 40_000, 1)
+    truth = slopes @ spread @ spread.T @ slopes.T
+    np.testing.assert_allclose(drawn.mean(axis=0), [2.0, 3.0, 4.0], atol=0.02 * np.sqrt(truth.max()))
+    np.testing.assert_allclose(np.cov(drawn.T), truth, atol=0.03 * truth.max())
+
+
+def test_an_outcome_that_does_not_exist_nearby_has_no_draws() -> None:
+    drawn = outcome_draws(
+        lambda theta: np.array([np.sqrt(theta[0]) if theta[0] > 0.0 else np.nan, theta[0]]),
+        np.array([0.5]), np.array([[1.0]]), 10, 1,
+    )  # fmt: skip
+    assert np.isnan(drawn[:, 0]).all()
+    assert np.isfinite(drawn[:, 1]).all()

@@ -1,7 +1,7 @@
 """The data-driven joint as a model: RBF curves, hidden relaxing elements, friction, identified from logs alone."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import field
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import field, replace
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from pydantic.dataclasses import dataclass
 
 from ...errors import CorruptArtifactError
-from ...fitting.posterior import first_order_curves, posterior_draws
+from ...fitting.posterior import first_order_curves, outcome_draws, posterior_draws
 from ...generated.terms import CONFINED_FORCE, STOP_FORCE
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
@@ -168,6 +168,15 @@ class RbfModel:
         """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
         return first_order_curves(
             lambda theta: self._characteristics(theta, q), self.theta, self.band_spread, count, SEED, ("d",)
+        )
+
+    def outcome_ensemble(self, outcome: Callable[["RbfModel"], FloatArray], count: int = 64) -> FloatArray:
+        """Outcomes (count, n) of draws from the covariance that the training data show, θ acting to first order.
+
+        They are of the same draws as `curve_ensemble`.
+        """
+        return outcome_draws(
+            lambda theta: outcome(replace(self, theta=theta)), self.theta, self.band_spread, count, SEED
         )
 
     def draws(self, count: int) -> FloatArray:

@@ -71,6 +71,15 @@ def test_planted_curves_lie_in_the_bands_and_bands_widen_where_an_input_never_ac
     assert draws["dC2_dq"][:, -1].std() > 5.0 * draws["dC2_dq"][:, 0].std()
 
 
+def test_draws_of_an_outcome_are_those_of_the_curves(identified):
+    q = np.linspace(-0.015, 0.015, 31)
+    by_curves, drawn = (
+        identified.curve_ensemble(q, 100)["F"],
+        identified.outcome_ensemble(lambda near: near.curves(q)["F"], 100),
+    )
+    assert np.abs(drawn - by_curves).max() < 0.2 * by_curves.std(axis=0).max()
+
+
 def test_two_logs_and_a_masked_span_identify_as_well(identified):
     first, second = log(planted(), 11, n=600), log(planted(), 13, n=500)
     valid = first.valid.copy()
