@@ -32,8 +32,8 @@ SEED = 20252  # of the posterior draws: the same model gives the same draws
 
 MOVED = 0.2
 """Largest standard deviation [widths] of the draws in a direction of the posterior. The probabilities of 814 outcomes
-on 84 logs of 28 simulated joints had a Brier score of 0.0046 without a bound (47 called ambiguous), and of 0.0016 to
-0.0019 with bounds of 0.3 to 0.1 (8 to 4); of those called sure none was wrong. With a bound of 0.02 two were."""
+on 84 logs of 28 simulated joints had a Brier score of 0.0046 without a bound (47 called ambiguous). With bounds of
+0.3 to 0.1 it was 0.0016 to 0.0019 (8 to 4), and none of those called sure was wrong. With a bound of 0.02 two were."""
 
 
 _FARTHEST = 300.0
