@@ -351,7 +351,7 @@ def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArra
 def held(
     plant: ControlledJoint, near: FloatArray, base: FloatArray, direction: FloatArray
 ) -> tuple[FloatArray, float] | None:
-    """Equilibrium at the displacement of a state under the squared voltages base + u·direction, and u; None without one.
+    """Equilibrium at a state's displacement under the squared voltages base + u·direction, and u; None without one.
 
     Parameters
     ----------
