@@ -24,7 +24,7 @@ from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
 from .problem import POLES, CondensedJoint, CondensedProblem, age_at, simulate
-from .runs import BATCH, Coefficients, Driving, Followed, continued_runs
+from .runs import BATCH, Driving, Followed, JointCoefficients, continued_runs
 from .similarity import Similarity
 from .statics import static_curves, substeps
 
@@ -186,7 +186,7 @@ class HybridModel:
         followed = Followed(reading, (measured & np.append(measured[1:], False)) / dt)
         start = np.array([seen[0], speed[0], age_at(t)])
         driving = Driving(u[None], np.zeros(1, np.int64), np.array([joint.instruments(self.theta).offset]), start)
-        coefficients = Coefficients(k[None], weights[None], joint.basis)
+        coefficients = JointCoefficients(k[None], weights[None], joint.basis)
         runs = continued_runs(coefficients, driving, followed, joint.stepping(dt, steps), starts, ahead)
         return runs if angle is None else (angle.shown(run, np.zeros_like(run), np.zeros_like(run))[0] for run in runs)
 
