@@ -26,11 +26,11 @@ _SIZES = {
 _ENDS = np.cumsum(list(_SIZES.values()))
 PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_SIZES.items(), _ENDS, strict=True)}
 """Slices of the controller's state for the joint's state, stop operators, the converters' voltages, the unknown moment,
-periods without a reading, the target, how long it has stood still (1: long enough for a well), whether the joint is far
-(0), regulated (1) or let go in a well (2), the slow moment that holds a target [N·m], the mean of what damps in a well
-[N·m], periods in which the innovation was too large, the share of late in which the joint was far from its target,
-whether that is given up, the pump's phase and its time [of a snap], periods of braking, the last commands and
-their means over `estimator.MEMORY` [V], the filter's covariance."""
+periods without a reading, the target, and its time at rest (1: long enough for a well). Then the mode: far (0),
+regulated (1) or let go in a well (2). The slow moment that holds a target [N·m], the mean of the damping moment in a
+well [N·m], and the periods in which the innovation was too large. The recent share of time in which the joint was far
+from its target, and whether that is given up. The pump's phase and its time [of a snap], periods of braking, the last
+commands and their means over `estimator.MEMORY` [V], the filter's covariance."""
 CONTROLLER_STATE = int(_ENDS[-1])
 """Length of the controller's state."""
 
@@ -60,8 +60,8 @@ TARGET_COLUMNS = {"rests": slice(0, STATES), "holding": slice(STATES, STATES + 1
                   "gains": slice(STATES + 1, STATES + 1 + FEEDBACK),
                   "moments": slice(STATES + 1 + FEEDBACK, STATES + 3 + FEEDBACK),
                   "common": slice(STATES + 3 + FEEDBACK, STATES + 4 + FEEDBACK)}  # fmt: skip
-"""Columns of the table of targets: the equilibrium there, the moment [N·m] that holds it, the regulator's gains, and
-the moments of left and right at the largest voltage [N·m], each in its own direction, and the mean share of the
+"""Columns of the table of targets: the equilibrium there, the moment [N·m] that holds it, and the regulator's gains.
+Then the moments of left and right at the largest voltage [N·m], each in its own direction, and the mean share of the
 largest squared voltage on both sides."""
 TARGETS = 29
 """Rows of that table, from beyond the left well to beyond the right one."""

@@ -349,10 +349,9 @@ def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArra
 
 
 def held(
-    plant: ControlledJoint, near: FloatArray, base: FloatArray, push: FloatArray
+    plant: ControlledJoint, near: FloatArray, base: FloatArray, direction: FloatArray
 ) -> tuple[FloatArray, float] | None:
-    """The equilibrium at the displacement of a state under the squared voltages base + u push, and u; None if there is
-    none.
+    """Equilibrium at a state's displacement under the squared voltages base + u·direction, and u; None without one.
 
     Parameters
     ----------
@@ -360,7 +359,7 @@ def held(
         The joint.
     near : FloatArray, shape (STATES,)
         The displacement, and the shape at which the search starts.
-    base, push : FloatArray, shape (2,)
+    base, direction : FloatArray, shape (2,)
         Squared voltages [V²] and the direction in which they may change.
 
     Returns
@@ -374,7 +373,7 @@ def held(
 
     def left(at: FloatArray) -> FloatArray:
         """Forces that are left at a slope, an interior shape and a squared voltage [kV²]: zero at rest."""
-        u = base + 1e6 * at[2] * push
+        u = base + 1e6 * at[2] * direction
         return np.asarray(forces(still(q, at[0], at[1]), u[0], u[1], c))
 
     found = _root(left, np.array([near[2], near[4], 0.0]), np.array([1e-6, 1e-6, 1e-3]))

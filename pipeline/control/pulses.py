@@ -17,8 +17,8 @@ from .estimator import PERIOD
 LENGTH = 1.2
 """Length [s] of the runs by which a pulse is judged; its goals beside time permit half of it for settling."""
 BANDS = (0.6, 1.0)
-"""Shares of the settling band over which the optimisation takes the mean: a narrow one alone asks a joint that creeps
-for what no pulse does (1 s where 0.18 s is possible), a wide one alone leaves nothing for draws that differ."""
+"""Shares of the settling band over which the optimisation takes the mean. A narrow one alone is out of reach for a
+joint that creeps (1 s where 0.18 s is possible); a wide one alone leaves no margin for draws that differ."""
 SEGMENTS = ("push", "brake", "catch")
 LONGEST = LENGTH / len(SEGMENTS)
 """Longest segment of a pulse [s]."""

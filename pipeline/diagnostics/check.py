@@ -348,7 +348,7 @@ class CheckRow:
     Attributes
     ----------
     log : str
-        Of which log, as people call it.
+        Title of the log.
     what : str
         Subject of the check.
     found, limit : str

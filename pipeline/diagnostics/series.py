@@ -26,7 +26,7 @@ _QUANTITIES = {
     "creep stiffness 1": "creep within 1 s, stiffness",
     "laser offset, change": "zero of the laser",
 }
-"""Quantities of `hybrid` that age, and what people call them."""
+"""Quantities of `hybrid` that age, and their names for readers."""
 
 READINGS = {
     "gain_v1": "gain of v1",
@@ -34,7 +34,7 @@ READINGS = {
     "zero_q": "zero of q",
     "gain_q": "gain of q",
 }
-"""Names of readings for people, where they differ from those in files."""
+"""Printed names of readings, where they differ from those in files."""
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ class LogSignals:
     Attributes
     ----------
     name : str
-        As people read it, for instance ``training log``.
+        Title, for instance ``training log``.
     t : FloatArray, shape (N,)
         Time [s], uniform.
     q : FloatArray, shape (N,)

@@ -101,8 +101,9 @@ def bell(inside: Any, centre: Any, bend: Any) -> Expression:
 
 
 def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any, drag: Any) -> Expression:
-    """ṗ for F, d in `curves`, the sum of all other forces, μ = 1 + arc·arm² of a tip on an arc, arm = x − x₀, and the
-    drag κ of a fluid.
+    """Acceleration ṗ for F, d in `curves`, the sum of all other forces, and the drag κ of a fluid.
+
+    The inertia is μ = 1 + arc·arm² of a tip on an arc, with arm = x − x₀.
 
     Parameters
     ----------

@@ -20,8 +20,8 @@ GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
 
 COUPLED = GAINS[2]
-"""The one of them at which a chaotic device stays, because simulations part that are coupled less, and a bistable one,
-because single passages near the separatrix decide its free run."""
+"""Gain at which a chaotic device stays, because less coupled simulations diverge. A bistable one stays there because
+single passages near the separatrix decide its free run."""
 
 LEAST_STEPS = 3
 """Steps of the last level that are taken even when the effort is spent."""

@@ -79,7 +79,7 @@ class DynamicModel(Protocol):
         """
 
     def describe(self) -> dict[str, Any]:
-        """Description for people: structure, hyperparameters, diagnostics, with units in the keys."""
+        """Description for readers: structure, hyperparameters, diagnostics, with units in the keys."""
 
 
 @runtime_checkable

@@ -163,7 +163,7 @@ def listed(values: Any) -> Any:
 
 
 def _facts(value: Any, levels: int = _DEEPEST) -> Any:
-    """Report of a fit, for people: a dictionary of texts, numbers, arrays of them, and such dictionaries."""
+    """Report of a fit, for readers: a dictionary of texts, numbers, arrays of them, and such dictionaries."""
     if isinstance(value, Mapping):
         if not levels or len(value) > _MOST_FACTS:
             raise ValueError("is nested too deeply or has too many entries")

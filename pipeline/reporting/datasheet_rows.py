@@ -1,4 +1,4 @@
-"""Facts of the device and of its models as tables for people: units from the keys, values with deviations."""
+"""Facts of the device and of its models as tables for readers: units from the keys, values with deviations."""
 
 import re
 from collections.abc import Callable, Mapping, Sequence

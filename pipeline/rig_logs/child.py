@@ -240,7 +240,7 @@ class Format:
     Attributes
     ----------
     name : str
-        As people say it.
+        Name for readers.
     module : str
         In `pipeline.rig_logs`; imported in the guarded child when such a file is opened.
     begins : callable

@@ -103,7 +103,7 @@ class Source(ABC):
     Attributes
     ----------
     format : str
-        As people say it.
+        Name for readers.
     one_pass : bool
         True if all channels are read in one pass, so that one of them cannot fail alone.
     notes : list of str

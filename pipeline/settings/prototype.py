@@ -89,11 +89,11 @@ class Ingest(SettingsTable):
     latest stamp, or "unwrap" a counter that begins anew: it goes on by its usual step."""
     rails: Literal["mask", "keep"] = "mask"
     """Action where q stays at its smallest or largest value for three samples or more, as at the end of a
-    sensor's range: "mask" it, which leaves it out of derivatives, fits and scores, or "keep" it, which also lets a log
-    pass that stays there for long, as a drive that rests at its end positions."""
+    sensor's range: "mask" it, which leaves it out of derivatives, fits and scores, or "keep" it. "keep" also lets a
+    log pass that stays there for long, as a drive that rests at its end positions."""
     lost: Literal["mask", "keep"] = "mask"
-    """Action where q jumps to a constant level far outside the rest for 50 ms or more, as when a laser loses its
-    target, or shows bursts at one level, a value that is held, or lost rows: "mask" (lost rows: split) or "keep"."""
+    """Action where q is lost: "mask" (lost rows: split) or "keep". Lost are jumps to a constant level far outside the
+    rest for 50 ms or more (a laser without its target), bursts at one level, held values, and lost rows."""
     spikes: Literal["mask", "keep"] = "mask"
     """Action at single samples far off neighbours that agree: "mask" (inputs: a line across) or "keep"."""
     csv: Csv = Csv()
@@ -159,8 +159,8 @@ class Structure(SettingsTable):
     """Dynamics from an input to the device: at once, behind a first-order lag, a constant delay, or both. With
     "effect-lag" the effect of the input lags, as heat or pressure follows a power."""
     effect: Literal["auto", "plain", "bent", "dead-zone"] = "auto"
-    """Static curve of an input: in proportion (or by its square), by a curve that is steeper or flatter at
-    zero, as of an amplifier, valve or motor that saturates, or past a dead zone in which it does nothing."""
+    """Static curve of an input: "plain" (in proportion, or by its square), "bent" (steeper or flatter at zero, as of
+    an amplifier, valve or motor that saturates), or "dead-zone" (no effect near zero)."""
     hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
     """Inputs between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
 

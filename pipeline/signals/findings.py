@@ -159,8 +159,8 @@ def coarse_inputs(steps: Mapping[str, float], interval: float) -> list[Finding]:
 
 
 def rate_remarks(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[str]:
-    """That a log is slower than the sample interval, so that rows between its samples are interpolated, or that q moves
-    faster than the interval shows well, in a log that could show it.
+    """Remarks on the sample interval: shorter than that of the log, so that rows are interpolated, or too long for the
+    motion in a log that could show it.
     """
     made_up = 1.0 - sample_interval / time.step
     if time.step > UNTOLD_STEP * sample_interval:

@@ -51,7 +51,7 @@ class Column:
     key : str
         Its name in files.
     title : str
-        Its heading in tables for people; empty for a column that only files have.
+        Its heading in printed tables; empty for a column that only files have.
     unit : str
         SI unit of the values in files, "1" for numbers and texts without one.
     help : str
@@ -83,7 +83,7 @@ class FactColumn(Column):
     Attributes
     ----------
     row : str
-        The row of the datasheet for people that shows it.
+        Row of the printed datasheet that shows it.
     side : {"", "left", "right"}
         Well of the fact; empty for a fact of the whole device.
     fleet : str

@@ -19,7 +19,7 @@ _SPELT = {"ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue"
 
 
 def check_name(name: str, longest: int = _LONGEST) -> str:
-    """Return `name` if people and systems can work with it: letters of any script, digits, blanks, signs and such.
+    """Return `name` if users and systems can work with it: letters of any script, digits, blanks, signs and such.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def _spelt(letter: str) -> str:
 
 
 def true_name(log: str) -> str:
-    """A log as people know it: the file's name without its ending."""
+    """Name of a log for readers: the file's name without its ending."""
     return Path(log.replace("\\", "/")).stem
 
 
@@ -94,7 +94,7 @@ def log_name(log: str) -> str:
 
 
 def with_true_names(rows: Iterable[Mapping[str, Any]], sources: Iterable[tuple[str, str]]) -> list[dict[str, Any]]:
-    """Rows with the keys ``role`` and ``log``, the logs called as people call them and not as a run files them.
+    """Rows with the keys ``role`` and ``log``, with the true names of the logs in place of those in a run.
 
     `sources` has role and raw log of every log.
     """

@@ -1,1 +1,1 @@
-"""Units at the edges, and quantities as people read them."""
+"""Units at the edges, and quantities for readers."""

@@ -1,4 +1,4 @@
-"""Numbers for people: SI prefixes on axes and in tables, values to the digits that their uncertainty allows."""
+"""Numbers for readers: SI prefixes on axes and in tables, values to the digits that their uncertainty allows."""
 
 import math
 import re

@@ -60,7 +60,7 @@ _MISLEADING = {
     "gr": "write 'g' for grams, or 'grain' for grains (64.8 mg)",
     **dict.fromkeys(("px", "pixel"), "a pixel has no length of its own; give one as `scale`, in a unit such as 'mm'"),
 }
-"""Units by which people and pint mean different things (giga-radians, a 96th of an inch, grains), and what to write."""
+"""Units that users and pint understand differently (giga-radians, a 96th of an inch, grains), and what to write."""
 
 POWERS = {
     "1": (0, 0, 0, 0),

@@ -220,7 +220,7 @@ def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
 
 
 def shown_scores(root: Path) -> list[dict[str, Any]]:
-    """The score rows of a run as people read them: the logs by their true names."""
+    """The score rows of a run for readers: the logs by their true names."""
     return in_snapshot(root, lambda run: _shown(run, run.read_records(layout.SCORES)))
 
 

@@ -126,7 +126,7 @@ from pipeline.generated.condensed_joint import AT_REST, CORRECTIONS, ELEMENT_STA
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN, PREPARE
 from pipeline.models.hybrid import parameters
 from pipeline.models.hybrid.kernels import INDEX
-from pipeline.models.hybrid.runs import Driving, Followed, Coefficients, Stepping, run_joints
+from pipeline.models.hybrid.runs import Driving, Followed, JointCoefficients, Stepping, run_joints
 from pipeline.device.parameters import NOMINAL
 
 samples, steps = 51, 4
@@ -142,7 +142,7 @@ def drawn(name):
 
 def run(k):
     offset, which = np.zeros(len(k)), np.zeros(len(k), dtype=np.int64)
-    coefficients = Coefficients(k, np.zeros((len(k), 9, 0)), np.zeros(3))
+    coefficients = JointCoefficients(k, np.zeros((len(k), 9, 0)), np.zeros(3))
     driving = Driving(u, which, offset, np.array([-0.011, 0.3, 0.0]))
     return run_joints(coefficients, driving, *common)
 

@@ -26,7 +26,7 @@ from ...numerics.arrays import FloatArray, SingleArray
 from ...numerics.compiled import compiled, inner
 from ...numerics.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
 from .kernels import CURVED, CURVES, INDEX, VALUES
-from .runs import Coefficients, Stepping, observer
+from .runs import JointCoefficients, Stepping, observer
 
 BATCH = 16
 """Columns side by side."""
@@ -199,7 +199,7 @@ class Path(NamedTuple):
 
 @compiled
 def propagate(
-    path: Path, coefficients: Coefficients, stepping: Stepping, columns: Columns,
+    path: Path, coefficients: JointCoefficients, stepping: Stepping, columns: Columns,
     starts: SingleArray, stops: SingleArray, displacements: FloatArray,
 ) -> None:  # fmt: skip
     """Derivatives of the reading at the samples by all columns, `displacements` (N, columns), from those at the start.
@@ -208,7 +208,7 @@ def propagate(
     ----------
     path : Path
         The run.
-    coefficients : Coefficients
+    coefficients : JointCoefficients
         Constants and corrections of the joint.
     stepping : Stepping
         As in the run.

@@ -24,7 +24,7 @@ from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
 from .problem import POLES, CondensedJoint, CondensedProblem, age_at, simulate
-from .runs import BATCH, Coefficients, Driving, Followed, continued_runs
+from .runs import BATCH, Driving, Followed, JointCoefficients, continued_runs
 from .similarity import Similarity
 from .statics import static_curves, substeps
 
@@ -32,8 +32,8 @@ SEED = 20252  # of the posterior draws: the same model gives the same draws
 
 MOVED = 0.2
 """Largest standard deviation [widths] of the draws in a direction of the posterior. The probabilities of 814 outcomes
-on 84 logs of 28 simulated joints had a Brier score of 0.0046 without a bound (47 called ambiguous), and of 0.0016 to
-0.0019 with bounds of 0.3 to 0.1 (8 to 4); of those called sure none was wrong. With a bound of 0.02 two were."""
+on 84 logs of 28 simulated joints had a Brier score of 0.0046 without a bound (47 called ambiguous). With bounds of
+0.3 to 0.1 it was 0.0016 to 0.0019 (8 to 4), and none of those called sure was wrong. With a bound of 0.02 two were."""
 
 
 _FARTHEST = 300.0
@@ -186,7 +186,7 @@ class HybridModel:
         followed = Followed(reading, (measured & np.append(measured[1:], False)) / dt)
         start = np.array([seen[0], speed[0], age_at(t)])
         driving = Driving(u[None], np.zeros(1, np.int64), np.array([joint.instruments(self.theta).offset]), start)
-        coefficients = Coefficients(k[None], weights[None], joint.basis)
+        coefficients = JointCoefficients(k[None], weights[None], joint.basis)
         runs = continued_runs(coefficients, driving, followed, joint.stepping(dt, steps), starts, ahead)
         return runs if angle is None else (angle.shown(run, np.zeros_like(run), np.zeros_like(run))[0] for run in runs)
 

@@ -21,7 +21,7 @@ from .angle_reading import AngleReading
 from .columns import INSTRUMENTS
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES, INDEX
-from .runs import Coefficients, Driving, Followed, Stepping, run_joints
+from .runs import Driving, Followed, JointCoefficients, Stepping, run_joints
 from .sensitivity import Driven, sensitivities
 from .similarity import SAME, Similarity
 from .statics import substeps
@@ -353,7 +353,7 @@ class _Log:
         by_inputs = (np.array(later) - u) / PARAMETER_STEP
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
         derivatives = sensitivities(
-            Coefficients(joint.constants(theta), joint.weights(theta), joint.basis),
+            JointCoefficients(joint.constants(theta), joint.weights(theta), joint.basis),
             np.abs(by_theta.constants).max(axis=1), by_theta.weights, seen.offset, driven,
             joint.stepping(self.dt, steps),
         )  # fmt: skip
@@ -452,4 +452,6 @@ def simulate(
         np.array([instrument.offset for instrument in seen]),
         start,
     )
-    return run_joints(Coefficients(constants, weights, joint.basis), driving, followed, stepping, every_step=every_step)
+    return run_joints(
+        JointCoefficients(constants, weights, joint.basis), driving, followed, stepping, every_step=every_step
+    )

@@ -181,7 +181,7 @@ def _finish_of(w: int) -> Any:
 integrate_joints = integrator(Joints, _methods)
 
 
-class Coefficients(NamedTuple):
+class JointCoefficients(NamedTuple):
     """Constants and corrections of B joints.
 
     Attributes
@@ -258,7 +258,7 @@ class Stepping(NamedTuple):
 
 
 def run_joints(
-    coefficients: Coefficients,
+    coefficients: JointCoefficients,
     driving: Driving,
     followed: Followed,
     stepping: Stepping,
@@ -309,7 +309,7 @@ def run_joints(
 
 
 def continued_runs(
-    coefficients: Coefficients,
+    coefficients: JointCoefficients,
     driving: Driving,
     followed: Followed,
     stepping: Stepping,
@@ -365,7 +365,7 @@ def _rows(values: FloatArray) -> FloatArray:
 
 
 def _at_rest(
-    coefficients: Coefficients,
+    coefficients: JointCoefficients,
     prepared: FloatArray,
     driving: Driving,
     stepping: Stepping,

@@ -16,7 +16,7 @@ from ...numerics.fixed_step import SHARES, workspace
 from .columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
 from .kernels import CURVES, VALUES
 from .kernels import prepare as prepare_rates
-from .runs import Coefficients, Joints, Stepping, integrate_joints
+from .runs import JointCoefficients, Joints, Stepping, integrate_joints
 from .statics import rest_at_reading
 
 _SHIFT = 1e-8
@@ -60,7 +60,7 @@ class Sensitivity:
 
 
 def sensitivities(
-    coefficients: Coefficients,
+    coefficients: JointCoefficients,
     scale: FloatArray,
     widths: FloatArray,
     offset: float,
@@ -71,7 +71,7 @@ def sensitivities(
 
     Parameters
     ----------
-    coefficients : Coefficients
+    coefficients : JointCoefficients
         Of one joint: constants (len(CONSTANTS),), weights (9, M).
     scale : FloatArray, shape (len(CONSTANTS),)
         By how much each constant may change; zero for those whose derivatives are not asked.
@@ -115,7 +115,7 @@ def sensitivities(
 
 
 def _starts(
-    coefficients: Coefficients,
+    coefficients: JointCoefficients,
     scale: FloatArray,
     active: NDArray[np.int64],
     widths: FloatArray,

@@ -51,8 +51,8 @@ SAMPLES_OF_LIMIT = 7_500
 
 TUBE_MARGIN = 1.5
 TUBE_LEAST = NORMAL_90
-"""Times the 90 % quantile of errors on the training logs that tubes of other logs need, and their least half width over
-the spread of the draws, which holds nine tenths of a normal distribution: a short log is followed to the noise. Chosen
+"""Factor on the 90 % quantile of errors on the training logs, for tubes of other logs; and their least half width over
+the spread of the draws. That holds nine tenths of a normal distribution: a short log is followed to the noise. Chosen
 on fifteen simulated joints of three physics and eleven other devices, three of them measured."""
 
 ITERATIONS = 15

@@ -242,10 +242,12 @@ def _affordable(
 
 @dataclass(frozen=True)
 class _Judged:
-    """A candidate's held-out errors (2, N) of each fold in the unit of q, coupled to the measurement at `COUPLED` and
-    free (coupled both times for a chaotic device), its errors over what the first of its fits was fitted to, and these
-    fits, fold by fold; whether one of them was chaotic, and which times of its drive do nothing in any: what it errs
-    less than without them is the luck of another way to the same minimum.
+    """Errors and fits of a candidate.
+
+    The held-out errors (2, N) of each fold, in the unit of q, are coupled to the measurement at `COUPLED`, and free
+    (coupled both times for a chaotic device). Then its errors over the data of its first fit, the fits fold by fold,
+    and whether one of them was chaotic. Last the times of its drive that have no effect in any: a lower error with
+    them is the luck of another way to the same minimum.
     """
 
     errors: tuple[FloatArray, ...]

@@ -155,8 +155,9 @@ def _refuse_other_clock(where: str, clock: TimeQuality, quality: SignalQuality, 
 
 
 def _sensor(signals: RawLog, quality: SignalQuality) -> dict[str, Any]:
-    """Facts of the sensor of q: its noise and steps [m or rad], the mains lines in it [Hz], the number of samples for
-    which each value is held, and a sketch of the samples by which a copy is recognised.
+    """Facts of the sensor of q: noise and steps [m or rad], mains lines [Hz], and samples for which a value is held.
+
+    A sketch of the samples serves to recognise a copy.
     """
     lines = [line.frequency for line in quality.hum if line.stands_out]
     step = resolution(signals.q[1])

@@ -27,7 +27,7 @@ from pipeline.models.hybrid.kernels import (
     mass_matrix,
     prepare,
 )
-from pipeline.models.hybrid.runs import BATCH, Coefficients, Driving, Followed, Stepping, run_joints
+from pipeline.models.hybrid.runs import BATCH, Driving, Followed, JointCoefficients, Stepping, run_joints
 from pipeline.models.hybrid.statics import static_curves, substeps
 from pipeline.numerics.arrays import FloatArray
 
@@ -60,7 +60,7 @@ def run(
     """q, q̇, q̈ of one joint through perfect instruments."""
     lead = RATIO / float(k[INDEX["l"]])
     return run_joints(
-        Coefficients(k[None], weights[None], BASIS),
+        JointCoefficients(k[None], weights[None], BASIS),
         Driving(u[None], np.zeros(1, dtype=np.int64), np.zeros(1), np.array([q0, 0.0, 0.0])),
         Followed(observed, poles),
         Stepping(0.01, steps, 0.045, lead),
@@ -235,7 +235,7 @@ def test_joints_side_by_side_move_as_each_alone() -> None:
         count = len(k[chosen])
         one = np.zeros(count, dtype=np.int64)
         driving = Driving(u, one, np.zeros(count), np.array([-0.011, 0.0, 0.0]))
-        return run_joints(Coefficients(k[chosen], weights[chosen], BASIS), driving, *rest)
+        return run_joints(JointCoefficients(k[chosen], weights[chosen], BASIS), driving, *rest)
 
     together = moved(slice(None))
     for j in range(len(k)):
