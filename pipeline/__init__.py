@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .api.run import Model, Run, check, compare, differentiate, identify, open_run, read_log
     from .errors import DebistError
 
-__version__ = "0.2.0"
+__version__ = "0.3.0"
 __all__ = [
     "DebistError",
     "Model",

@@ -24,7 +24,7 @@ from ..store.tables import Table
 from ..system.names import log_title, true_name
 from .engine import Task
 
-ALGORITHM = "27"
+ALGORITHM = "28"
 
 
 def tasks(prototype: Prototype) -> list[Task]:
