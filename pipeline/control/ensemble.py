@@ -7,7 +7,7 @@ import numpy as np
 from scipy.special import ndtri
 
 from ..models.hybrid.model import HybridModel
-from ..models.hybrid.runs import Coefficients, Driving, Followed, Stepping, run_joints
+from ..models.hybrid.runs import Driving, Followed, JointCoefficients, Stepping, run_joints
 from ..numerics.arrays import FloatArray
 from .estimator import PERIOD
 
@@ -122,7 +122,7 @@ class Ensemble:
         pulses, count, half, _ = squares.shape
         samples = (half - 1) // (2 * self.steps) + 1
         runs = run_joints(
-            Coefficients(np.tile(self.constants, (pulses, 1)), np.tile(self.weights, (pulses, 1, 1)), self.basis),
+            JointCoefficients(np.tile(self.constants, (pulses, 1)), np.tile(self.weights, (pulses, 1, 1)), self.basis),
             Driving(
                 squares.reshape(pulses * count, half, 2), np.arange(pulses * count), np.tile(self.offsets, pulses),
                 np.array([start, 0.0, 0.0]),

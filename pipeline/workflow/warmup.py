@@ -43,7 +43,7 @@ def _hybrid() -> None:
     from ..device.parameters import NOMINAL
     from ..models.hybrid.driving_voltages import DrivingVoltages
     from ..models.hybrid.parameters import constants, instruments, nominal_deviations, static_slope_ratio
-    from ..models.hybrid.runs import Coefficients, Driving, Followed, Stepping, run_joints
+    from ..models.hybrid.runs import Driving, Followed, JointCoefficients, Stepping, run_joints
     from ..models.hybrid.sensitivity import Driven, sensitivities
     from ..models.hybrid.statics import static_curves, substeps
 
@@ -58,12 +58,12 @@ def _hybrid() -> None:
     stepping = Stepping(_DT, 1, 0.05, 1.0)
     for joints in (1, 2):
         run_joints(
-            Coefficients(np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis),
+            JointCoefficients(np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis),
             Driving(u, np.zeros(joints, dtype=np.int64), np.zeros(joints), np.zeros(3)),
             Followed(np.zeros(u.shape[1]), np.zeros((u.shape[1] - 1) // 2 + 1)), stepping,
         )  # fmt: skip
     driven = Driven(u[0], np.zeros((4, u.shape[1], 2)), np.zeros(0), np.zeros(0), np.zeros(3))
-    sensitivities(Coefficients(k, weights, basis), np.abs(k), np.ones(len(weights)), 0.0, driven, stepping)
+    sensitivities(JointCoefficients(k, weights, basis), np.abs(k), np.ones(len(weights)), 0.0, driven, stepping)
     static_curves(np.zeros(2), k, basis, weights)
 
 
