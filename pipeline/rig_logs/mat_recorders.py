@@ -270,18 +270,17 @@ def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], 
     Raises
     ------
     UnreadableLogError
-        mat-io does not read this table, or the file leads to others.
+        mat-io is not installed or does not read this table, or the file leads to others.
     """
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # it sets an option of pandas that is deprecated
-        from matio import load_from_mat
     with path.open("rb") as file:
         if file.read(8) == b"MATLAB 7" or b"\x89HDF" in file.read(512):
             for _ in walk(open_hdf5(path)):  # refuses what lies in other files
                 pass
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of formats in which MATLAB shows times
+            warnings.simplefilter("ignore")  # a deprecated option of pandas, and formats in which MATLAB shows times
+            from matio import load_from_mat  # not installed on Linux aarch64, for which it has no wheel
+
             frame = load_from_mat(str(path), variable_names=[name], add_table_attrs=True)[name]
         columns = {str(column): frame[column] for column in frame.columns}
     except Exception as error:  # whatever is damaged or newer than mat-io

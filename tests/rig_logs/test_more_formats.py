@@ -3,6 +3,7 @@
 import bz2
 import gzip
 import lzma
+import sys
 import warnings
 import zipfile
 
@@ -97,7 +98,7 @@ def _tables(path, version):
     by_date = pd.DataFrame({"q": Q}, index=pd.Timestamp("2026-03-29 01:59:59.9") + step)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # mat-io sets an option of pandas that is deprecated
-        import matio
+        matio = pytest.importorskip("matio", reason="mat-io has no wheel for Linux aarch64")
 
         frames = {"T": pd.DataFrame(columns), "TT": pd.DataFrame({"q": Q, "v": V}, index=step), "D": by_date, "x": Q}
         frames["TT"].index.name = frames["D"].index.name = "Time"
@@ -117,6 +118,15 @@ def test_tables_of_matlab_are_read_with_the_times_of_their_rows(tmp_path, versio
         np.testing.assert_allclose(channels[f"{name}.q"].time, np.arange(len(Q)) / 30_000.0, atol=rounding)
     assert channels["T.q"].time is None and channels["TT.Time"].unit == "s" and "x" in channels
     assert "T.note" not in channels and "'T.note' (text)" in " ".join(recording.notes)
+
+
+def test_a_table_of_matlab_is_refused_where_mat_io_is_not_installed(tmp_path, monkeypatch):
+    _tables(tmp_path / "log.mat", "v7")
+    monkeypatch.setitem(sys.modules, "matio", None)
+    with pytest.raises(
+        UnreadableLogError, match="a MATLAB table that mat-io cannot read .* save its columns as arrays"
+    ):
+        read_recording(tmp_path / "log.mat")
 
 
 @pytest.mark.parametrize("name", ["log.xlsx", "log.xls", "log", "log.csv"])
