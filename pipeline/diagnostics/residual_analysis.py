@@ -122,5 +122,5 @@ def main_residual(data: RunData, log: LogData) -> Residual | None:
     if model not in log.predictions:
         return None
     inputs = voltages(log.kinematics)
-    acting = np.square(inputs) if (data.device.action == "squared") else inputs
+    acting = data.device.acting(inputs)
     return analyse_residual(log.kinematics["q"], log.predictions[model]["q"], acting, log.interval)

@@ -89,11 +89,6 @@ def _study(data: RunData, study: Study) -> Figure:
     return replace(figure, x_unit=unit, marks={CHOSEN: marks} if marks.size else {})
 
 
-def _electrostatic(data: RunData, squared: bool) -> bool:
-    """True if the inputs are squared voltages on a known mass: their force is half the slope of a capacitance."""
-    return squared and data.device.inputs[0].symbol == "V" and data.device.known_mass is not None
-
-
 def _curves(data: RunData, sheet: Datasheet) -> Figure:
     panels = []
     outside = []
@@ -121,9 +116,11 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
 def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
     """Force, damping as far as the main model has one, and the gain of each input."""
     first = next(iter(sheet.curves.values()))
-    units = data.device.curve_units
+    plant = data.device
+    units = plant.curve_units
     measured = data.measured_curves
-    electrostatic = _electrostatic(data, first.squared)
+    # of a squared voltage on a known mass the gain is half the slope of a capacitance
+    electrostatic = plant.squared and plant.inputs[0].symbol == "V" and plant.known_mass is not None
     factor, symbol, unit = (2.0, "∂C{}/∂q", units["dC"]) if electrostatic else (1.0, "g{}", units["g"])
     visited = visited_range(data)
     yield "restoring force F", units["F"], visited, lambda c: c.force, _on(measured, "F")

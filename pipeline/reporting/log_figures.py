@@ -266,9 +266,7 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
 
     panels = [panel("autocorrelation", residual.correlation, residual.band)]
     for k, (values, half) in enumerate(zip(residual.with_inputs, residual.input_bands, strict=True), start=1):
-        panels.append(
-            panel(f"correlation with v{k}{'²' if (data.device.action == 'squared') else ''}", values, float(half))
-        )
+        panels.append(panel(f"correlation with v{k}{'²' if data.device.squared else ''}", values, float(half)))
     colour = "rings with the device" if rings else "fades as slowly as the device settles"
     caption = (
         f"{log.title.capitalize()}: {prefixed(residual.outside, '%', 0)} % of the correlations with inputs lie outside "

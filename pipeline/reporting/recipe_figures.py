@@ -6,11 +6,11 @@ from typing import Literal
 
 import numpy as np
 
+from ..device.device import JOINT
 from ..diagnostics.run_data import LogData
 from ..numerics.arrays import FloatArray
 from ..signals.differentiate import AlphaStudy
 from ..store.columns import StudyName
-from ..units.units import curve_units
 from .figure import Figure, Line, Panel, Points
 
 ZOOM = (24.0, 30.0)
@@ -87,7 +87,7 @@ def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
 
 def curves_figure(curves: Mapping[str, Mapping[str, FloatArray]], q: FloatArray) -> Figure:
     """Figure 14: restoring force, damping and both ∂C/∂q by model; every curve is whole within its axes."""
-    units = curve_units("m", "V", squared=True, mass_known=True)
+    units = replace(JOINT, known_mass=1.0).curve_units
     shown = (("F", "F", "F"), ("d", "d", "d"), ("dC1_dq", "∂C₁/∂q", "dC"), ("dC2_dq", "∂C₂/∂q", "dC"))
     panels = tuple(
         Panel(title, units[unit], tuple(Line(model, model, q, own[key]) for model, own in curves.items()))
