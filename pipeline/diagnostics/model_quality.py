@@ -107,7 +107,7 @@ def _one_passage(log: LogData, model: str, wells: Wells) -> tuple[float, float] 
     """
     if model not in log.predictions:
         return None
-    q = np.asarray(log.kinematics["q"])
+    q = np.asarray(log.motion.q)
     own = np.asarray(log.predictions[model]["q"])
     squares = np.nan_to_num((q - own) ** 2)
     length = max(1, round(BRIEF * squares.size))
@@ -120,7 +120,7 @@ def _one_passage(log: LogData, model: str, wells: Wells) -> tuple[float, float] 
     crossings = [row for run in (q, own) for row in _crossings(run, wells) if begin - 1 <= row < begin + length]
     if not crossings:
         return None
-    return share, float(log.kinematics["t"][_slowest(crossings, q, own)])
+    return share, float(log.motion.t[_slowest(crossings, q, own)])
 
 
 def _crossings(q: FloatArray, wells: Wells) -> Sequence[int]:
@@ -210,7 +210,7 @@ def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list
 
 def _spread(data: RunData, score: Mapping[str, Any]) -> float:
     """NRMSE of q of a constant, its mean, on the log of a score; infinite where q is constant."""
-    q = next(log for log in data.logs if (log.role, log.name) == (score["role"], score["log"])).kinematics["q"]
+    q = next(log for log in data.logs if (log.role, log.name) == (score["role"], score["log"])).motion.q
     q = q[np.isfinite(q)]
     return float(np.std(q) / np.ptp(q)) if np.ptp(q) > 0.0 else np.inf
 

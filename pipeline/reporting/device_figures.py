@@ -22,7 +22,6 @@ from ..diagnostics.phase_plane import (
 from ..diagnostics.run_data import Columns, RunData, Study
 from ..numerics.arrays import BoolArray, FloatArray
 from ..numerics.metrics import NORMAL_95
-from ..signals.log import voltages
 from ..units.quantity import power, prefixed, quantity
 from .datasheet_rows import NOT_USED
 from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points, error_bars, rows_panel
@@ -129,7 +128,7 @@ def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
     for k in range(len(first.gains)):
         slope = _on(measured, f"dC{k + 1}_dq") if factor == 2.0 else None
         pick = partial(_gain, k=k, factor=factor)
-        yield symbol.format("₁₂"[k]), unit, visited_range(data, data.inputs[k]), pick, slope
+        yield symbol.format("₁₂"[k]), unit, visited_range(data, k), pick, slope
 
 
 def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
@@ -226,7 +225,7 @@ def _circles(
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
-    largest = np.max([data.device.peaks(voltages(log.kinematics)) for log in data.logs], axis=0)
+    largest = np.max([data.device.peaks(log.motion.v) for log in data.logs], axis=0)
     roles = ("measured", "v1", "v2")
     cases = [(f"no {data.device.input_word}", np.zeros(len(curves.gains)))]
     cases += [

@@ -41,12 +41,11 @@ def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
 
 def signals_figure(log: LogData) -> Figure:
     """Figure 11a: voltages, position, velocity and acceleration of a log."""
-    table = log.kinematics
-    t = log.kinematics["t"]
-    sides = (("left", "v1"), ("right", "v2"))
-    panels = [Panel("v", "V", tuple(Line(side, name, t, table[name]) for side, name in sides if name in table))]
+    motion = log.motion
+    sides = zip(("left", "right"), ("v1", "v2"), motion.v.T, strict=True)
+    panels = [Panel("v", "V", tuple(Line(side, name, motion.t, v) for side, name, v in sides))]
     for name, key, unit in (("q", "q", "m"), ("q̇", "qdot", "m/s"), ("q̈", "qddot", "m/s²")):
-        panels.append(Panel(name, unit, (Line("measured", "measured", t, table[key]),)))
+        panels.append(Panel(name, unit, (Line("measured", "measured", motion.t, getattr(motion, key)),)))
     return Figure("signals", "Excitation and measured motion", "", "time", "s", tuple(panels))
 
 

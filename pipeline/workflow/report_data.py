@@ -15,6 +15,7 @@ from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
 from ..settings.logs import LogPart, Role
 from ..settings.prototype import Prototype
+from ..signals.log import log_of
 from ..store import layout, schemas
 from ..store.columns import StudyName
 from ..store.manifest import TIMES
@@ -149,7 +150,6 @@ def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
 
 
 def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
-    kinematics = run.read_table(layout.kinematics(role, name))
     made = {m: layout.predictions(role, name, m) for m in models}
     made = {m: artifact for m, artifact in made.items() if artifact in run.manifest.artifacts}
     return LogData(
@@ -157,7 +157,7 @@ def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: s
         name=name,
         source=source,
         record=run.read_table(layout.record(role, name)),
-        kinematics=kinematics,
+        motion=log_of(run.read_table(layout.kinematics(role, name))),
         predictions={m: run.read_table(artifact) for m, artifact in made.items()},
         outcomes={m: run.record(artifact).notes for m, artifact in made.items()},
         record_notes=run.record(layout.record(role, name)).notes,
