@@ -316,8 +316,8 @@ def drawn_ring_downs(
 
     def simulated(near: Any) -> FloatArray:
         curves = curves_from(near.curves(own.q), own.q)
-        found = simulated_ring_downs(near, device_facts(curves, plant=plant), curves, len(own.gains))
-        return np.array([found.get(key) for key in keys], dtype=np.float64)
+        rings_near = simulated_ring_downs(near, device_facts(curves, plant=plant), curves, len(own.gains))
+        return np.array([rings_near.get(key) for key in keys], dtype=np.float64)
 
     rows = model.outcome_ensemble(simulated, len(draws))
     return [{key: float(x) for key, x in zip(keys, row, strict=True) if np.isfinite(x)} for row in rows]

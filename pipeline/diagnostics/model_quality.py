@@ -49,8 +49,8 @@ def _disagreements(
     own = [row for row in rows if (row["role"], row["log"]) == log]
     if own[0]["exchanged"] != "none":
         return [Finding("unlike_training", "poor", log_title(*log), other)]
-    found = [_instrument(row, log_title(*log), displacement) for row in own if row["beyond"]]
-    return [replace(finding, code="disagreement", log=f"{finding.log} and the {other}") for finding in found]
+    beyond = [_instrument(row, log_title(*log), displacement) for row in own if row["beyond"]]
+    return [replace(finding, code="disagreement", log=f"{finding.log} and the {other}") for finding in beyond]
 
 
 def _instrument(row: Mapping[str, Any], title: str, displacement: str) -> Finding:
@@ -181,8 +181,7 @@ def model_checks(
     # A still smaller error on the training data is no fault if the error is good.
     if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
         worst = max((s for s in judged if s["nrmse"] is not None), key=lambda score: score["nrmse"])
-        found = causes(data, worst, max(errors) / max(train), wells)
-        checks += [of_finding("model", finding) for finding in found]
+        checks += [of_finding("model", finding) for finding in causes(data, worst, max(errors) / max(train), wells)]
     if rest_errors is not None and isinstance(wells, Wells):
         off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
         checks.append(graded("model", "wells", off))

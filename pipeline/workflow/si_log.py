@@ -75,8 +75,8 @@ def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | 
         )
     velocity = log.velocity
     if velocity is not None:
-        known = np.isfinite(time) & np.isfinite(phi)
-        at = np.interp(velocity[0], time[known], phi[known])
+        measured = np.isfinite(time) & np.isfinite(phi)
+        at = np.interp(velocity[0], time[measured], phi[measured])
         velocity = velocity[0], velocity[1] * displacement_of_rotation(at, parameters)[1]
 
     def displacement() -> Iterator[FloatArray]:
