@@ -117,14 +117,10 @@ def _one_passage(log: LogData, model: str, wells: Wells) -> tuple[float, float] 
     share = float(windows[begin] / sums[-1]) if sums[-1] > 0.0 else 0.0
     if share < MOST_OF_IT:
         return None
-    crossings = [row for run in (q, own) for row in _crossings(run, wells) if begin - 1 <= row < begin + length]
+    crossings = [row for run in (q, own) for row in snaps(run, wells).tolist() if begin - 1 <= row < begin + length]
     if not crossings:
         return None
     return share, float(log.motion.t[_slowest(crossings, q, own)])
-
-
-def _crossings(q: FloatArray, wells: Wells) -> Sequence[int]:
-    return [int(row) for row in snaps(q, wells)]
 
 
 def _slowest(crossings: Sequence[int], q: FloatArray, own: FloatArray) -> int:
@@ -164,7 +160,9 @@ def model_checks(
         for role in ("train", "validation")
     }
     judged, where = (by_role["validation"], "validation") if by_role["validation"] else (by_role["train"], "train")
-    checks = [] if where == "validation" else [_no_validation(data)]
+    checks = []
+    if where == "train":
+        checks.append(of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s")))
     checks += _ended_early(model, data.descriptions.get(model, {}), judged)
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
@@ -186,10 +184,6 @@ def model_checks(
         off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
         checks.append(graded("model", "wells", off))
     return checks
-
-
-def _no_validation(data: RunData) -> Check:
-    return of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s"))
 
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:

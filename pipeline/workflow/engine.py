@@ -83,8 +83,26 @@ class Observer(Protocol):
         """Something about a task's data, by its title, or about an artifact deserves a look."""
 
 
-class Unheard(Observer):
-    """An observer that reports nothing: the notes of the artifacts hold the warnings."""
+class Unheard:
+    """An observer that reports nothing."""
+
+    def planned(self, stages: Sequence[str]) -> None:
+        """Say nothing."""
+
+    def started(self, task: Task, reasons: list[str]) -> None:
+        """Say nothing."""
+
+    def progressed(self, task: Task, what: str, share: float) -> None:
+        """Say nothing."""
+
+    def finished(self, task: Task, seconds: float) -> None:
+        """Say nothing."""
+
+    def skipped(self, task: Task) -> None:
+        """Say nothing."""
+
+    def warned(self, what: str, warning: str) -> None:
+        """Print nothing: the notes of the artifacts hold the warnings."""
 
 
 @dataclass(frozen=True)

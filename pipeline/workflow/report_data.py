@@ -27,7 +27,13 @@ from .run_models import identified_models
 from .steps.identify import CHOICE, IDENTIFIED
 
 
-def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> RunData:
+def read_run(
+    run: RunFolder,
+    prototype: Prototype,
+    models: Sequence[str],
+    studies: Sequence[StudyName] = (),
+    control: Sequence[str] = (),
+) -> RunData:
     """Read logs, free runs, models and scores, every artifact checked against the manifest.
 
     Parameters
@@ -40,6 +46,8 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         Models that are shown, the main model first.
     studies : sequence of str
         Studies that are shown.
+    control : sequence of str
+        Titles of the control documents that are shown.
     """
     plant = device(prototype)
     loaded, unreadable = _models(run, prototype, models)
@@ -59,6 +67,7 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         measured_curves=measured_curves(run, prototype),
         siblings=shown_siblings(run, prototype),
         instruments=_instruments(run),
+        control={title: run.read_document(layout.control(title)) for title in control},
     )
 
 

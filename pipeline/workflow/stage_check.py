@@ -49,7 +49,6 @@ def tasks(prototype: Prototype) -> list[Task]:
 
 
 def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
-
     findings = examine(run, prototype)
     accepted = assess(findings, prototype)
     document = {"rows": [asdict(row) for row in check_rows(findings)], "accepted": accepted}
