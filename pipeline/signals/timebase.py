@@ -85,11 +85,6 @@ class TimeQuality:
         jumps = ((begin % 100.0, (end - begin) % 100.0) for begin, end in self.gaps_at)
         return bool(self.gaps_at) and all(begin >= 59.0 and abs(jump - 40.0) < 1.0 for begin, jump in jumps)
 
-    @property
-    def regular(self) -> bool:
-        """True if nothing but the stamps' spacing may be remarked on."""
-        return not (self.not_finite or self.repeated or self.backward or self.gaps)
-
 
 def nominal_step(time: FloatArray) -> float:
     """The median positive step of a time base.
