@@ -239,8 +239,8 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     low, high = visited_range(data)
     inner = (curves.q >= low) & (curves.q <= high)
     for role, (label, on) in zip(roles, cases, strict=False):
-        u = on * (largest**2 if curves.squared else largest)
-        loaded = Curves(curves.q, curves.force - u @ curves.gains, None, curves.gains, curves.squared)
+        u = on * data.device.acting(largest)
+        loaded = Curves(curves.q, curves.force - u @ curves.gains, None, curves.gains)
         energy = loaded.energy
         ceiling = ceiling or CEILING * float(energy[inner].max())
         lines.append(Line(label, role, curves.q[rows], np.where(energy <= ceiling, energy, np.nan)[rows]))

@@ -229,10 +229,19 @@ class SindyModel(ModelFile):
                 continue
             value = scaled / float(np.prod(scales**powers))
             factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(symbols, powers * orders, strict=True) if n]
-            unit = _unit(np.bincount(sources, powers, d.scales.size).astype(int), row, self.units, d.squared)
+            unit = self._unit(np.bincount(sources, powers, d.scales.size).astype(int), row)
             number = f"{value:+.4g}{unit}" if unit or value != 1.0 else ""
             parts.append("·".join([number, *factors]).strip("·"))
         return " ".join(parts) if parts else "0"
+
+    def _unit(self, powers: Any, row: int) -> str:
+        """Unit of a coefficient: that of q̇ or q̈ over that of its monomial."""
+        metres = 1 - int(powers[Q] + powers[QDOT])
+        seconds = -1 - row + int(powers[QDOT])
+        volts = -int(powers[FIRST_INPUT:].sum()) * (2 if self.dynamics.squared else 1)
+        named = ((self.units[0], metres), ("s", seconds), (self.units[1], volts))
+        parts = [f"{u}^{n}" if n != 1 else u for u, n in named if n and u != "1"]
+        return f" {' '.join(parts)}" if parts else ""
 
     def describe(self) -> dict[str, Any]:
         """Structure, equations and how they were chosen."""
@@ -241,16 +250,6 @@ class SindyModel(ModelFile):
 
 def _at_samples(v: FloatArray) -> FloatArray:
     return v if v.ndim == 2 else v[:, 0]
-
-
-def _unit(powers: Any, row: int, units: Units, squared: bool) -> str:
-    """Unit of a coefficient: that of q̇ or q̈ over that of its monomial."""
-    metres = 1 - int(powers[Q] + powers[QDOT])
-    seconds = -1 - row + int(powers[QDOT])
-    volts = -int(powers[FIRST_INPUT:].sum()) * (2 if squared else 1)
-    named = ((units[0], metres), ("s", seconds), (units[1], volts))
-    parts = [f"{u}^{n}" if n != 1 else u for u, n in named if n and u != "1"]
-    return f" {' '.join(parts)}" if parts else ""
 
 
 def identify_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | None = None) -> SindyModel:
