@@ -79,7 +79,7 @@ def curves_from(named: Mapping[str, FloatArray], q: FloatArray) -> Curves:
 
 def model_curves(data: RunData) -> tuple[dict[str, Curves], dict[str, list[Curves]]]:
     """Curves of every model that has them, over the range of the training data, and draws of their posterior."""
-    grid = _operating_range([log.kinematics["q"] for log in data.role("train")])
+    grid = _operating_range([log.motion.q for log in data.role("train")])
     curves: dict[str, Curves] = {}
     draws: dict[str, list[Curves]] = {}
     for name, model in data.models.items():

@@ -108,8 +108,7 @@ def test_switches_and_snaps_are_found_where_they_are() -> None:
 
 def test_measured_rests_and_rings_are_those_of_the_truth() -> None:
     log = run_data().logs[0]
-    v = np.column_stack([log.kinematics["v1"], log.kinematics["v2"]])
-    rests = rest_facts([(log.kinematics["t"], log.kinematics["q"], v)], Wells(-WELL, WELL, 0.0), plant=JOINT)
+    rests = rest_facts([(log.motion.t, log.motion.q, log.motion.v)], Wells(-WELL, WELL, 0.0), plant=JOINT)
     natural = np.sqrt(STIFFNESS / MASS) / (2.0 * np.pi)
     assert len(rests.left) > 3
     assert len(rests.right) > 3
@@ -133,10 +132,9 @@ def test_the_datasheet_knows_the_truth_and_its_uncertainty() -> None:
 def test_rests_that_have_not_settled_are_judged_by_those_of_a_free_run_not_by_the_wells() -> None:
     def graded(*, followed: bool) -> str:
         def crept(log: LogData) -> LogData:
-            k = log.kinematics
-            q = k["q"] + np.where((k["v1"] > 0.0) | (k["v2"] > 0.0), 0.0, 0.3 * WELL)
+            q = log.motion.q + np.where((log.motion.v > 0.0).any(axis=1), 0.0, 0.3 * WELL)
             predictions = {m: {**run, "q": q if followed else run["q"]} for m, run in log.predictions.items()}
-            return replace(log, kinematics={**k, "q": q}, predictions=predictions)
+            return replace(log, motion=replace(log.motion, q=q), predictions=predictions)
 
         data = run_data()
         checks = make_datasheet(replace(data, logs=tuple(crept(log) for log in data.logs))).checks
