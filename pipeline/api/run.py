@@ -331,7 +331,7 @@ class Run:
 
         `LinearModel.state_space` gives one to python-control. Needs the model 'hybrid'. Cost: 20 ms.
         """
-        from ..workflow.studies.controlled_run import linear_models
+        from ..workflow.studies.control import linear_models
 
         return linear_models(self.root, (v1, v2))
 

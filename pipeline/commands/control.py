@@ -70,12 +70,12 @@ def linearise(
     States in SI; writes linear.json, linear.mat and a CSV for each equilibrium. Measured ring-downs stand beside the
     poles. Example: debist control linearise runs/P1 --v1 1kV
     """
-    from ..workflow.studies import controlled_run
+    from ..workflow.studies import control
 
     voltages = (parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2"))
     with Progress(quiet=quiet) as progress:
-        linear = controlled_run.linearise(run, voltages, progress)
-    files = controlled_run.write_linear(run, linear, output, force=force)
+        linear = control.linearise(run, voltages, progress)
+    files = control.write_linear(run, linear, output, force=force)
     if as_json:
         emit_json({"files": files, **linear})
         return

@@ -122,9 +122,9 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
 
 def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
     """The excitation in SI, without the signals themselves."""
-    left_out = ("factor", "unit", "si", "plant", "excitation")
+    left_out = ("factor", "unit", "plant", "excitation")
     shown = {name: value for name, value in asdict(excitation).items() if name not in left_out}
-    q, v = excitation.si
+    q, v = excitation.plant.displacement.symbol, excitation.plant.inputs[0].symbol
     facts = asdict(excitation.excitation)
     facts["wells"] = with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q))
     values = {name: value for name, value in facts.items() if name not in ("signals", "displacement")}

@@ -125,24 +125,25 @@ def listen(now: State, signals: Values, n: Numbers, rests: Values) -> Outputs:
     strayed = function("and", finite, function("le", PERSISTENT, now["strayed"][0]))
     fresh = rest(q, n) | {name: now[name] for name in _OF_COMMANDS}
     anew = fresh | {name: now[name] for name in _OF_TARGETS}
-    kept = {
+    restarted = {
         name: [choose(again, a, choose(strayed, b, c)) for a, b, c in zip(fresh[name], anew[name], old, strict=True)]
         for name, old in now.items()
     }
-    corrected = _corrected(kept, q, n)
+    corrected = _corrected(restarted, q, n)
     updated = {
-        name: [choose(finite, a, b) for a, b in zip(corrected[name], kept[name], strict=True)] for name in corrected
+        name: [choose(finite, a, b) for a, b in zip(corrected[name], restarted[name], strict=True)]
+        for name in corrected
     }
-    updated["lost"] = [choose(finite, 0.0, function("min", RAMP, kept["lost"][0] + 1.0))]
+    updated["lost"] = [choose(finite, 0.0, function("min", RAMP, restarted["lost"][0] + 1.0))]
     wanted = choose(function("finite", signals[1]), signals[1], n["offset"]) - n["offset"]
     last = n["first"] + (TARGETS - 1.0) / n["per_step"]
-    target = choose(function("finite", signals[1]), clip(wanted, n["first"], last), kept["target"][0])
-    other = function("lt", 0.0, function("abs", target - kept["target"][0]))
+    target = choose(function("finite", signals[1]), clip(wanted, n["first"], last), restarted["target"][0])
+    other = function("lt", 0.0, function("abs", target - restarted["target"][0]))
     updated["target"] = [target]
-    updated["stood"] = [choose(other, 0.0, function("min", kept["stood"][0] + n["fade"], 1.0))]
+    updated["stood"] = [choose(other, 0.0, function("min", restarted["stood"][0] + n["fade"], 1.0))]
     for name in ("tried", "refused", "near"):
-        updated[name] = [choose(other, 0.0, kept[name][0])]
-    return {"s": joined(kept | updated)}
+        updated[name] = [choose(other, 0.0, restarted[name][0])]
+    return {"s": joined(restarted | updated)}
 
 
 _OF_COMMANDS = ("volts", "commanded", "average")

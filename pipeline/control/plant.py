@@ -344,8 +344,8 @@ def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArra
     """The equilibrium near a state under the squared voltages `u`, shape (2,) [V²]; None if Newton's method fails."""
     c = plant.constants
     steps = np.array([1e-7, 1e-6, 1e-6])  # m, 1, 1
-    found = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], c)), near[SHAPE], steps)
-    return None if found is None or abs(found[0]) > plant.wall else still(*found)
+    root = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], c)), near[SHAPE], steps)
+    return None if root is None or abs(root[0]) > plant.wall else still(*root)
 
 
 def held(
@@ -376,8 +376,8 @@ def held(
         u = base + 1e6 * at[2] * direction
         return np.asarray(forces(still(q, at[0], at[1]), u[0], u[1], c))
 
-    found = _root(left, np.array([near[2], near[4], 0.0]), np.array([1e-6, 1e-6, 1e-3]))
-    return None if found is None else (still(q, found[0], found[1]), 1e6 * float(found[2]))
+    root = _root(left, np.array([near[2], near[4], 0.0]), np.array([1e-6, 1e-6, 1e-3]))
+    return None if root is None else (still(q, root[0], root[1]), 1e6 * float(root[2]))
 
 
 def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:

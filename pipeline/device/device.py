@@ -17,7 +17,6 @@ from ..units.units import (
     TIME,
     VELOCITY,
     SiUnit,
-    curve_units,
     to_si,
 )
 
@@ -77,11 +76,23 @@ class Device:
 
     @property
     def curve_units(self) -> dict[str, str]:
-        """SI units of its characteristic curves, see `pipeline.units.units.curve_units`."""
-        return curve_units(
-            self.displacement.symbol, self.inputs[0].symbol, squared=self.squared,
-            mass_known=self.known_mass is not None,
-        )  # fmt: skip
+        """SI units of characteristic curves: restoring force ``F``, damping ``d``, an input's ``g``, and ``dC`` = 2 g.
+
+        Of a squared voltage, g is half the slope of a capacitance. Without a known mass (or inertia), and where the
+        displacement is that of an electronic device, curves are per unit mass.
+        """
+        displacement = self.displacement.symbol
+        voltage = self.inputs[0].symbol
+        symbol = f"({voltage})" if "/" in voltage or "·" in voltage else voltage
+        power = f"{symbol}²" if self.squared else symbol
+        if self.known_mass is None or displacement not in ("m", "rad"):
+            force = f"{displacement}/s²"
+            gain = force if voltage == "1" else f"{displacement}/(s²·{power})"
+            return {"F": force, "d": "1/s", "dC": gain, "g": gain}
+        force = "N" if displacement == "m" else "N·m"
+        gain = force if voltage == "1" else f"{force}/{power}"
+        slope = f"F/{displacement}" if self.squared and voltage == "V" else gain
+        return {"F": force, "d": f"{force}·s/{displacement}", "dC": slope, "g": gain}
 
     @property
     def energy_unit(self) -> str:

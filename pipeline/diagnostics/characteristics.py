@@ -38,15 +38,12 @@ class Curves:
         F [N] and d [N s/m]; per unit mass where the mass is unknown.
     gains : FloatArray, shape (K, n)
         g_k [N/V²] or [N/V]: ½ dC_k/dq for an electrostatic input.
-    squared : bool
-        True if u = v².
     """
 
     q: FloatArray
     force: FloatArray
     damping: FloatArray | None
     gains: FloatArray
-    squared: bool
 
     @property
     def energy(self) -> FloatArray:
@@ -71,15 +68,14 @@ class CurveEquilibrium:
 
 def curves_from(named: Mapping[str, FloatArray], q: FloatArray) -> Curves:
     """Curves from a model's own names: ``F``, ``d``, and ``dC1_dq`` … [F/m] or ``g1`` … [N/V]."""
-    squared = "dC1_dq" in named
-    keys = [f"dC{k}_dq" if squared else f"g{k}" for k in (1, 2)]
-    gains = np.array([np.asarray(named[key]) * (0.5 if squared else 1.0) for key in keys if key in named])
-    return Curves(q, np.asarray(named["F"]), named.get("d"), gains.reshape(-1, q.size), squared)
+    shares = {"dC1_dq": 0.5, "dC2_dq": 0.5, "g1": 1.0, "g2": 1.0}
+    gains = np.array([np.asarray(named[key]) * share for key, share in shares.items() if key in named])
+    return Curves(q, np.asarray(named["F"]), named.get("d"), gains.reshape(-1, q.size))
 
 
 def model_curves(data: RunData) -> tuple[dict[str, Curves], dict[str, list[Curves]]]:
     """Curves of every model that has them, over the range of the training data, and draws of their posterior."""
-    grid = _operating_range([log.kinematics["q"] for log in data.role("train")])
+    grid = _operating_range([log.motion.q for log in data.role("train")])
     curves: dict[str, Curves] = {}
     draws: dict[str, list[Curves]] = {}
     for name, model in data.models.items():
@@ -196,7 +192,7 @@ def outer_wells(curves: Curves, plant: Device) -> tuple[CurveEquilibrium, CurveE
     return left, saddle, right
 
 
-def switching_input(curves: Curves, k: int, start: float, saddle: float) -> float | None:
+def switching_input(curves: Curves, k: int, start: float, saddle: float, plant: Device) -> float | None:
     """Lowest steady input [V] of electrode k that carries the device from the rest at `start` over the `saddle`.
 
     On the way the input's force must exceed the restoring one everywhere: u > max F/g_k over the path. None where the
@@ -212,6 +208,8 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
         Rest position [m or rad].
     saddle : float
         Unstable equilibrium [m or rad].
+    plant : Device
+        Action of its inputs.
     """
     low = min(start, saddle)
     high = max(start, saddle)
@@ -220,12 +218,12 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
     gain = curves.gains[k][path]
     toward = np.sign(saddle - start)
     resisting = force * toward > 0.0
-    if not resisting.any() or (curves.squared and np.any(gain[resisting] * toward <= 0.0)):
+    if not resisting.any() or (plant.squared and np.any(gain[resisting] * toward <= 0.0)):
         return None
     if np.any(gain[resisting] == 0.0):
         return None
     u = force[resisting] / gain[resisting]
-    if curves.squared:
+    if plant.squared:
         return float(np.sqrt(u.max()))
     return float(u.max() if u.mean() > 0.0 else u.min()) if np.all(u > 0.0) or np.all(u < 0.0) else None
 
@@ -262,8 +260,8 @@ def device_facts(curves: Curves, plant: Device) -> dict[str, float | None]:
         "barrier_right": float(energy[1] - energy[2]),
     }
     for k in range(len(curves.gains)):
-        facts[f"switch_v{k + 1}_to_right"] = switching_input(curves, k, left.q, saddle.q)
-        facts[f"switch_v{k + 1}_to_left"] = switching_input(curves, k, right.q, saddle.q)
+        facts[f"switch_v{k + 1}_to_right"] = switching_input(curves, k, left.q, saddle.q, plant)
+        facts[f"switch_v{k + 1}_to_left"] = switching_input(curves, k, right.q, saddle.q, plant)
     mean = (facts["barrier_left"] + facts["barrier_right"]) / 2.0  # type: ignore[operator]
     facts["asymmetry_barriers"] = float(energy[2] - energy[0]) / mean if mean > 0.0 else None
     return facts

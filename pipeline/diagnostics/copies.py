@@ -77,8 +77,8 @@ def shared_findings(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int,
 
 def overlap(first: Sequence[tuple[int, float]], second: Sequence[tuple[int, float]]) -> Overlap | None:
     """Overlap of two logs by their sketches; None where too few windows are equal."""
-    known = dict(second)
-    stamps = np.array([(here, known[value]) for value, here in first if value in known])
+    stamp_of = dict(second)
+    stamps = np.array([(here, stamp_of[value]) for value, here in first if value in stamp_of])
     if len(stamps) < _FEWEST:
         return None
     here, there = stamps.T

@@ -8,7 +8,6 @@ from ..fitting.information import coverage
 from ..numerics.arrays import FloatArray, sample_interval
 from ..scoring.wells import NoWells, Wells, snaps
 from ..signals.findings import Finding, Number
-from ..signals.log import voltages
 from ..signals.noise import below_resolution, noise_std, rounding
 from ..signals.signal_quality import examine_signal
 from .grades import Check, graded, of_finding
@@ -42,7 +41,7 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
         if data.device.joint:  # another device need not have two
             checks.append(of_finding("data", Finding("no_wells", "fair", subject=wells.reason)))
     else:
-        count = sum(len(snaps(log.kinematics["q"], wells)) for log in train)
+        count = sum(len(snaps(log.motion.q, wells)) for log in train)
         checks.append(graded("data", "switches", count, subject="joint" if data.device.joint else ""))
     checks += _coverage_checks(data)
     return checks + _extrapolation_checks(data)
@@ -73,9 +72,9 @@ def _masked_check(data: RunData) -> Check:
     """Rows that are no measurement, what made them so, and what to do about each; the ends of a log that were cut off
     count.
     """
-    cut = sum(float(log.record_notes.get("cut_off_s", 0.0)) / log.interval for log in data.logs)
-    rows = sum(len(log.kinematics["t"]) for log in data.logs) + cut
-    masked = (sum(int(np.count_nonzero(log.kinematics["segment"] < 0)) for log in data.logs) + cut) / rows
+    cut = sum(float(log.record_notes.get("cut_off_s", 0.0)) / log.motion.interval for log in data.logs)
+    rows = sum(len(log.motion.t) for log in data.logs) + cut
+    masked = (sum(int(np.count_nonzero(~log.motion.valid)) for log in data.logs) + cut) / rows
     counts = {cause: sum(int(log.record_notes.get(cause, 0)) for log in data.logs) for cause in MASKS}
     numbers = {cause: Number(count) for cause, count in counts.items() if count}
     return graded("data", "masked", masked, numbers=numbers)
@@ -110,7 +109,7 @@ def _noise_check(data: RunData, span: float, noise: float) -> Check:
 
 def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
     """Centres over the training range [m or rad], and the training samples nearest to each, both (centres,)."""
-    q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
+    q = np.concatenate([log.motion.q for log in data.role("train")])
     q = q[np.isfinite(q)]
     places = np.linspace(q.min(), q.max(), data.prototype.identify.basis_functions)
     return places, coverage(places, [q], [np.zeros((q.size, 0))]).visits.astype(np.float64)
@@ -143,10 +142,10 @@ def _noise_of_residual(data: RunData, log: LogData) -> float:
     noise.
     """
     run = log.predictions.get(data.model_names[0])
-    if run is None or log.record_notes.get("raw_step", 0.0) < NOT_DECIMATED * log.interval:
+    if run is None or log.record_notes.get("raw_step", 0.0) < NOT_DECIMATED * log.motion.interval:
         return np.inf
-    residual = log.kinematics["q"] - run["q"]
-    valid = residual[np.isfinite(residual) & (log.kinematics["segment"] >= 0)]
+    residual = log.motion.q - run["q"]
+    valid = residual[np.isfinite(residual) & log.motion.valid]
     return noise_std(valid) or np.inf if valid.size else np.inf
 
 
@@ -154,10 +153,10 @@ def _outside(data: RunData) -> float | None:
     validation = data.role("validation")
     if not validation:
         return None
-    trained = [np.column_stack((log.kinematics["q"], voltages(log.kinematics))) for log in data.role("train")]
+    trained = [np.column_stack((log.motion.q, log.motion.v)) for log in data.role("train")]
     low = np.nanmin(np.concatenate(trained), axis=0)
     high = np.nanmax(np.concatenate(trained), axis=0)
-    rows = np.concatenate([np.column_stack((g.kinematics["q"], voltages(g.kinematics))) for g in validation])
+    rows = np.concatenate([np.column_stack((g.motion.q, g.motion.v)) for g in validation])
     margin = 0.01 * (high - low)
     rows = rows[np.isfinite(rows).all(axis=1)]
     beyond = np.any((rows < low - margin) | (rows > high + margin), axis=1)

@@ -12,7 +12,6 @@ from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90
 from ..scoring.wells import NoWells, Wells
 from ..signals.findings import Finding, Number
-from ..signals.log import voltages
 from ..store.columns import FACT_COLUMNS, STABLE
 from .characteristics import (
     COVERAGE,
@@ -211,7 +210,7 @@ def is_refused(checks: Iterable[Mapping[str, Any]]) -> bool:
 def make_datasheet(data: RunData) -> Datasheet:
     """Evaluate curves, rests and ring-downs of a run, and judge it."""
     wells = wells_of_run(data)
-    records = [(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs]
+    records = [(g.motion.t, g.motion.q, g.motion.v) for g in data.logs]
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
     rests = rest_facts(records, wells, hum, plant=data.device)
     curves, draws = model_curves(data)
@@ -227,7 +226,7 @@ def make_datasheet(data: RunData) -> Datasheet:
         if believed is not wells:
             wells = believed
             rests = rest_facts(records, believed, hum, plant=data.device)
-        rings = simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
+        rings = simulated_ring_downs(data.models[source], values, curves[source], len(data.device.inputs))
         limits |= intervals(rings, drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device))
         values |= rings
     events = _in_free_run(data, source, wells)
@@ -317,8 +316,8 @@ def drawn_ring_downs(
 
     def simulated(near: Any) -> FloatArray:
         curves = curves_from(near.curves(own.q), own.q)
-        found = simulated_ring_downs(near, device_facts(curves, plant=plant), curves, len(own.gains))
-        return np.array([found.get(key) for key in keys], dtype=np.float64)
+        rings_near = simulated_ring_downs(near, device_facts(curves, plant=plant), curves, len(own.gains))
+        return np.array([rings_near.get(key) for key in keys], dtype=np.float64)
 
     rows = model.outcome_ensemble(simulated, len(draws))
     return [{key: float(x) for key, x in zip(keys, row, strict=True) if np.isfinite(x)} for row in rows]
@@ -368,7 +367,7 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
     logs = [log for log in data.logs if model in log.predictions]
     if model is None or not logs:
         return {}
-    runs = [(log.kinematics["t"], log.predictions[model]["q"], voltages(log.kinematics)) for log in logs]
+    runs = [(log.motion.t, log.predictions[model]["q"], log.motion.v) for log in logs]
     events = _measured(rest_facts(runs, wells, plant=data.device), wells)
     return {key: float(np.mean(values)) for key, values in events.items()}
 
@@ -385,7 +384,7 @@ def _facts(
     # One rest measured over several modelled ones is the mean of all, and none of them.
     several = values.get("well_left") is not None or any(key.startswith(STABLE) for key in values)
     measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
-    if "rest" in measured and _scattered(measured["rest"], [log.kinematics["q"] for log in data.logs]):
+    if "rest" in measured and _scattered(measured["rest"], [log.motion.q for log in data.logs]):
         del measured["rest"]
     of_mass = data.device.known_mass is not None
     stiffness = f"{data.device.curve_units['F']}/{data.device.displacement.symbol}" if of_mass else "1/s²"

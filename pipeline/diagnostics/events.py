@@ -4,6 +4,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import isotonic_regression, leastsq
 
 from ..device.device import Device
 from ..numerics.arrays import FloatArray, runs_of, sample_interval
@@ -47,8 +48,6 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     q : FloatArray, shape (n,)
         Displacement, finite.
     """
-    from scipy.optimize import leastsq
-
     if q.size < LEAST_SAMPLES:
         return None
     time = t - t[0]
@@ -87,8 +86,6 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
 
 def _left_by_monotone(q: FloatArray) -> float:
     """Norm of what the best monotone course leaves of q: an overdamped device creeps back and does not ring."""
-    from scipy.optimize import isotonic_regression
-
     return min(float(np.linalg.norm(q - isotonic_regression(q, increasing=rises).x)) for rises in (True, False))
 
 

@@ -110,41 +110,41 @@ def _drift(finding: Finding) -> ShownRow:
 
 
 def _undriven_starts(finding: Finding) -> ShownRow:
-    found = f"{finding.value('starts'):.0f}, the first at {finding.value('first'):.4g} s"
+    starts = f"{finding.value('starts'):.0f}, the first at {finding.value('first'):.4g} s"
     missing = "find out what does"
     if finding.value("inputs") == 1:
         missing = "name the second input as v2 (in [channels], or as an argument)"
     advice = f"what moves q there is not among the inputs: {missing}"
-    return ShownRow("leaves rest though no input changes", found, advice=advice)
+    return ShownRow("leaves rest though no input changes", starts, advice=advice)
 
 
 def _wrapped(finding: Finding) -> ShownRow:
     advice = "unwrap it before it is logged or read (numpy.unwrap, MATLAB's unwrap): a turn is no motion of the device"
-    found = f"{finding.value('jumps'):.0f} by {_short(finding, 'turn')}"
-    return ShownRow("jumps of the angle", found, "none", advice)
+    jumps = f"{finding.value('jumps'):.0f} by {_short(finding, 'turn')}"
+    return ShownRow("jumps of the angle", jumps, "none", advice)
 
 
 def _rests(finding: Finding) -> ShownRow:
-    found = f"{_shown(finding, 'left')}, {_shown(finding, 'right')}"
+    places = f"{_shown(finding, 'left')}, {_shown(finding, 'right')}"
     if finding.severity == "good":
-        return ShownRow("rests", found)
+        return ShownRow("rests", places)
     unit = finding.numbers["left"].unit
     middle = quantity(-0.5 * (finding.value("left") + finding.value("right")), unit)
     advice = (
         "both wells are on one side of zero, where a joint, its parameter set and its mirror plane have the middle: "
         f"zero the sensor, or give `offset` in [channels] q (about {middle})"
     )
-    return ShownRow("rests", found, "left < 0 < right", advice)
+    return ShownRow("rests", places, "left < 0 < right", advice)
 
 
 def _unseen_direction(finding: Finding) -> ShownRow:
     """Row of an input whose force a log does not show."""
     name = finding.subject
-    found = {"idle_input": "nothing but noise", "never_on": "never on", "hardly_changes": "hardly ever changes"}
+    reasons = {"idle_input": "nothing but noise", "never_on": "never on", "hardly_changes": "hardly ever changes"}
     advice = "name the channel that drives the device, or leave it out for a device with one input"
     if finding.code == "idle_input":
         advice = f"where no training log drives {name}, leave it out of [channels]: nothing is known of its gain"
-    return ShownRow(f"direction of {name}", found[finding.code], advice=advice)
+    return ShownRow(f"direction of {name}", reasons[finding.code], advice=advice)
 
 
 def _direction(finding: Finding) -> ShownRow:
@@ -181,8 +181,8 @@ def _late_answer(finding: Finding) -> ShownRow:
             "[channels] q; if the inputs do act late (a filter, a slow drive, electrodes that charge slowly), hybrid "
             'estimates by how much, and rbf with drive = "lag" or "delay" in [identify.structure]'
         )
-    found = f"about {short(abs(number.value) * factor)} {shown} {'late' if later else 'early'}"
-    return ShownRow("answer of q", found, f"± {_short(finding, 'most')}", advice)
+    delay = f"about {short(abs(number.value) * factor)} {shown} {'late' if later else 'early'}"
+    return ShownRow("answer of q", delay, f"± {_short(finding, 'most')}", advice)
 
 
 def _coupling(finding: Finding) -> ShownRow:
@@ -198,9 +198,9 @@ def _coupling(finding: Finding) -> ShownRow:
     if finding.subject == "stated":
         what = f"coupling with {quantity(1e3 * mass, 'g') if mass < 1.0 else f'{significant(mass)} kg'}"
         advice = f"check the units of {of_all} and of plant.mass ({most_off} times too {large})"
-    found = f"{significant(ratio, 2)} × as drawn"
+    coupling = f"{significant(ratio, 2)} × as drawn"
     advice = f"that is {_times(ratio)} the coupling of the joint as drawn: {advice}"
-    return ShownRow(what, found, f"{1.0 / most:.2g} … {most:g}", advice)
+    return ShownRow(what, coupling, f"{1.0 / most:.2g} … {most:g}", advice)
 
 
 def _coupling_ratio(finding: Finding) -> ShownRow:
@@ -218,8 +218,8 @@ def _correlated(finding: Finding) -> ShownRow:
     advice = (
         "v1 and v2 go together all the time, so their effects cannot be separated: drive them apart, or leave v2 out"
     )
-    found = f"correlation {finding.value('correlation'):.4f}"
-    return ShownRow("v2 beside v1", found, f"< {finding.value('most'):g}", advice)
+    correlation = f"correlation {finding.value('correlation'):.4f}"
+    return ShownRow("v2 beside v1", correlation, f"< {finding.value('most'):g}", advice)
 
 
 def _field(finding: Finding) -> ShownRow:
@@ -246,15 +246,15 @@ def _input_action(finding: Finding) -> ShownRow:
     other = finding.subject
     own = "linear" if other == "squared" else "squared"
     share = {name: significant(100.0 * number.value, 2) for name, number in finding.numbers.items()}
-    found = f"{share[f'left_by_{own}']} % ({other} {share[f'left_by_{other}']} %)"
+    residuals = f"{share[f'left_by_{own}']} % ({other} {share[f'left_by_{other}']} %)"
     advice = f'they explain more so: set inputs = "{other}" (in [plant], or as an argument)'
     if finding.code == "signed_monitor":
-        found += f", two membranes {share['left_by_membranes']} %"
+        residuals += f", two membranes {share['left_by_membranes']} %"
         advice = (
             'it looks like the signed monitor of two membranes: give it to v1 with part = "positive" and to v2 with '
             'part = "negative", and set inputs = "squared" in [plant]'
         )
-    return ShownRow("residual of the fit", found, advice=advice)
+    return ShownRow("residual of the fit", residuals, advice=advice)
 
 
 def _shared_recording(finding: Finding) -> ShownRow:

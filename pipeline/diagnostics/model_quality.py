@@ -49,8 +49,8 @@ def _disagreements(
     own = [row for row in rows if (row["role"], row["log"]) == log]
     if own[0]["exchanged"] != "none":
         return [Finding("unlike_training", "poor", log_title(*log), other)]
-    found = [_instrument(row, log_title(*log), displacement) for row in own if row["beyond"]]
-    return [replace(finding, code="disagreement", log=f"{finding.log} and the {other}") for finding in found]
+    beyond = [_instrument(row, log_title(*log), displacement) for row in own if row["beyond"]]
+    return [replace(finding, code="disagreement", log=f"{finding.log} and the {other}") for finding in beyond]
 
 
 def _instrument(row: Mapping[str, Any], title: str, displacement: str) -> Finding:
@@ -107,7 +107,7 @@ def _one_passage(log: LogData, model: str, wells: Wells) -> tuple[float, float] 
     """
     if model not in log.predictions:
         return None
-    q = np.asarray(log.kinematics["q"])
+    q = np.asarray(log.motion.q)
     own = np.asarray(log.predictions[model]["q"])
     squares = np.nan_to_num((q - own) ** 2)
     length = max(1, round(BRIEF * squares.size))
@@ -117,14 +117,10 @@ def _one_passage(log: LogData, model: str, wells: Wells) -> tuple[float, float] 
     share = float(windows[begin] / sums[-1]) if sums[-1] > 0.0 else 0.0
     if share < MOST_OF_IT:
         return None
-    crossings = [row for run in (q, own) for row in _crossings(run, wells) if begin - 1 <= row < begin + length]
+    crossings = [row for run in (q, own) for row in snaps(run, wells).tolist() if begin - 1 <= row < begin + length]
     if not crossings:
         return None
-    return share, float(log.kinematics["t"][_slowest(crossings, q, own)])
-
-
-def _crossings(q: FloatArray, wells: Wells) -> Sequence[int]:
-    return [int(row) for row in snaps(q, wells)]
+    return share, float(log.motion.t[_slowest(crossings, q, own)])
 
 
 def _slowest(crossings: Sequence[int], q: FloatArray, own: FloatArray) -> int:
@@ -164,7 +160,9 @@ def model_checks(
         for role in ("train", "validation")
     }
     judged, where = (by_role["validation"], "validation") if by_role["validation"] else (by_role["train"], "train")
-    checks = [] if where == "validation" else [_no_validation(data)]
+    checks = []
+    if where == "train":
+        checks.append(of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s")))
     checks += _ended_early(model, data.descriptions.get(model, {}), judged)
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
@@ -181,16 +179,11 @@ def model_checks(
     # A still smaller error on the training data is no fault if the error is good.
     if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
         worst = max((s for s in judged if s["nrmse"] is not None), key=lambda score: score["nrmse"])
-        found = causes(data, worst, max(errors) / max(train), wells)
-        checks += [of_finding("model", finding) for finding in found]
+        checks += [of_finding("model", finding) for finding in causes(data, worst, max(errors) / max(train), wells)]
     if rest_errors is not None and isinstance(wells, Wells):
         off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
         checks.append(graded("model", "wells", off))
     return checks
-
-
-def _no_validation(data: RunData) -> Check:
-    return of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s"))
 
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
@@ -210,7 +203,7 @@ def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list
 
 def _spread(data: RunData, score: Mapping[str, Any]) -> float:
     """NRMSE of q of a constant, its mean, on the log of a score; infinite where q is constant."""
-    q = next(log for log in data.logs if (log.role, log.name) == (score["role"], score["log"])).kinematics["q"]
+    q = next(log for log in data.logs if (log.role, log.name) == (score["role"], score["log"])).motion.q
     q = q[np.isfinite(q)]
     return float(np.std(q) / np.ptp(q)) if np.ptp(q) > 0.0 else np.inf
 

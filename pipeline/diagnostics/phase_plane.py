@@ -7,7 +7,6 @@ import numpy as np
 
 from ..models.base import DynamicModel, SimulatesMany
 from ..numerics.arrays import FloatArray, runs_of
-from ..signals.log import voltages
 from .run_data import LogData, RunData
 
 BASIN_COLUMNS = 81
@@ -113,11 +112,11 @@ def settled(model: DynamicModel, starts: FloatArray, seconds: float, step: float
     return np.array([run.q[-1] if run.status == "ok" else np.nan for run in runs])
 
 
-def visited_range(data: RunData, voltage: str | None = None) -> tuple[float, float]:
+def visited_range(data: RunData, side: int | None = None) -> tuple[float, float]:
     """The range of q that holds all but the outermost training samples, or those at which an input is on."""
-    q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
-    if voltage is not None:
-        v = np.abs(np.concatenate([log.kinematics[voltage] for log in data.role("train")]))
+    q = np.concatenate([log.motion.q for log in data.role("train")])
+    if side is not None:
+        v = np.abs(np.concatenate([log.motion.v[:, side] for log in data.role("train")]))
         on = (v > ON * v.max()) & np.isfinite(q)
         q = q[on] if on.any() else q
     low, high = np.nanquantile(q, [VISITED, 1.0 - VISITED])
@@ -129,19 +128,19 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
     Unless the device is the joint, whose pulses have rests, NaN also where an input only crosses zero.
     """
-    largest = np.max([data.device.peaks(voltages(other.kinematics)) for other in data.logs], axis=0)
-    free = np.all(np.abs(voltages(log.kinematics)) <= UNFORCED * largest, axis=1)
+    largest = np.max([data.device.peaks(other.motion.v) for other in data.logs], axis=0)
+    free = np.all(np.abs(log.motion.v) <= UNFORCED * largest, axis=1)
     for rows in () if data.device.joint else runs_of(free):
-        still = np.all(np.ptp(voltages(log.kinematics)[rows], axis=0) <= UNFORCED * largest)
+        still = np.all(np.ptp(log.motion.v[rows], axis=0) <= UNFORCED * largest)
         free[rows] = still and rows.stop - rows.start >= LEAST_UNFORCED
-    return np.where(free, log.kinematics["q"], np.nan), np.where(free, log.kinematics["qdot"], np.nan)
+    return np.where(free, log.motion.q, np.nan), np.where(free, log.motion.qdot, np.nan)
 
 
 def moves_unforced(data: RunData) -> bool:
     """True if the logs show a motion without input that is visible in the plane."""
     places = [q[np.isfinite(q)] for q, _ in (unforced(data, log) for log in data.logs)]
     low, high = _ends(data, "q")
-    if sum(q.size for q in places) < LEAST_SHARE * sum(len(log.kinematics["q"]) for log in data.logs):
+    if sum(q.size for q in places) < LEAST_SHARE * sum(len(log.motion.q) for log in data.logs):
         return False
     return any(q.size > 0 and np.ptp(q) > LEAST_MOTION * (high - low) for q in places)
 
@@ -154,7 +153,7 @@ def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatA
 
     def outcomes(states: FloatArray) -> Classes:
         """Class of each state: 0 and 1 for rest left and right of the saddle, 2 for none."""
-        ends = settled(model, states, BASIN_TIME, BASIN_STEP, len(data.inputs))
+        ends = settled(model, states, BASIN_TIME, BASIN_STEP, len(data.device.inputs))
         return np.where(np.isnan(ends), 2, ends > saddle).astype(np.int8)
 
     places = _span(data, "q", BASIN_COLUMNS)
@@ -170,5 +169,5 @@ def _span(data: RunData, name: str, count: int) -> FloatArray:
 
 def _ends(data: RunData, name: str) -> tuple[float, float]:
     """Least and largest value of a signal in all logs."""
-    values = np.concatenate([log.kinematics[name] for log in data.logs])
+    values = np.concatenate([getattr(log.motion, name) for log in data.logs])
     return float(np.nanmin(values)), float(np.nanmax(values))

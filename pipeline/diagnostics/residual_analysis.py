@@ -12,7 +12,6 @@ import numpy as np
 
 from ..numerics.arrays import FloatArray, longest_run, samples_of
 from ..numerics.metrics import NORMAL_99
-from ..signals.log import voltages
 from .run_data import LogData, RunData
 
 LONGEST_LAG = 1.0
@@ -121,6 +120,6 @@ def main_residual(data: RunData, log: LogData) -> Residual | None:
     model = data.model_names[0]
     if model not in log.predictions:
         return None
-    inputs = voltages(log.kinematics)
-    acting = np.square(inputs) if (data.device.action == "squared") else inputs
-    return analyse_residual(log.kinematics["q"], log.predictions[model]["q"], acting, log.interval)
+    inputs = log.motion.v
+    acting = data.device.acting(inputs)
+    return analyse_residual(log.motion.q, log.predictions[model]["q"], acting, log.motion.interval)

@@ -9,10 +9,9 @@ import numpy as np
 from ..device.device import Device
 from ..fitting.population import NormalPopulation
 from ..models.base import DynamicModel
-from ..numerics.arrays import sample_interval
 from ..scoring.wells import NoWells, Wells, wells_of
 from ..settings.prototype import Prototype
-from ..signals.log import log_of
+from ..signals.log import Log
 from ..store.columns import StudyName
 from ..system.names import log_title, true_name
 
@@ -29,10 +28,12 @@ class LogData:
     ----------
     role, name, source : str
         train or validation; name in the run; path as the settings give it.
-    record, kinematics : mapping of str to array
-        Columns of the fine record and of the kinematics table; NaN where masked.
+    record : mapping of str to array
+        Columns of the fine record; NaN where masked.
+    motion : Log
+        The log at the sample interval with its derivatives; NaN where masked.
     predictions : mapping of model to columns
-        Free runs at the rows of `kinematics`.
+        Free runs at the samples of `motion`.
     outcomes : mapping of model to notes
         ``status`` and ``diverged_at_s`` of each.
     record_notes, kinematics_notes : mapping
@@ -43,7 +44,7 @@ class LogData:
     name: str
     source: str
     record: Columns
-    kinematics: Columns
+    motion: Log
     predictions: Mapping[str, Columns]
     outcomes: Mapping[str, Mapping[str, Any]]
     record_notes: Mapping[str, Any]
@@ -58,11 +59,6 @@ class LogData:
     def title(self) -> str:
         """Name of the log for readers, as in tables."""
         return log_title(self.role, true_name(self.source))
-
-    @property
-    def interval(self) -> float:
-        """Step of the kinematics [s]."""
-        return sample_interval(self.kinematics["t"])
 
 
 @dataclass(frozen=True)
@@ -128,11 +124,6 @@ class RunData:
     siblings: NormalPopulation | None = None
 
     @property
-    def inputs(self) -> tuple[str, ...]:
-        """Names of the input columns."""
-        return tuple(name for name in ("v1", "v2") if name in self.logs[0].kinematics)
-
-    @property
     def why_chosen(self) -> str:
         """Reason of "auto" for the main model; empty where it had no choice, as the device cannot be the joint."""
         choice = self.choice or {}
@@ -154,7 +145,7 @@ class RunData:
 
 def wells_of_run(data: RunData) -> Wells | NoWells:
     """The wells in the data of all logs."""
-    return wells_of([log_of(log.kinematics) for log in data.logs], plant=data.device)
+    return wells_of([log.motion for log in data.logs], plant=data.device)
 
 
 def judged_log(data: RunData) -> LogData:

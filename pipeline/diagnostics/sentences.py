@@ -273,7 +273,7 @@ def _noise(finding: Finding) -> tuple[str, str]:
 
 def _masked(finding: Finding) -> tuple[str, str]:
     causes = [(MASKS[cause], int(number.value)) for cause, number in finding.numbers.items() if cause in MASKS]
-    named = " and ".join(f"{count} {several if count > 1 else one}" for (one, several, _), count in causes)
+    named = " and ".join(f"{count} {several if count > 1 else single}" for (single, several, _), count in causes)
     advice = "; ".join(what for (_, _, what), _ in causes if what) or "repair the recorder"
     share = finding.value("value")
     if share:

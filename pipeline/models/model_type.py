@@ -17,12 +17,10 @@ from ..signals.log import Log
 from ..store.trees import read_tree
 from ..system.package import object_at
 from ..system.worker_pool import OnProgress, silent
-from ..units.units import SiUnit
 from .base import DynamicModel
 
 if TYPE_CHECKING:
     from ..device.parameters import JointParameters
-    from ..fitting.regression import InputAction
 
 
 FITTED_SHARE = 0.75
@@ -104,12 +102,8 @@ class Training:
         Their gap-free segments.
     records : tuple of Log
         The whole logs with gaps masked, and with the voltages between the samples.
-    units : (str, str)
-        SI symbols of q (m or rad) and of the inputs.
-    inputs : {"squared", "linear"}
-        Action of the inputs.
-    known_mass : float or None
-        Moving mass [kg] or inertia [kg·m²], if it is known.
+    device : Device
+        Its units, the action of its inputs, and its mass.
     parameters : JointParameters or None
         Parameter set of the analytical joint, if one is given.
     rotation : FloatArray, shape (K, 2), or None
@@ -118,8 +112,6 @@ class Training:
         Measured characteristic curves that a fit keeps.
     identify, compare : Identify, Compare
         The settings.
-    log_units : (float, float)
-        Units of the log for q and the inputs, in SI.
     inputs_before : {"auto", "first", "zero"}
         Inputs before a log.
     siblings : NormalPopulation or None
@@ -130,34 +122,20 @@ class Training:
 
     segments: tuple[Log, ...]
     records: tuple[Log, ...]
-    units: tuple[str, str]
-    inputs: "InputAction"
-    known_mass: float | None
+    device: Device
     parameters: "JointParameters | None"
     known_curves: KnownCurves | None
     identify: Identify
     compare: Compare = field(default_factory=Compare)
-    log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
     siblings: NormalPopulation | None = None
     rotation: FloatArray | None = None
     on_progress: OnProgress = silent
 
     @property
-    def device(self) -> Device:
-        """The device: its units, and how its inputs act."""
-        q, v = (SiUnit(factor, symbol) for factor, symbol in zip(self.log_units, self.units, strict=True))
-        return Device(None, q, (v,) * self.records[0].v.shape[1], self.inputs, self.known_mass)
-
-    @property
     def fitted_segments(self) -> list[Log]:
         """The gap-free segments of `records`, which leave out what is poorly known at the beginning of a log."""
         return [segment for record in self.records for segment in record.segments()]
-
-    @property
-    def mass(self) -> float:
-        """The mass, 1 if it is unknown: curves are then per unit mass."""
-        return 1.0 if self.known_mass is None else self.known_mass
 
 
 class StoredModel(DynamicModel, Protocol):

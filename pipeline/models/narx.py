@@ -19,6 +19,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import model_validator
 
+from ..device.device import Device
 from ..errors import InputError
 from ..numerics.arrays import FloatArray, IntArray, sample_interval
 from ..numerics.compiled import compiled
@@ -260,17 +261,15 @@ class NarxModel(ModelFile):
         }
 
 
-def identify_narx(
-    trajectories: Sequence[Log], *, inputs: Literal["squared", "linear"] = "squared", most: int | None = None
-) -> NarxModel:
+def identify_narx(trajectories: Sequence[Log], plant: Device, *, most: int | None = None) -> NarxModel:
     """Choose lags, degree and number of terms by free runs over held-out blocks of the training data.
 
     Parameters
     ----------
     trajectories : sequence of Log
         Gap-free segments of the training logs, all of one sample interval; only q and v are used.
-    inputs : {"squared", "linear"}
-        Action of the inputs: v² or v enters.
+    plant : Device
+        Action of the inputs.
     most : int, optional
         Candidates (a structure with a number of terms) after which no further structure is tried; none if left out.
 
@@ -290,7 +289,7 @@ def identify_narx(
     for shape in itertools.product(DEGREES, INCREMENTS, INPUT_LAGS):
         if most is not None and len(errors) >= most:
             break
-        library = _library(shape, trajectories, inputs)
+        library = _library(shape, trajectories, plant)
         grams = [(fold, _gram(library, x)) for fold, x in parts if len(x.t) > 2 + max(shape[1:])]
         paths = {f: _pursuit(library, [g for fold, g in grams if fold != f or len(folds) == 1]) for f in folds}
         for terms in set(TERMS).intersection(*paths.values()):
@@ -301,7 +300,7 @@ def identify_narx(
         raise InputError("the training segments are too short for a NARX model; give longer logs")
     shape, terms = chosen = simplest_within_one_standard_error(errors, {key: key[1] for key in errors})
     diagnostics = {
-        "library_terms": len(_library(shape, trajectories, inputs).exponents),
+        "library_terms": len(_library(shape, trajectories, plant).exponents),
         "inner_validation_nrmse": float(errors[chosen].mean()),
         "inner_validation_nrmse_of_folds": errors[chosen],
         "candidates_tried": len(errors),
@@ -310,14 +309,14 @@ def identify_narx(
     return fitted[shape][terms].model_copy(update={"diagnostics": diagnostics})
 
 
-def _library(shape: Shape, trajectories: Sequence[Log], inputs: Literal["squared", "linear"]) -> NarxModel:
+def _library(shape: Shape, trajectories: Sequence[Log], plant: Device) -> NarxModel:
     """All terms poly_degree(q_n, δ_n), poly3(q_n)⊗(older δ), poly3(q_n)⊗(inputs), without weights.
 
     Variables are scaled by their largest magnitudes.
     """
     degree, increments, input_lags = shape
     q, delta = (max(float(np.abs(np.diff(x.q, n)).max()) for x in trajectories) for n in (0, 1))
-    u = np.max([np.abs(x.v).max(axis=0) for x in trajectories], axis=0) ** (2 if inputs == "squared" else 1)
+    u = plant.acting(np.max([np.abs(x.v).max(axis=0) for x in trajectories], axis=0))
     scales = np.concatenate([[q], np.full(increments, delta), np.repeat(u, input_lags)])
     scales[scales == 0.0] = 1.0
     powers = [{0: i, 1: j} for i in range(degree + 1) for j in range(degree + 1 - i)]
@@ -328,7 +327,7 @@ def _library(shape: Shape, trajectories: Sequence[Log], inputs: Literal["squared
         coefficients=np.zeros(len(powers)),
         scales=scales,
         interval_s=trajectories[0].interval,
-        inputs=inputs,
+        inputs=plant.action,
         bounds=np.array(escape_bounds(*operating_range(trajectories))),
     )
 
@@ -368,6 +367,6 @@ def _error(model: NarxModel, x: Log, span: float) -> float:
 
 
 NARX = ModelType(
-    lambda data: identify_narx(data.segments, inputs=data.inputs, most=data.compare.candidates),
+    lambda data: identify_narx(data.segments, data.device, most=data.compare.candidates),
     partial(NarxModel.read, name="narx", command="compare"),
 )

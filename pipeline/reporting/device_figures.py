@@ -22,7 +22,6 @@ from ..diagnostics.phase_plane import (
 from ..diagnostics.run_data import Columns, RunData, Study
 from ..numerics.arrays import BoolArray, FloatArray
 from ..numerics.metrics import NORMAL_95
-from ..signals.log import voltages
 from ..units.quantity import power, prefixed, quantity
 from .datasheet_rows import NOT_USED
 from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points, error_bars, rows_panel
@@ -89,11 +88,6 @@ def _study(data: RunData, study: Study) -> Figure:
     return replace(figure, x_unit=unit, marks={CHOSEN: marks} if marks.size else {})
 
 
-def _electrostatic(data: RunData, squared: bool) -> bool:
-    """True if the inputs are squared voltages on a known mass: their force is half the slope of a capacitance."""
-    return squared and data.device.inputs[0].symbol == "V" and data.device.known_mass is not None
-
-
 def _curves(data: RunData, sheet: Datasheet) -> Figure:
     panels = []
     outside = []
@@ -121,9 +115,11 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
 def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
     """Force, damping as far as the main model has one, and the gain of each input."""
     first = next(iter(sheet.curves.values()))
-    units = data.device.curve_units
+    plant = data.device
+    units = plant.curve_units
     measured = data.measured_curves
-    electrostatic = _electrostatic(data, first.squared)
+    # of a squared voltage on a known mass the gain is half the slope of a capacitance
+    electrostatic = plant.squared and plant.inputs[0].symbol == "V" and plant.known_mass is not None
     factor, symbol, unit = (2.0, "∂C{}/∂q", units["dC"]) if electrostatic else (1.0, "g{}", units["g"])
     visited = visited_range(data)
     yield "restoring force F", units["F"], visited, lambda c: c.force, _on(measured, "F")
@@ -132,7 +128,7 @@ def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
     for k in range(len(first.gains)):
         slope = _on(measured, f"dC{k + 1}_dq") if factor == 2.0 else None
         pick = partial(_gain, k=k, factor=factor)
-        yield symbol.format("₁₂"[k]), unit, visited_range(data, data.inputs[k]), pick, slope
+        yield symbol.format("₁₂"[k]), unit, visited_range(data, k), pick, slope
 
 
 def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
@@ -229,7 +225,7 @@ def _circles(
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
-    largest = np.max([data.device.peaks(voltages(log.kinematics)) for log in data.logs], axis=0)
+    largest = np.max([data.device.peaks(log.motion.v) for log in data.logs], axis=0)
     roles = ("measured", "v1", "v2")
     cases = [(f"no {data.device.input_word}", np.zeros(len(curves.gains)))]
     cases += [
@@ -243,8 +239,8 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     low, high = visited_range(data)
     inner = (curves.q >= low) & (curves.q <= high)
     for role, (label, on) in zip(roles, cases, strict=False):
-        u = on * (largest**2 if curves.squared else largest)
-        loaded = Curves(curves.q, curves.force - u @ curves.gains, None, curves.gains, curves.squared)
+        u = on * data.device.acting(largest)
+        loaded = Curves(curves.q, curves.force - u @ curves.gains, None, curves.gains)
         energy = loaded.energy
         ceiling = ceiling or CEILING * float(energy[inner].max())
         lines.append(Line(label, role, curves.q[rows], np.where(energy <= ceiling, energy, np.nan)[rows]))

@@ -11,7 +11,7 @@ from ..diagnostics.run_data import LogData, RunData, judged_log
 from ..numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
 from ..scoring.scores import fit_note
 from ..scoring.wells import NoWells, Wells, snaps
-from ..signals.log import UNKNOWN, unknown_rows, voltages
+from ..signals.log import UNKNOWN, unknown_rows
 from ..units.quantity import grouped, moment, power, prefixed, quantity, significant
 from ..units.units import ALPHA_UNIT, signal_units
 from .figure import MARGIN, Band, Figure, Line, Panel
@@ -35,9 +35,9 @@ def log_figures(data: RunData, log: LogData, wells: Wells | NoWells) -> dict[str
 def _timeline(
     data: RunData, log: LogData, wells: Wells | NoWells, kind: str, title: str, caption: str, panels: list[Panel]
 ) -> Figure:
-    t = log.kinematics["t"]
-    q = log.kinematics["q"]
-    v = voltages(log.kinematics)
+    t = log.motion.t
+    q = log.motion.q
+    v = log.motion.v
     switched = {"voltage switched": voltage_switches(t, v)} if data.device.joint else {}
     marks = switched or {f"{data.device.input_word} steps": input_steps(t, v)}
     marks["device snaps over"] = t[snaps(q, wells)]
@@ -96,16 +96,17 @@ def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
     """The inputs over time, without segments in which they are not known."""
     t = log.record["t"]
     sides = {"v1": " (left)", "v2": " (right)"} if data.device.joint else {}
-    recorded = {name: np.where(_unknown(log, t), np.nan, log.record[name]) for name in data.inputs}
+    recorded = {
+        name: np.where(_unknown(log, t), np.nan, log.record[name]) for name in ("v1", "v2") if name in log.record
+    }
     lines = tuple(Line(name + sides.get(name, ""), name, t, values) for name, values in recorded.items())
     return Panel(data.device.input_word + "s" * (len(lines) > 1), data.device.inputs[0].symbol, lines, low=low)
 
 
 def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
-    table = log.kinematics
     unit = signal_units(data.device.displacement.symbol)
-    t = table["t"]
-    q = table["q"]
+    t = log.motion.t
+    q = log.motion.q
     velocity = np.gradient(q, t)
     raw = {"qdot": velocity, "qddot": np.gradient(velocity, t)}
     panels = [Panel("q", unit["q"], (Line("q measured", "measured", t, q),), low=True)]
@@ -114,7 +115,10 @@ def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             Panel(
                 HEADINGS[name],
                 unit[name],
-                (Line("plain differences", "raw", t, raw[name]), Line("regularised", "measured", t, table[name])),
+                (
+                    Line("plain differences", "raw", t, raw[name]),
+                    Line("regularised", "measured", t, getattr(log.motion, name)),
+                ),
             )
         )
     caption = f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison."
@@ -143,11 +147,11 @@ def differentiation(data: RunData, log: LogData) -> str:
 
 def measured_signals(log: LogData) -> dict[str, FloatArray]:
     """The measured signals that models are compared with, by name; without φ, which is computed from q."""
-    return {name: log.kinematics[name] for name in ("q", "qdot", "qddot")}
+    return {name: getattr(log.motion, name) for name in ("q", "qdot", "qddot")}
 
 
 def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
-    t = log.kinematics["t"]
+    t = log.motion.t
     unit = signal_units(data.device.displacement.symbol)
     panels = []
     for name, measured in measured_signals(log).items():
@@ -168,8 +172,8 @@ FIT = "fit = 100 (1 − ‖error‖/‖q − mean‖) %"
 def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     """Q as measured and as the models run freely, with the fit of the main one that MATLAB's ``compare`` states."""
     main_model = data.model_names[0]
-    t = log.kinematics["t"]
-    measured = log.kinematics["q"]
+    t = log.motion.t
+    measured = log.motion.q
     others = tuple(Line(m, m, t, run["q"]) for m, run in log.predictions.items() if m != main_model)
     lines = [Line("measured", "measured", t, measured, wide=True), *others]
     below = [_inputs(data, log, low=True)]
@@ -227,7 +231,7 @@ def _tubes(predicted: Mapping[str, FloatArray], model: str) -> Iterator[Band]:
 
 
 def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
-    t = log.kinematics["t"]
+    t = log.motion.t
     unit = signal_units(data.device.displacement.symbol)
     panels = []
     for name, measured in measured_signals(log).items():
@@ -266,9 +270,7 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
 
     panels = [panel("autocorrelation", residual.correlation, residual.band)]
     for k, (values, half) in enumerate(zip(residual.with_inputs, residual.input_bands, strict=True), start=1):
-        panels.append(
-            panel(f"correlation with v{k}{'²' if (data.device.action == 'squared') else ''}", values, float(half))
-        )
+        panels.append(panel(f"correlation with v{k}{'²' if data.device.squared else ''}", values, float(half)))
     colour = "rings with the device" if rings else "fades as slowly as the device settles"
     caption = (
         f"{log.title.capitalize()}: {prefixed(residual.outside, '%', 0)} % of the correlations with inputs lie outside "

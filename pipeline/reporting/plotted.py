@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import as_file, files
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 from markupsafe import Markup, escape
@@ -44,19 +44,14 @@ from .figure import (
     y_range,
 )
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Canvas
-
-
 import_configured("matplotlib")
+import matplotlib as mpl  # noqa: E402
 from matplotlib import rc_params_from_file, ticker  # noqa: E402
+from matplotlib.artist import Artist  # noqa: E402
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.figure import Figure as Canvas  # noqa: E402
 from matplotlib.figure import SubFigure  # noqa: E402
-
-if TYPE_CHECKING:
-    from matplotlib.artist import Artist
 
 SERIF = ("STIXGeneral", "DejaVu Serif", "DejaVu Sans")
 SANS = ("DejaVu Sans Figures", "DejaVu Sans")
@@ -148,8 +143,6 @@ def plotted(figure: Figure, models: Sequence[str], look: Look | None = None, can
     canvas : matplotlib.figure.Figure, optional
         An empty one to draw on, such as ``pyplot.figure()``; its size is set.
     """
-    import matplotlib as mpl
-
     look, figure = look or paper_look(figure), shown(figure)
     columns = min(figure.columns, len(figure.panels))
     rows = -(-len(figure.panels) // columns)
@@ -294,7 +287,7 @@ def _legend(canvas: Canvas | SubFigure, figure: Figure, models: Sequence[str], l
     return -(-len(named) // columns)
 
 
-def _sample(style: Style) -> "Artist":
+def _sample(style: Style) -> Artist:
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
@@ -342,7 +335,6 @@ def drawn(figure: Any, *endings: str, families: Sequence[str] | None = None) -> 
 
     Cost: 0.1 s for the layout, which all share, 0.1 s for each file.
     """
-    import matplotlib as mpl
     from matplotlib.text import Text
 
     files = []
@@ -359,7 +351,7 @@ def drawn(figure: Any, *endings: str, families: Sequence[str] | None = None) -> 
     return files
 
 
-def _lay_out(canvas: "Canvas") -> None:
+def _lay_out(canvas: Canvas) -> None:
     """Find the places of a figure's parts, which saving would otherwise draw it once more for."""
     engine = canvas.get_layout_engine()
     if engine is not None:
@@ -381,7 +373,7 @@ def form_of(target: Path) -> Format:
     return form
 
 
-def save(figure: "Figure | Canvas", target: Path, models: Sequence[str]) -> None:
+def save(figure: Figure | Canvas, target: Path, models: Sequence[str]) -> None:
     """Write a figure; errors as for `form_of`."""
     form = form_of(target)
     contents = paper_figure(figure, models, form) if isinstance(figure, Figure) else drawn(figure, target.suffix)
@@ -390,8 +382,6 @@ def save(figure: "Figure | Canvas", target: Path, models: Sequence[str]) -> None
 
 def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typeface: Typeface = "sans") -> list[bytes]:
     """The figure in each of the formats. Cost: 0.1 to 0.4 s each."""
-    import matplotlib as mpl
-
     look = paper_look(figure, typeface)
     with mpl.rc_context(look.settings):
         canvas = plotted(figure, models, look)
@@ -412,7 +402,6 @@ def _single(figure: Figure, number: int) -> Figure:
 
 
 def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
-    import matplotlib as mpl
     from matplotlib.backends.backend_svg import FigureCanvasSVG
 
     text = io.StringIO()

@@ -6,11 +6,11 @@ from typing import Literal
 
 import numpy as np
 
+from ..device.device import JOINT
 from ..diagnostics.run_data import LogData
 from ..numerics.arrays import FloatArray
 from ..signals.differentiate import AlphaStudy
 from ..store.columns import StudyName
-from ..units.units import curve_units
 from .figure import Figure, Line, Panel, Points
 
 ZOOM = (24.0, 30.0)
@@ -41,12 +41,11 @@ def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
 
 def signals_figure(log: LogData) -> Figure:
     """Figure 11a: voltages, position, velocity and acceleration of a log."""
-    table = log.kinematics
-    t = log.kinematics["t"]
-    sides = (("left", "v1"), ("right", "v2"))
-    panels = [Panel("v", "V", tuple(Line(side, name, t, table[name]) for side, name in sides if name in table))]
+    motion = log.motion
+    sides = zip(("left", "right"), ("v1", "v2"), motion.v.T, strict=True)
+    panels = [Panel("v", "V", tuple(Line(side, name, motion.t, v) for side, name, v in sides))]
     for name, key, unit in (("q", "q", "m"), ("q̇", "qdot", "m/s"), ("q̈", "qddot", "m/s²")):
-        panels.append(Panel(name, unit, (Line("measured", "measured", t, table[key]),)))
+        panels.append(Panel(name, unit, (Line("measured", "measured", motion.t, getattr(motion, key)),)))
     return Figure("signals", "Excitation and measured motion", "", "time", "s", tuple(panels))
 
 
@@ -87,7 +86,7 @@ def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
 
 def curves_figure(curves: Mapping[str, Mapping[str, FloatArray]], q: FloatArray) -> Figure:
     """Figure 14: restoring force, damping and both ∂C/∂q by model; every curve is whole within its axes."""
-    units = curve_units("m", "V", squared=True, mass_known=True)
+    units = replace(JOINT, known_mass=1.0).curve_units
     shown = (("F", "F", "F"), ("d", "d", "d"), ("dC1_dq", "∂C₁/∂q", "dC"), ("dC2_dq", "∂C₂/∂q", "dC"))
     panels = tuple(
         Panel(title, units[unit], tuple(Line(model, model, q, own[key]) for model, own in curves.items()))

@@ -111,7 +111,7 @@ def _subtitle(data: RunData) -> str:
     for role in ("train", "validation"):
         logs = data.role(role)
         if logs:
-            length = sum(float(log.kinematics["t"][-1] - log.kinematics["t"][0]) for log in logs)
+            length = sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs)
             parts.append(f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, {short(length, 4)} s")
     return " · ".join([*parts, f"models {', '.join(data.model_names)}"])
 

@@ -10,7 +10,9 @@ from types import MappingProxyType
 from typing import Any, Literal, get_args
 
 import numpy as np
+import pyarrow as pa
 from numpy.typing import NDArray
+from pyarrow import csv, parquet
 
 from ..numerics.arrays import FloatArray
 from ..units.units import PLAIN
@@ -119,9 +121,6 @@ def _write_mdf(path: Path, t: FloatArray, channels: Channels) -> None:
 
 def _write_parquet(path: Path, t: FloatArray, channels: Channels) -> None:
     """A table with page checksums; units in the fields' metadata, samples in single precision."""
-    import pyarrow as pa
-    from pyarrow import parquet
-
     fields = [pa.field("time", pa.float64(), metadata={"unit": "s"})]
     columns = [pa.array(t)]
     for name, (samples, unit) in channels.items():
@@ -150,9 +149,6 @@ def _write_csv_german(path: Path, t: FloatArray, channels: Channels) -> None:
 
 def _csv_rows(t: FloatArray, channels: Channels, delimiter: str) -> bytes:
     """Rows with times to 0.1 µs and samples to four decimals; a NaN reads ``nan``."""
-    import pyarrow as pa
-    from pyarrow import csv
-
     names = [str(i) for i in range(len(channels) + 1)]
     columns = [np.round(t, 7), *(np.round(samples, 4) for samples, _ in channels.values())]
     sink = pa.BufferOutputStream()

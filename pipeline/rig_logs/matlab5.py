@@ -58,16 +58,16 @@ def open_log(path: Path, csv: CsvOptions, limits: Limits) -> MatSource:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of objects of the same name
-            found = loadmat(path, appendmat=False)
-        objects = _objects(path) if "None" in found else {}
+            loaded = loadmat(path, appendmat=False)
+        objects = _objects(path) if "None" in loaded else {}
     except MemoryError:
         raise
     except Exception as error:  # SciPy lets errors of many kinds through on damaged files
         raise UnreadableLogError(f"truncated or damaged (SciPy: {type(error).__name__}: {error})") from error
-    for name, value in found.items():
+    for name, value in loaded.items():
         if isinstance(value, str) and value.startswith("Read error"):
             raise UnreadableLogError(f"the variable {name!r} is damaged ({value})")
-    variables = {name: _value(value) for name, value in found.items() if not name.startswith("__") and name != "None"}
+    variables = {name: _value(value) for name, value in loaded.items() if not name.startswith("__") and name != "None"}
     return MatSource("v5", variables | objects, path)
 
 

@@ -260,11 +260,6 @@ class StudyPoint:
     errors: tuple[float, ...]
     refused: int
 
-    @property
-    def median(self) -> float | None:
-        """Median over the repeats fitted; None if all were refused."""
-        return float(np.median(self.errors)) if self.errors else None
-
 
 def amount_study(
     training: Sequence[Log],

@@ -98,12 +98,12 @@ def places_of_rest(
     plant : Device
         Its inputs, and whether it is the joint.
     """
-    found = rests(v, interval, shortest, plant=plant)
+    resting = rests(v, interval, shortest, plant=plant)
     span = signal_range(q)
     if plant.joint or not span:
-        return found
+        return resting
     memory = decorrelation_lag(q)
-    return [rest for rest in found if rest.stop - rest.start >= LEAST_SAMPLES and _stands(q[rest] / span, memory)]
+    return [rest for rest in resting if rest.stop - rest.start >= LEAST_SAMPLES and _stands(q[rest] / span, memory)]
 
 
 def _stands(q: FloatArray, memory: int) -> bool:

@@ -100,7 +100,7 @@ def differentiate(
     if order not in (1, 2, 3, 4):
         raise InputError(f"order is {order!r}: use 1, 2, 3 or 4")
     if samples.size <= order + 2 or np.ptp(samples) == 0.0:
-        return _read_off(samples, dt, SmoothingParameter(0.0, 0.0, 0.0, 0.0, settled=True))
+        return _read_off(samples, dt, SmoothingParameter(0.0, 0.0, 0.0, settled=True))
     if method != "tvregdiff":
         return _savitzky_golay(samples, dt, smoothing_parameter(samples, dt, 2))
     if alpha is None or epsilon is None:
@@ -108,7 +108,7 @@ def differentiate(
             raise InputError("alpha and epsilon belong together: both carry the unit of the samples")
         parameter = smoothing_parameter(samples, dt, order, reweighted=order > 1)
     else:
-        parameter = SmoothingParameter(alpha, epsilon, noise_std(samples), 0.0, settled=True)
+        parameter = SmoothingParameter(alpha, epsilon, noise_std(samples), settled=True)
     return _tvregdiff_twice(samples, dt, parameter) if order == 1 else _tvregdiff(samples, dt, parameter, order)
 
 

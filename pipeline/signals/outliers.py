@@ -360,12 +360,12 @@ def trusted(
     """
     time, samples = q
     bounds = lost_bounds(q, inputs, quality, step) if lost and not quality.constant else (-np.inf, np.inf)
-    kept = _within(samples, bounds)
-    found = dropouts((time, kept), inputs, quality, step) if lost and inert else NONE
-    kept = _without(kept, found.spans)
-    if kept is not samples:  # their values do not describe the motion
+    measured = _within(samples, bounds)
+    dropouts_of_q = dropouts((time, measured), inputs, quality, step) if lost and inert else NONE
+    measured = _without(measured, dropouts_of_q.spans)
+    if measured is not samples:  # their values do not describe the motion
         as_measured = {key: getattr(quality, key) for key in ("n", "not_finite", "lost", "not_finite_at")}
-        quality = replace(examine_signal(time, kept, step), **as_measured)
+        quality = replace(examine_signal(time, measured, step), **as_measured)
     at = quality.rails if rails else ()
     noise = quality.noise if spikes and quality.spikes else 0.0
     counts = np.zeros(3, dtype=np.int64)
@@ -374,7 +374,7 @@ def trusted(
         """The samples with NaN, chunk by chunk; what is left out is counted beside."""
         for rows in chunks(samples.size):
             first = max(rows.start - BESIDE_SPIKE, 0)
-            part = kept[first : rows.stop + BESIDE_SPIKE]
+            part = measured[first : rows.stop + BESIDE_SPIKE]
             own = slice(rows.start - first, rows.stop - first)
             at_rail = np.zeros(part.size, dtype=np.bool_)
             for low, high in at:
@@ -384,9 +384,9 @@ def trusted(
             counts[:] += [np.count_nonzero(each) for each in (at_rail[own], missed, spiked[own])]
             yield np.where((at_rail | spiked)[own], np.nan, part[own])
 
-    masked = column(samples.size, parts(), np.float64) if at or noise or kept is not samples else samples
+    masked = column(samples.size, parts(), np.float64) if at or noise or measured is not samples else samples
     rail, lost_target, spike = counts.tolist()
-    return Trusted(masked, (rail, lost_target, spike), at, bounds, quality, found)
+    return Trusted(masked, (rail, lost_target, spike), at, bounds, quality, dropouts_of_q)
 
 
 def _within(samples: FloatArray, bounds: tuple[float, float]) -> FloatArray:

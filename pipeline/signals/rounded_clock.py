@@ -68,8 +68,8 @@ def uniform_clock(time: FloatArray) -> UniformClock | None:
         limit = default_gap_limit(nominal_step(stamps))
     except DataRefusedError:  # it never advances
         return None
-    found = _resolutions(stamps, limit)
-    for lossy, (half, fuzz) in found.items():
+    resolutions = _resolutions(stamps, limit)
+    for lossy, (half, fuzz) in resolutions.items():
         count = _counts(stamps, usable, limit) if lossy else _rows(usable)
         lines = _lines(stamps, count, half, fuzz, _parts(stamps, limit))
         if lines:
@@ -100,18 +100,18 @@ def _resolutions(stamps: FloatArray, limit: float) -> dict[bool, tuple[FloatArra
         middle = np.nanmedian(np.where(np.isnan(single).all(axis=1, keepdims=True), 0.0, single), axis=1, keepdims=True)
         for lossy, own in ((False, near), (True, np.where(single <= ONE_LOST * middle + rounding, single, np.nan))):
             seen[lossy].append(_lattice(own, rounding))
-    found = {}
+    resolutions = {}
     for lossy, parts in seen.items():
         step, missed, odd = (np.concatenate(each) for each in zip(*parts, strict=True))
-        known = np.flatnonzero(step)
+        with_step = np.flatnonzero(step)
         count = int(odd.sum())
         # So likely are that many random places all as evenly spread as those of odd steps: count!/count**count.
-        if known.size and math.lgamma(count + 1) - count * math.log(max(count, 1)) < math.log(CHANCE):
-            finest = np.minimum.accumulate(step[known][::-1])[::-1]
-            of_blocks = finest[np.minimum(np.searchsorted(known, np.arange(step.size)), known.size - 1)]
+        if with_step.size and math.lgamma(count + 1) - count * math.log(max(count, 1)) < math.log(CHANCE):
+            finest = np.minimum.accumulate(step[with_step][::-1])[::-1]
+            of_blocks = finest[np.minimum(np.searchsorted(with_step, np.arange(step.size)), with_step.size - 1)]
             behind = np.append(of_blocks[1:], of_blocks[-1])  # the lattice may widen within a block
-            found[lossy] = 0.5 * np.maximum(of_blocks, behind), float(missed.max()) + rounding
-    return found
+            resolutions[lossy] = 0.5 * np.maximum(of_blocks, behind), float(missed.max()) + rounding
+    return resolutions
 
 
 def _lattice(steps: FloatArray, rounding: float) -> tuple[FloatArray, FloatArray, FloatArray]:

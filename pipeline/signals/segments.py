@@ -163,7 +163,7 @@ def finite_segments(
             shared[-1][1].append(j)
         else:
             shared.append((valid, [j]))
-    found = []
+    groups = []
     for valid, members in shared:
         if not valid.any():
             raise DataRefusedError(f"{names[members[0]]} holds no finite sample at all: no sensor, or another channel")
@@ -173,8 +173,8 @@ def finite_segments(
         picked = tuple(select(columns[j], valid) for j in members)
         kinds = tuple(smooth[j] for j in members)
         missed = tuple(not_finite[j] for j in members)
-        found.append(Segments(stamps, picked, kinds, bounds, edges, rows.step, missed))
-    return found
+        groups.append(Segments(stamps, picked, kinds, bounds, edges, rows.step, missed))
+    return groups
 
 
 def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:

@@ -63,8 +63,6 @@ class SmoothingParameter:
         Rounding of the modulus [(signal/s^m)²].
     noise_std : float
         Estimated standard deviation sigma of the noise [signal].
-    effective_parameters : float
-        Number gamma of increments that the data determine.
     settled : bool
         True if the scale of the increments stopped changing.
     weights : FloatArray, shape (N,), optional
@@ -74,7 +72,6 @@ class SmoothingParameter:
     alpha: float
     epsilon: float
     noise_std: float
-    effective_parameters: float
     settled: bool
     weights: FloatArray | None = None
 
@@ -135,7 +132,6 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
         alpha=problem.lam * dt**order,
         epsilon=(problem.delta / dt**order) ** 2,
         noise_std=sigma,
-        effective_parameters=determined,
         settled=settled,
         weights=weights if reweighted else None,
     )

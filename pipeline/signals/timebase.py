@@ -18,12 +18,13 @@ ONE_LOST = 1.5
 LOCATED = 20
 """Most gaps, repetitions or reversals that are located; all are counted."""
 _UNIFORM = 1e-3
+"""Share of a step by which the steps of a uniform time base may differ, and rounding."""
 
 
-def is_uniform(t: FloatArray, tolerance: float = _UNIFORM) -> bool:
-    """True if time stamps, shape (N,), rise in steps that differ by at most this share of a step (and rounding)."""
+def is_uniform(t: FloatArray) -> bool:
+    """True if time stamps, shape (N,), rise in equal steps."""
     steps = np.diff(t)
-    return bool(steps.min() > 0.0 and np.ptp(steps) <= tolerance * steps.mean() + 4 * np.spacing(np.abs(t).max()))
+    return bool(steps.min() > 0.0 and np.ptp(steps) <= _UNIFORM * steps.mean() + 4 * np.spacing(np.abs(t).max()))
 
 
 @dataclass(frozen=True)
@@ -83,11 +84,6 @@ class TimeQuality:
         """True if time goes on from 59 to 100 at each gap, as numbers written ``hhmmss`` do."""
         jumps = ((begin % 100.0, (end - begin) % 100.0) for begin, end in self.gaps_at)
         return bool(self.gaps_at) and all(begin >= 59.0 and abs(jump - 40.0) < 1.0 for begin, jump in jumps)
-
-    @property
-    def regular(self) -> bool:
-        """True if nothing but the stamps' spacing may be remarked on."""
-        return not (self.not_finite or self.repeated or self.backward or self.gaps)
 
 
 def nominal_step(time: FloatArray) -> float:

@@ -6,9 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
 
 from ..errors import CorruptArtifactError, memory_failure
 from ..system.plain_files import open_plain
+from .arrow_columns import from_numpy, to_numpy
 from .atomic import atomic_path, reading
 from .columns import SCHEMA_VERSION
 from .hashing import ColumnDigest, digests_hash
@@ -64,10 +67,6 @@ def write_pieces(
     pieces : iterable of mapping of str to array-like
         Consecutive rows of all columns.
     """
-    import pyarrow.parquet as pq
-
-    from .arrow_columns import to_numpy
-
     columns = _arrow_schema(schema, note or {})
     digests = {column.key: ColumnDigest() for column in schema.columns}
     with (
@@ -88,7 +87,6 @@ def write_pieces(
 
 
 def _arrow_schema(schema: Schema, note: Mapping[str, str]) -> Any:
-    import pyarrow as pa
 
     kinds = {
         "float64": pa.float64(),
@@ -106,10 +104,6 @@ def _arrow_schema(schema: Schema, note: Mapping[str, str]) -> Any:
 
 def _row_groups(columns: Any, pieces: Iterable[Mapping[str, Any]]) -> Iterator[Any]:
     """The pieces as tables of exactly one row group each, but the last."""
-    import pyarrow as pa
-
-    from .arrow_columns import from_numpy
-
     waiting: list[Any] = []
     held = 0
     for piece in pieces:
@@ -145,8 +139,6 @@ def read_buffer(path: Path) -> Any:
     Arrow's threads must hold nothing of Python's: one that lets go of it while the interpreter is taken down aborts
     the process. And Arrow's own files say of what failed that it failed, and not why.
     """
-    import pyarrow as pa
-
     with open_plain(path) as stream:
         size = os.fstat(stream.fileno()).st_size
         content = pa.allocate_buffer(size)
@@ -165,11 +157,6 @@ def parse_table(content: Any, path: Path) -> Table:
     CorruptArtifactError
         It is damaged or no Parquet file.
     """
-    import pyarrow as pa
-    import pyarrow.parquet as pq
-
-    from .arrow_columns import to_numpy
-
     try:
         # pq.read_table would load pyarrow.dataset and with it pandas: half a second.
         with pq.ParquetFile(pa.BufferReader(content), page_checksum_verification=True) as file:

@@ -10,6 +10,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any
 
+import h5py
 import numpy as np
 
 from ..errors import CorruptArtifactError, memory_failure
@@ -64,8 +65,6 @@ def write_tree(
 
 def _laid_out(tree: Mapping[str, Any], columns: Columns | None) -> bytes:
     """The bytes of the file."""
-    import h5py
-
     content = BytesIO()  # HDF5's own image of a file is damaged in versions before 2.0
     with h5py.File(content, "w", libver="v110") as file:
         for path, value in flatten(tree):
@@ -116,8 +115,6 @@ def parse_tree(content: bytes, path: Path, group: str = "/") -> Tree:
 
 
 def _parsed(content: bytes, group: str) -> Tree:
-    import h5py
-
     with h5py.File(BytesIO(content), "r") as file:
         return _Reader(len(content)).group(file[group].id)
 
@@ -135,8 +132,6 @@ class _Reader:
 
     def group(self, group: Any) -> Tree:
         """Tree below a group."""
-        import h5py
-
         tree: Tree = {}
         for name in group:
             self._entries -= 1
@@ -150,8 +145,6 @@ class _Reader:
         return tree
 
     def _dataset(self, dataset: Any, name: str) -> Any:
-        import h5py
-
         self._check(dataset, name)
         if h5py.check_string_dtype(dataset.dtype) is not None:
             return self._texts(dataset, name)
@@ -160,8 +153,6 @@ class _Reader:
 
     def _check(self, dataset: Any, name: str) -> None:
         """Make sure that the samples are in this file, and as many as it declares."""
-        import h5py
-
         layout = dataset.id.get_create_plist()
         if layout.get_layout() == h5py.h5d.VIRTUAL or layout.get_external_count():
             raise ValueError(f"{name!r} lies in other files")

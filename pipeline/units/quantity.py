@@ -154,8 +154,8 @@ def grouped(number: int) -> str:
     return f"{number:,}".replace(",", "\u202f")
 
 
-def interval(value: float | None, low: float, high: float, unit: str, like: float = 0.0) -> tuple[str, str]:
-    """A value and the limits of its interval in one unit, that of `like` if it is larger.
+def interval(value: float | None, low: float, high: float, unit: str) -> tuple[str, str]:
+    """A value and the limits of its interval in one unit.
 
     Two digits of half the interval are shown, but no more than five of the numbers.
 
@@ -167,10 +167,8 @@ def interval(value: float | None, low: float, high: float, unit: str, like: floa
         Ends of its interval, in SI.
     unit : str
         Their SI unit.
-    like : float
-        Magnitude [SI] whose prefix they take.
     """
-    largest = max(abs(low), abs(high), abs(value or 0.0), abs(like))
+    largest = max(abs(low), abs(high), abs(value or 0.0))
     shown, factor = scale(unit, largest)
     half = (high - low) / 2.0 * factor
     if not (math.isfinite(half) and half > 0.0):

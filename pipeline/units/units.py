@@ -239,31 +239,6 @@ def signal_units(displacement: str) -> dict[str, str]:
     return {"q": displacement, "phi": "rad", "qdot": f"{displacement}/s", "qddot": f"{displacement}/s²"}
 
 
-def curve_units(displacement: str, voltage: str, *, squared: bool, mass_known: bool) -> dict[str, str]:
-    """SI units of characteristic curves: restoring force ``F``, damping ``d``, an input's ``g``, and ``dC`` = 2 g.
-
-    Parameters
-    ----------
-    displacement, voltage : str
-        Symbols of the displacement and of the input.
-    squared : bool
-        True if the input acts by its square; g of a squared voltage is half the slope of a capacitance.
-    mass_known : bool
-        True if a mass (or inertia) was given; without one, and where the displacement is that of an electronic device,
-        curves are per unit mass.
-    """
-    symbol = f"({voltage})" if "/" in voltage or "·" in voltage else voltage
-    power = f"{symbol}²" if squared else symbol
-    if not mass_known or displacement not in ("m", "rad"):
-        force = f"{displacement}/s²"
-        gain = force if voltage == "1" else f"{displacement}/(s²·{power})"
-        return {"F": force, "d": "1/s", "dC": gain, "g": gain}
-    force = "N" if displacement == "m" else "N·m"
-    gain = force if voltage == "1" else f"{force}/{power}"
-    slope = f"F/{displacement}" if squared and voltage == "V" else gain
-    return {"F": force, "d": f"{force}·s/{displacement}", "dC": slope, "g": gain}
-
-
 def column_suffix(symbol: str) -> str:
     """A unit as the end of a column's name: ``N·s/m`` → ``N_s_per_m``, ``m/(s²·V²)`` → ``m_per_s2_V2``."""
     plain = symbol.replace(")²", ")_squared").replace("/", "_per_").replace("·", "_")

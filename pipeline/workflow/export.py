@@ -170,8 +170,8 @@ def _recorded_parameters(run: RunFolder, name: str) -> str:
         raise InputError(
             f"{name}: no result of the run was made with this parameter set; `debist run` makes them first"
         )
-    known = isinstance(values, Mapping) and all(isinstance(values.get(key), float | int) for key in VECTOR_NAMES)
-    if not known:
+    complete = isinstance(values, Mapping) and all(isinstance(values.get(key), float | int) for key in VECTOR_NAMES)
+    if not complete:
         raise CorruptArtifactError(f"{run.root}: its recipes hold no values of {name}; run it again")
     return parameter_file(NOMINAL.with_values({key: float(values[key]) for key in VECTOR_NAMES}))
 

@@ -168,8 +168,6 @@ class LogExcitation:
         Interval [s] of the samples that were counted.
     factor, unit : float, str
         Scale and unit in which q is shown: `factor` × SI.
-    si : (str, str)
-        SI units of q and of the inputs.
     plant : Device
         Its inputs, and whether it is the joint.
     """
@@ -181,7 +179,6 @@ class LogExcitation:
     interval: float
     factor: float
     unit: str
-    si: tuple[str, str]
     plant: Device
 
     @property
@@ -231,8 +228,7 @@ def _excitation(log: Path, prototype: Prototype, parameters: JointParameters | N
     unit, factor = scale(plant.displacement.symbol, float(np.nanmax(np.abs(record.q))))
     names = tuple(channel.channel for channel in prototype.channels.inputs)
     lacking = shortfalls(excitation, names, factor, unit, plant=plant)
-    si = plant.displacement.symbol, plant.inputs[0].symbol
-    return LogExcitation(excitation, names, False, lacking, ingest.sample_interval, factor, unit, si, plant)
+    return LogExcitation(excitation, names, False, lacking, ingest.sample_interval, factor, unit, plant)
 
 
 def _supposed(inspection: Inspection) -> Prototype:

@@ -14,7 +14,7 @@ from ..system.package import full_name  # noqa: E402
 
 _ROOMS = ("numerics", "generated", "signals", "store", "rig_logs", "scoring", "fitting", "models", "diagnostics")
 _WITHIN_FUNCTIONS = (
-    "pyarrow.parquet", "h5py", "scipy.signal", "scipy.optimize", "scipy.interpolate", "multiprocessing.popen_fork",
+    "scipy.signal", "scipy.optimize", "scipy.interpolate", "multiprocessing.popen_fork",
     full_name("workflow.run"), full_name("commands.outcome"), full_name("reporting.log_figures"),
 )  # fmt: skip
 """Rooms that a run uses, and what they import within functions."""

@@ -6,13 +6,14 @@ Stage `ingest` writes both into the run, in SI units.
 import csv
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ..device.device import Device, device
+from ..device.device import JOINT, Device, device
 from ..device.parameters import JointParameters
 from ..errors import CorruptArtifactError, InputError
 from ..fitting.population import NormalPopulation
@@ -24,7 +25,7 @@ from ..store.run_folder import RunFolder, Written
 from ..store.schemas import Schema
 from ..store.trees import read_tree
 from ..system.plain_files import LARGEST_SETTINGS, read_plain
-from ..units.units import curve_units, to_si
+from ..units.units import to_si
 from .engine import Task
 from .steps.identify import PriorKnowledge
 
@@ -50,10 +51,9 @@ def named_curves(prototype: Prototype) -> list[tuple[str, str]]:
 
 def column_units(plant: Device) -> dict[str, tuple[str, ...]]:
     """Allowed units of each column, in SI."""
-    displacement = plant.displacement.symbol
-    units = curve_units(displacement, "V", squared=True, mass_known=True)
+    units = replace(JOINT, displacement=plant.displacement, known_mass=1.0).curve_units
     slope = (units["dC"],)
-    return {"q": (displacement,), "F": (units["F"],), "d": (units["d"],), "dC1_dq": slope, "dC2_dq": slope}
+    return {"q": (plant.displacement.symbol,), "F": (units["F"],), "d": (units["d"],), "dC1_dq": slope, "dC2_dq": slope}
 
 
 def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:

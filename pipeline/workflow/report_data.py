@@ -15,6 +15,7 @@ from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
 from ..settings.logs import LogPart, Role
 from ..settings.prototype import Prototype
+from ..signals.log import log_of
 from ..store import layout, schemas
 from ..store.columns import StudyName
 from ..store.manifest import TIMES
@@ -26,7 +27,13 @@ from .run_models import identified_models
 from .steps.identify import CHOICE, IDENTIFIED
 
 
-def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> RunData:
+def read_run(
+    run: RunFolder,
+    prototype: Prototype,
+    models: Sequence[str],
+    studies: Sequence[StudyName] = (),
+    control: Sequence[str] = (),
+) -> RunData:
     """Read logs, free runs, models and scores, every artifact checked against the manifest.
 
     Parameters
@@ -39,6 +46,8 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         Models that are shown, the main model first.
     studies : sequence of str
         Studies that are shown.
+    control : sequence of str
+        Titles of the control documents that are shown.
     """
     plant = device(prototype)
     loaded, unreadable = _models(run, prototype, models)
@@ -58,6 +67,7 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         measured_curves=measured_curves(run, prototype),
         siblings=shown_siblings(run, prototype),
         instruments=_instruments(run),
+        control={title: run.read_document(layout.control(title)) for title in control},
     )
 
 
@@ -149,7 +159,6 @@ def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
 
 
 def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
-    kinematics = run.read_table(layout.kinematics(role, name))
     made = {m: layout.predictions(role, name, m) for m in models}
     made = {m: artifact for m, artifact in made.items() if artifact in run.manifest.artifacts}
     return LogData(
@@ -157,7 +166,7 @@ def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: s
         name=name,
         source=source,
         record=run.read_table(layout.record(role, name)),
-        kinematics=kinematics,
+        motion=log_of(run.read_table(layout.kinematics(role, name))),
         predictions={m: run.read_table(artifact) for m, artifact in made.items()},
         outcomes={m: run.record(artifact).notes for m, artifact in made.items()},
         record_notes=run.record(layout.record(role, name)).notes,

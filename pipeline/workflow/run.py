@@ -212,7 +212,7 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
         run = RunFolder.open(root)
         _strike_lost(run, observer)
         models = () if stage == "compare" else validate.scored_models(run, run.prototype)
-        planned = _as_stored(run, models, figures)
+        planned = Planned(run, run.prototype, Path(run.manifest.prototype_file), models, figures)
         beside = next(row.with_it for row in STAGES if row.name == stage)
         selected = list(tasks_of(of_stages(plan(planned), (stage, *beside))))
         if edits := edited(run):
@@ -314,8 +314,3 @@ def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], st
         except DebistError as error:
             statuses.append((root, [], str(error)))
     return statuses
-
-
-def _as_stored(run: RunFolder, models: tuple[str, ...] = (), typeface: Typeface | None = None) -> Planned:
-    """A run by the settings that it holds."""
-    return Planned(run, run.prototype, Path(run.manifest.prototype_file), models, typeface)

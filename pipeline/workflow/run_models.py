@@ -130,7 +130,7 @@ def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None
 def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
     """A model of the run, the main model if none is named, and what travels along with it."""
     chosen, artifact = model_artifact(run, prototype, name)
-    model = load_run_model(run, prototype, chosen)
+    model = model_from_tree(chosen, run.read_tree(artifact, chosen))
     check = _check_log(run, prototype)
     logs = load_logs(run, prototype, "train")
     return subject_on(check, model, prototype, logs, chosen, run.record(artifact).content_hash)

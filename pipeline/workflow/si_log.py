@@ -75,8 +75,8 @@ def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | 
         )
     velocity = log.velocity
     if velocity is not None:
-        known = np.isfinite(time) & np.isfinite(phi)
-        at = np.interp(velocity[0], time[known], phi[known])
+        measured = np.isfinite(time) & np.isfinite(phi)
+        at = np.interp(velocity[0], time[measured], phi[measured])
         velocity = velocity[0], velocity[1] * displacement_of_rotation(at, parameters)[1]
 
     def displacement() -> Iterator[FloatArray]:
@@ -196,9 +196,7 @@ def _clocks_unnamed(recording: Recording, prototype: Prototype) -> list[str]:
     return [name for name in recording.listed if is_called("time", name) or stated_rate(name, 1.0) is not None]
 
 
-def _si_log(
-    recording: Recording, prototype: Prototype, plant: Device, clocks: Mapping[str, str] | None = None
-) -> RawLog:
+def _si_log(recording: Recording, prototype: Prototype, plant: Device, clocks: Mapping[str, str]) -> RawLog:
     channels = prototype.channels
     signals = [(channels.q, plant.logged), *zip(channels.inputs, plant.inputs, strict=True)]
     names = ["q", *(f"v{i}" for i in range(1, len(signals)))]
@@ -208,7 +206,7 @@ def _si_log(
     notes = list(recording.warnings)
     columns = [_si(recording, channel, unit, name, notes) for (channel, unit), name in zip(signals, names, strict=True)]
     bases = _bases(
-        recording, dict(zip(names, (channel for channel, _ in signals), strict=True)), prototype, clocks or {}, notes
+        recording, dict(zip(names, (channel for channel, _ in signals), strict=True)), prototype, clocks, notes
     )
     notes += _contradicted_rates(recording, channels.q.channel, bases[0], prototype)
     if prototype.ingest.time_reversal == "unwrap":

@@ -6,8 +6,6 @@ from dataclasses import asdict
 from functools import partial
 from typing import Any, get_args
 
-import numpy as np
-
 from ..device.device import device
 from ..diagnostics.check import check_logs, check_rows, refusing, remarks
 from ..diagnostics.copies import shared_findings, shared_recordings
@@ -51,7 +49,6 @@ def tasks(prototype: Prototype) -> list[Task]:
 
 
 def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
-
     findings = examine(run, prototype)
     accepted = assess(findings, prototype)
     document = {"rows": [asdict(row) for row in check_rows(findings)], "accepted": accepted}
@@ -93,10 +90,9 @@ def signals(run: RunFolder, prototype: Prototype) -> list[LogSignals]:
 
 def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> LogSignals:
     """A uniform record as the checks take it, with what was noted when it was ingested."""
-    q = np.where(table["segment"] < 0, np.nan, table["q"])
     sketch = tuple((int(value), float(stamp)) for value, stamp in notes.get("sketch", ()))
     facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"), notes.get("held", 1), sketch)
-    return LogSignals(name, table["t"], q, voltages(table), *facts)
+    return LogSignals(name, table["t"], table["q"], voltages(table), *facts)
 
 
 def assess(findings: list[Finding], prototype: Prototype) -> list[str]:

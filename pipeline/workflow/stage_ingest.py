@@ -146,21 +146,17 @@ DIFFERENTIATE_ALGORITHM = "7"
 def differentiate_tasks(prototype: Prototype) -> list[Task]:
     """One task per log."""
     return [
-        _differentiate_task(prototype, role, log, log_title(role, true_name(path)))
+        Task(
+            stage="differentiate",
+            title=log_title(role, true_name(path)),
+            algorithm=DIFFERENTIATE_ALGORITHM,
+            settings={"differentiate": prototype.differentiate.model_dump(mode="json")},
+            inputs=(layout.record(role, log), layout.signals(role, log)),
+            outputs=(layout.kinematics(role, log),),
+            work=partial(_differentiate, prototype=prototype, role=role, log=log),
+        )
         for role, log, path in layout.logs(prototype)
     ]
-
-
-def _differentiate_task(prototype: Prototype, role: Role, log: str, title: str) -> Task:
-    return Task(
-        stage="differentiate",
-        title=title,
-        algorithm=DIFFERENTIATE_ALGORITHM,
-        settings={"differentiate": prototype.differentiate.model_dump(mode="json")},
-        inputs=(layout.record(role, log), layout.signals(role, log)),
-        outputs=(layout.kinematics(role, log),),
-        work=partial(_differentiate, prototype=prototype, role=role, log=log),
-    )
 
 
 def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Mapping[str, Written]:

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -142,8 +142,7 @@ def prepare(
     """
     from ..reporting.run_report import figures_of
 
-    data = read_run(run, prototype, models, studies)
-    data = replace(data, control={title: run.read_document(layout.control(title)) for title in control})
+    data = read_run(run, prototype, models, studies, control)
     sheet = make_datasheet(data)
     return Prepared(data, sheet, figures_of(data, sheet))
 

@@ -182,8 +182,6 @@ def _wells(
     run: RunFolder, logs: Sequence[Log], plant: Device, log: tuple[Role, str], models: Sequence[str]
 ) -> Wells | NoWells:
     """The wells in the data, unless the first of these models with curves has no two wells, as its notes state."""
-    from ..diagnostics.characteristics import believed_wells
-
     rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
     judge = next((model for model in models if rests[model] is not None), models[0])
     return believed_wells(wells_of(logs, plant=plant), judge, rests[judge], plant=plant)

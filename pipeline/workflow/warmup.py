@@ -87,6 +87,7 @@ def _network() -> None:
     from ..models.rbf.coefficients import Coefficients, basis_rows, no_sensitivities
     from ..models.rbf.dynamics import slid
     from ..models.rbf.observed_run import Coupling, Drive, observed_run
+    from ..models.rbf.structure import drive_at_nodes
 
     x = np.zeros(2)
     u = np.zeros((3, 2))
@@ -98,6 +99,7 @@ def _network() -> None:
     drive = Drive(u, np.zeros((0, 3, 2)), np.zeros(2), False)
     coupling = Coupling(x, x, 0.0)
     observed_run(joint, drive, coupling, (0.0, 0.0), _DT, 1, no_sensitivities())
+    drive_at_nodes(np.zeros((2, 1, 1)), _DT, 1, "record")
     basis_rows(x, joint)
     slid(x, 1.0)
 

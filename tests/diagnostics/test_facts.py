@@ -33,9 +33,9 @@ FORCE = K * (Q**2 - WELL**2) * Q
 HIGHEST_FORCE = 2.0 * K * WELL**3 / (3.0 * np.sqrt(3.0))  # at q = a/√3
 
 
-def _curves(*, squared: bool = True) -> Curves:
+def _curves() -> Curves:
     pushes = np.array([np.full_like(Q, PUSH), np.full_like(Q, -PUSH)])
-    return Curves(Q, FORCE, np.full_like(Q, DAMPING), pushes, squared)
+    return Curves(Q, FORCE, np.full_like(Q, DAMPING), pushes)
 
 
 def test_facts_of_a_quartic_double_well() -> None:
@@ -55,7 +55,7 @@ def test_asymmetries_are_those_of_a_tilted_double_well() -> None:
     left, saddle, right = -0.010, 0.002, 0.013
     force = 1e3 * np.polynomial.Polynomial.fromroots([left, saddle, right])
     at_left, top, at_right = force.integ()(np.array([left, saddle, right]))
-    facts = device_facts(Curves(Q, force(Q), None, np.zeros((0, Q.size)), True), plant=JOINT)
+    facts = device_facts(Curves(Q, force(Q), None, np.zeros((0, Q.size))), plant=JOINT)
     assert facts["barrier_left"] == pytest.approx(top - at_left, rel=1e-4)
     assert facts["barrier_right"] == pytest.approx(top - at_right, rel=1e-4)
     assert facts["asymmetry_wells"] == pytest.approx((left + right) / (right - left), rel=1e-4)
@@ -64,7 +64,7 @@ def test_asymmetries_are_those_of_a_tilted_double_well() -> None:
 
 
 def test_a_linear_input_switches_both_ways_with_its_sign() -> None:
-    facts = device_facts(_curves(squared=False), plant=JOINT)
+    facts = device_facts(_curves(), plant=JOINT.under_other_action)
     assert facts["switch_v1_to_right"] == pytest.approx(HIGHEST_FORCE / PUSH, rel=1e-5)
     assert facts["switch_v1_to_left"] == pytest.approx(-HIGHEST_FORCE / PUSH, rel=1e-5)
 
@@ -108,8 +108,7 @@ def test_switches_and_snaps_are_found_where_they_are() -> None:
 
 def test_measured_rests_and_rings_are_those_of_the_truth() -> None:
     log = run_data().logs[0]
-    v = np.column_stack([log.kinematics["v1"], log.kinematics["v2"]])
-    rests = rest_facts([(log.kinematics["t"], log.kinematics["q"], v)], Wells(-WELL, WELL, 0.0), plant=JOINT)
+    rests = rest_facts([(log.motion.t, log.motion.q, log.motion.v)], Wells(-WELL, WELL, 0.0), plant=JOINT)
     natural = np.sqrt(STIFFNESS / MASS) / (2.0 * np.pi)
     assert len(rests.left) > 3
     assert len(rests.right) > 3
@@ -133,10 +132,9 @@ def test_the_datasheet_knows_the_truth_and_its_uncertainty() -> None:
 def test_rests_that_have_not_settled_are_judged_by_those_of_a_free_run_not_by_the_wells() -> None:
     def graded(*, followed: bool) -> str:
         def crept(log: LogData) -> LogData:
-            k = log.kinematics
-            q = k["q"] + np.where((k["v1"] > 0.0) | (k["v2"] > 0.0), 0.0, 0.3 * WELL)
+            q = log.motion.q + np.where((log.motion.v > 0.0).any(axis=1), 0.0, 0.3 * WELL)
             predictions = {m: {**run, "q": q if followed else run["q"]} for m, run in log.predictions.items()}
-            return replace(log, kinematics={**k, "q": q}, predictions=predictions)
+            return replace(log, motion=replace(log.motion, q=q), predictions=predictions)
 
         data = run_data()
         checks = make_datasheet(replace(data, logs=tuple(crept(log) for log in data.logs))).checks
@@ -225,7 +223,7 @@ def test_hum_is_no_ring_down_where_it_is_aliased_to_either() -> None:
 
 def test_a_drawn_ring_down_is_that_of_its_own_spring_and_damper() -> None:
     """Against the closed form of a weakly damped vibration: ω = √(k/m), ζ = d/(2 √(k m))."""
-    own = _curves(squared=True)
+    own = _curves()
     draw = replace(own, force=1.04 * FORCE, damping=1.1 * np.full_like(Q, DAMPING))
 
     def closed(stiffness: float, damping: float) -> tuple[float, float]:

@@ -14,9 +14,9 @@ from tests.reporting.synthetic import run_data
 def _masked(share: float, **notes: float) -> Check:
     data, logs = run_data(), []
     for number, log in enumerate(data.logs):
-        segment = np.where(np.arange(len(log.kinematics["t"])) < share * len(log.kinematics["t"]), -1, 0)
+        valid = np.arange(len(log.motion.t)) >= share * len(log.motion.t)
         said = {"raw_step": 1e-4} | (notes if number else {})
-        logs.append(replace(log, kinematics={**log.kinematics, "segment": segment}, record_notes=said))
+        logs.append(replace(log, motion=replace(log.motion, valid=valid), record_notes=said))
     checks = data_checks(replace(data, logs=tuple(logs)), NoWells("not looked for"))
     return next(check for check in checks if check.name == "masked")
 

@@ -8,6 +8,7 @@ import pytest
 from pipeline.diagnostics.data_quality import data_checks
 from pipeline.diagnostics.run_data import LogData, RunData
 from pipeline.scoring.wells import NoWells
+from pipeline.signals.log import log_of
 from tests.reporting.synthetic import run_data
 
 SPAN, NOISE, INTERVAL = 0.02, 2e-6, 1e-3
@@ -21,7 +22,7 @@ def fast_run(raw_step: float) -> RunData:
     columns = {"t": t, "q": q, "v1": np.sin(t), "v2": np.zeros(t.size), "segment": np.zeros(t.size, dtype=np.int32)}
     free = {"t": t, "q": motion + 1e-4 * np.sin(2.0 * t), "qdot": 0.0 * t, "qddot": 0.0 * t}
     log = LogData(
-        "train", "fast", "fast.csv", columns, {**columns, "qdot": 0.0 * t, "qddot": 0.0 * t}, {"rbf": free},
+        "train", "fast", "fast.csv", columns, log_of({**columns, "qdot": 0.0 * t, "qddot": 0.0 * t}), {"rbf": free},
         {"rbf": {"status": "ok", "diverged_at_s": None}}, {"raw_step": raw_step}, {},
     )  # fmt: skip
     return replace(run_data(), logs=(log,))

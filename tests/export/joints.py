@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from pipeline.device.device import JOINT
 from pipeline.device.parameters import NOMINAL
 from pipeline.export.sources import c_sources
 from pipeline.export.subject import Subject, Validity, realise
@@ -25,7 +26,7 @@ from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes
 from pipeline.models.sindy.model import SindyModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.units.units import curve_units
+from pipeline.units.units import SiUnit
 
 COMPILER = shutil.which("gcc")
 OCTAVE = shutil.which("octave-cli")
@@ -173,7 +174,7 @@ def sindy() -> SindyModel:
     scales = np.array([0.022, 0.3, 0.03, 1.0, 1.0, 9e6, 9e6])
     lags = (Lag(QDOT, 0.02), Lag(FIRST_INPUT + 1, 0.05))
     dynamics = PolynomialDynamics(np.array(rows), coefficients, scales, lags, True, -0.1, 0.1)
-    return SindyModel.of(dynamics)
+    return SindyModel.of(dynamics, JOINT)
 
 
 def pulses(seconds: float, inputs: int = 2, peak: float = 3000.0) -> tuple[FloatArray, FloatArray]:
@@ -194,7 +195,7 @@ def subject(
     """A model with a log of pulses as its check."""
     t, v = pulses(seconds, inputs, peak)
     validity = Validity((-0.02, 0.02), (-0.3, 0.3), ((0.0, peak),) * inputs, INTERVAL, unit, ("V",) * inputs)
-    units = curve_units(unit, "V", squared=True, mass_known=True)
+    units = replace(JOINT, displacement=SiUnit(1.0, unit), known_mass=1.0).curve_units
     return Subject("demo-1", model.name, model, validity, "0" * 64, t, v, (-0.0105, 0.0), units)
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.models.base import FreeRun
 from pipeline.models.choose import main_model
 from pipeline.models.model_type import Training
@@ -15,7 +16,7 @@ T = 0.01 * np.arange(6000)
 Q = np.sin(3.0 * T) + 0.5 * np.sin(7.7 * T)
 STILL = np.zeros_like(T)
 LOG = Log(T, Q, np.gradient(Q, T), STILL, STILL[:, None], np.ones(T.size, dtype=bool))
-TRAINING = Training((), (LOG,), ("m", "V"), "linear", None, None, None, Identify())
+TRAINING = Training((), (LOG,), JOINT.under_other_action, None, None, Identify())
 
 
 @dataclass

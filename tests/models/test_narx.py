@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.models.narx import NARX, NarxModel, identify_narx
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
@@ -42,7 +43,7 @@ def motion(seed: int, samples: int = 2000) -> Log:
 
 @pytest.fixture(scope="module")
 def model() -> NarxModel:
-    return identify_narx([motion(1)])
+    return identify_narx([motion(1)], JOINT)
 
 
 def test_a_planted_equation_predicts_a_new_record_freely(model: NarxModel) -> None:

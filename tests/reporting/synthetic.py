@@ -17,6 +17,7 @@ from pipeline.numerics.metrics import nrmse
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.run_report import figures_of
 from pipeline.settings.prototype import Prototype
+from pipeline.signals.log import log_of
 
 WELL, MASS, STIFFNESS, DAMPING, PUSH = 0.012, 0.04, 12.0, 0.12, 3e-9  # m, kg, N/m at the wells, N s/m, N/V²
 SPREAD = 0.02  # of all curves together, as posterior
@@ -77,7 +78,7 @@ def log_data(role: str, name: str, seed: int, *, seconds: float = 30.0, gap: boo
         name=name,
         source=f"logs/{name}{HOSTILE}.csv",
         record=columns,
-        kinematics={**columns, "qdot": truth.qdot * known, "qddot": truth.qddot * known},
+        motion=log_of({**columns, "qdot": truth.qdot * known, "qddot": truth.qddot * known}),
         predictions={"rbf": {**free, "q": off}, "sindy": {**free, "q": diverged}},
         outcomes={
             "rbf": {"status": "ok", "diverged_at_s": None},
@@ -96,8 +97,8 @@ def log_data(role: str, name: str, seed: int, *, seconds: float = 30.0, gap: boo
 
 def scores(log: LogData) -> list[dict[str, Any]]:
     """Rows of the score table for q of both models."""
-    error = nrmse(log.kinematics["q"], log.predictions["rbf"]["q"])
-    common = {"log": log.name, "role": log.role, "signal": "q", "unit": "m", "n": len(log.kinematics["t"])}
+    error = nrmse(log.motion.q, log.predictions["rbf"]["q"])
+    common = {"log": log.name, "role": log.role, "signal": "q", "unit": "m", "n": len(log.motion.t)}
     limits = {"nrmse_low": None if error is None else 0.8 * error, "nrmse_high": None if error is None else 1.2 * error}
     good = {"nrmse": error, "rmse": 7e-5, "status": "ok", "diverged_at_s": None, "switch_accuracy": 1.0}
     bad = {"nrmse": None, "rmse": None, "status": "diverged", "diverged_at_s": 5.0, "switch_accuracy": 0.1}

@@ -23,7 +23,6 @@ from pipeline.reporting.fleet_report import LISTED, Summary, fleet_report, summa
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed
 from pipeline.reporting.plotted import page_chart
 from pipeline.reporting.run_report import figures_of, run_report
-from pipeline.signals.log import voltages
 from pipeline.units.quantity import axis_scale, quantity
 from tests.reporting.synthetic import HOSTILE, figures_of_one_log, run_data, run_figures, run_sheet, without_models
 
@@ -225,7 +224,7 @@ def test_no_motion_under_voltage_lies_over_the_basins() -> None:
     data = run_data()
     portrait = run_figures()["phase-portrait"]
     logs = (*data.role("validation"), *data.role("train"))
-    driven = [np.any(np.abs(voltages(log.kinematics)) > 300.0, axis=1) for log in logs]
+    driven = [np.any(np.abs(log.motion.v) > 300.0, axis=1) for log in logs]
     for line, acts in zip(portrait.panels[0].lines, driven, strict=True):
         assert np.isnan(line.x[acts]).all()
         assert np.isfinite(line.x).sum() > 100

@@ -54,7 +54,7 @@ def unreported(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
         free = dict(log.predictions["rbf"])
         for artifact, schema, columns, notes in (
             (layout.record(role, name), schemas.RECORD, log.record, log.record_notes),
-            (layout.kinematics(role, name), schemas.KINEMATICS, log.kinematics, log.kinematics_notes),
+            (layout.kinematics(role, name), schemas.KINEMATICS, log.record | vars(log.motion), log.kinematics_notes),
             (layout.predictions(role, name, "rbf-paper"), schemas.PREDICTIONS, free, log.outcomes["rbf"]),
         ):
             written[artifact] = folder.write_table(artifact, schemas.schema_of(schema, plant), columns, notes)

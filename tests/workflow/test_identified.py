@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.models.choose import Choice
 from pipeline.models.model_type import Training
 from pipeline.settings.prototype import Identify, parse_prototype
@@ -13,7 +14,7 @@ from pipeline.workflow.steps import identify
 
 CHANNELS = {key: {"channel": key, "unit": unit} for key, unit in (("q", "mm"), ("v1", "kV"), ("v2", "kV"))}
 PROTOTYPE = parse_prototype({"name": "P", "logs": {"train": ["a.csv"]}, "channels": CHANNELS}, "P.toml")
-WHOLE = Training((), (), ("m", "V"), "squared", None, None, None, Identify())
+WHOLE = Training((), (), JOINT, None, None, Identify())
 
 
 class Named:

@@ -388,7 +388,8 @@ def _report(levels: Sequence[Level], final: HomotopyFit, similarity: Similarity)
 
 
 def _fit(training: Training) -> HybridModel:
-    mass = training.known_mass
+    plant = training.device
+    mass = plant.known_mass
     corrections = training.identify.corrections
     if training.parameters is not None:
         own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
@@ -396,9 +397,9 @@ def _fit(training: Training) -> HybridModel:
             training.records, training.parameters, similarity=own, corrections=corrections, siblings=training.siblings,
             rotation=training.rotation,
         )  # fmt: skip
-    if (training.units, training.inputs, training.records[0].v.shape[1]) == (("rad", "V"), "squared", 2):
+    if plant.squared and plant.displacement.symbol == "rad" and plant.input_symbols == ("V", "V"):
         raise DataRefusedError(ANGLE_ALONE)
-    if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
+    if not (plant.squared and plant.displacement.symbol == "m" and len(plant.inputs) == 2):
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
     units = similar_joint(training.records, NOMINAL, mass)
     if isinstance(units, NoJoint):

@@ -449,8 +449,8 @@ def _fit(training: Training) -> RbfPaperModel:
         training.segments,
         basis_functions=training.identify.basis_functions,
         smoothing=training.identify.smoothing,
-        mass=training.mass,
-        inputs=training.inputs,
+        mass=training.device.mass,
+        inputs=training.device.action,
     )
 
 

@@ -60,23 +60,34 @@ class Coefficients(NamedTuple):
 
 
 class SensitivityParameters(NamedTuple):
-    """Parameters of the sensitivities, P entries each.
+    """Parameters of the sensitivities: P parameters in B blocks, one behind the other.
 
-    kind, first, second (P,) name the coefficient (curve row and basis column for `WEIGHT`, element for `RATE`, …);
-    factor (P,) is the derivative of a curve weight, of the inertia, of a stop's number or of the logarithm of a slip
-    length with respect to the parameter. Rates, slip forces and drag are taken by their logarithms.
+    Attributes
+    ----------
+    kind : IntArray, shape (B,)
+        Kind of coefficient that the parameters of a block move.
+    first : IntArray, shape (B,)
+        Curve of a block of `WEIGHT`; else the element, input shape or number of its first parameter.
+    column : IntArray, shape (B,)
+        Basis function of the first parameter of a block of `WEIGHT`.
+    start : IntArray, shape (B + 1,)
+        First parameter of each block, then P.
+    factor : FloatArray, shape (P,)
+        Derivative of a curve weight, of the inertia, of a stop's number or of the logarithm of a slip length by the
+        parameter. Rates, slip forces and drag are taken by their logarithms.
     """
 
     kind: IntArray
     first: IntArray
-    second: IntArray
+    column: IntArray
+    start: IntArray
     factor: FloatArray
 
 
 def no_sensitivities() -> SensitivityParameters:
     """Empty parameters for a simulation without sensitivities."""
     none = np.empty(0, dtype=np.int64)
-    return SensitivityParameters(none, none, none, np.empty(0))
+    return SensitivityParameters(none, none, none, np.zeros(1, dtype=np.int64), np.empty(0))
 
 
 @inlined

@@ -224,9 +224,11 @@ def slide(
     for n in range(len(slip)):
         length = c.slip_length[n]
         value, by_state, by_travel, by_length = _dahl_move((slip[n, 0], way, length))
-        for m in range(len(wrt.kind)):
+        for m in range(len(wrt.factor)):
             moved[n, 1 + m] = by_state * slip[n, 1 + m] + by_travel * (there[m] - here[m])
-            if wrt.kind[m] == SLIP_LENGTH and wrt.first[m] == n:
+        for block in range(len(wrt.kind)):
+            if wrt.kind[block] == SLIP_LENGTH:
+                m = wrt.start[block] + n
                 moved[n, 1 + m] += by_length * length * wrt.factor[m]
         moved[n, 0] = value
 

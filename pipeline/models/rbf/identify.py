@@ -273,9 +273,9 @@ def _decided(training: Training) -> RbfChoice:
 def _fit(training: Training) -> RbfModel:
     return identify_rbf(
         training.records,
-        mass=training.mass,
-        inputs=training.inputs,
-        angle=training.units[0] == "rad",
+        mass=training.device.mass,
+        inputs=training.device.action,
+        angle=training.device.displacement.symbol == "rad",
         choice=_decided(training),
         measured=training.known_curves,
         time_limit=training.identify.time_limit,

@@ -75,7 +75,7 @@ class Coupling(NamedTuple):
 
 def _begin(system, x, node):
     n = node // system.parts
-    parameters = len(system.wrt.kind)
+    parameters = len(system.wrt.factor)
     elements = len(system.c.rates)
     first = 2 + elements
     system.now[0], system.now[1] = node, system.observer[n]
@@ -101,7 +101,7 @@ def _rates(system, x, node, dx, acceleration):
     acceleration[0] = dx[1]
     dx[0] += 2.0 * gain * error
     dx[1] += gain * gain * error
-    if len(system.wrt.kind) > 0:
+    if len(system.wrt.factor) > 0:
         _carry(system, x, gain, dx)
         _force(system, x, acting, dx)
 
@@ -111,7 +111,7 @@ def _finish(system, x):
     slide(system.slip, x[0] - system.began[0], x[first:], system.began[1:], system.c, system.wrt, system.slip)
     if abs(x[0]) > WALL:
         x[0], x[1] = WALL if x[0] > 0.0 else -WALL, 0.0
-        for m in range(2 * len(system.wrt.kind)):
+        for m in range(2 * len(system.wrt.factor)):
             x[first + m] = 0.0
 
 
@@ -122,7 +122,7 @@ _integrate = integrator(ObservedJoint, lambda kind: Methods(_begin, _rates, _fin
 def _carry(system, x, gain, dx):
     """Rates of the sensitivities by the state."""
     c = system.c
-    parameters = len(system.wrt.kind)
+    parameters = len(system.wrt.factor)
     first = 2 + len(system.c.rates)
     by_x = system.by[0] - gain * gain
     by_p = system.by[1]
@@ -159,51 +159,81 @@ def _force(system, x, node, dx):
     """Add the explicit derivatives of the rates by the parameters to those of the sensitivities."""
     c = system.c
     wrt = system.wrt
-    u = system.u
     du = system.du
-    parameters = len(wrt.kind)
-    inputs = u.shape[1]
+    parameters = len(wrt.factor)
+    inputs = system.u.shape[1]
     elements = len(c.rates)
-    basis = system.basis
-    by_curve = system.by_curve
     values = system.values
     relaxing = system.relaxing
     by_push = system.by[2]
     k1 = dx[2 + elements + parameters :]
     own = dx[2 + elements + 2 * parameters :]  # rows of the elements
-    for m in range(parameters):
-        kind = wrt.kind[m]
-        i = wrt.first[m]
-        j = wrt.second[m]
+    for block in range(len(wrt.kind)):
+        kind = wrt.kind[block]
         if kind == WEIGHT:
-            weight = (_force_weight(system, j) if i == FORCE else basis[j]) * wrt.factor[m]
-            if i < INPUT + inputs + elements:
-                k1[m] += by_curve[i] * weight
-                if i >= INPUT + inputs:
-                    own[(i - INPUT - inputs) * parameters + m] += weight * x[1]
-                continue
-            n, k = divmod(i - INPUT - inputs - elements, 1 + inputs)
-            if k == 0:
-                own[n * parameters + m] -= weight * relaxing[LOAD, n]
-            else:
-                slope = system.slopes[j] * wrt.factor[m]
-                drive = u[node, k - 1]
-                k1[m] += by_push * drive * (values[INPUT + inputs + n] * weight + x[2 + n] * slope)
-                own[n * parameters + m] += relaxing[RATE_NOW, n] * drive * weight
-        elif kind == RATE:
-            own[i * parameters + m] -= c.rates[i] * relaxing[LOAD, i]
-        elif kind == SLIP_FORCE:
-            k1[m] -= by_push * c.slip_force[i] * system.sliding[i, 0]
-        elif kind == NUMBER:
-            k1[m] += system.by[i] * wrt.factor[m]
-        elif kind == INPUT_SHAPE:
-            for n in range(inputs):
-                k1[m] += by_push * values[INPUT + n] * du[i, node, n]
-                for s in range(shapes(c, inputs)):
-                    row = INPUT + inputs + elements + s * (1 + inputs) + 1 + n
-                    held = values[INPUT + inputs + s] * values[row] + x[2 + s] * system.changes[row]
-                    k1[m] += by_push * held * du[i, node, n]
-                    own[s * parameters + m] += relaxing[RATE_NOW, s] * values[row] * du[i, node, n]
+            _force_by_weights(system, x, node, block, dx)
+            continue
+        for m in range(wrt.start[block], wrt.start[block + 1]):
+            i = wrt.first[block] + m - wrt.start[block]
+            if kind == RATE:
+                own[i * parameters + m] -= c.rates[i] * relaxing[LOAD, i]
+            elif kind == SLIP_FORCE:
+                k1[m] -= by_push * c.slip_force[i] * system.sliding[i, 0]
+            elif kind == NUMBER:
+                k1[m] += system.by[i] * wrt.factor[m]
+            elif kind == INPUT_SHAPE:
+                for n in range(inputs):
+                    k1[m] += by_push * values[INPUT + n] * du[i, node, n]
+                    for s in range(shapes(c, inputs)):
+                        row = INPUT + inputs + elements + s * (1 + inputs) + 1 + n
+                        held = values[INPUT + inputs + s] * values[row] + x[2 + s] * system.changes[row]
+                        k1[m] += by_push * held * du[i, node, n]
+                        own[s * parameters + m] += relaxing[RATE_NOW, s] * values[row] * du[i, node, n]
+
+
+@inlined
+def _force_by_weights(system, x, node, block, dx):
+    """Add the derivatives of the rates by the weights of one curve."""
+    wrt = system.wrt
+    parameters = len(wrt.factor)
+    inputs = system.u.shape[1]
+    elements = len(system.c.rates)
+    row = wrt.first[block]
+    at = wrt.start[block]
+    count = wrt.start[block + 1] - at
+    column = wrt.column[block]
+    factor = wrt.factor[at : at + count]
+    basis = system.basis[column : column + count]
+    relaxing = system.relaxing
+    first = 2 + elements + parameters + at
+    k1 = dx[first : first + count]
+    if row == FORCE:
+        for j in range(count):
+            k1[j] += system.by_curve[FORCE] * _force_weight(system, column + j) * factor[j]
+    elif row < INPUT + inputs + elements:
+        by_curve = system.by_curve[row]
+        for j in range(count):
+            k1[j] += by_curve * basis[j] * factor[j]
+        if row >= INPUT + inputs:
+            own = dx[first + (1 + row - INPUT - inputs) * parameters :]
+            for j in range(count):
+                own[j] += x[1] * basis[j] * factor[j]
+    else:
+        n, k = divmod(row - INPUT - inputs - elements, 1 + inputs)
+        own = dx[first + (1 + n) * parameters :]
+        if k == 0:
+            load = relaxing[LOAD, n]
+            for j in range(count):
+                own[j] -= load * basis[j] * factor[j]
+        else:
+            drive = system.u[node, k - 1]
+            by_value = system.by[2] * drive * system.values[INPUT + inputs + n]
+            by_slope = system.by[2] * drive * x[2 + n]
+            by_pull = relaxing[RATE_NOW, n] * drive
+            slopes = system.slopes[column : column + count]
+            for j in range(count):
+                k1[j] += (by_value * basis[j] + by_slope * slopes[j]) * factor[j]
+                own[j] += by_pull * basis[j] * factor[j]
 
 
 @inlined
@@ -222,7 +252,7 @@ def _rested(
     `change` (R, K): derivatives of these inputs with respect to the parameters of kind `INPUT_SHAPE`.
     """
     w = np.zeros(len(c.rates))
-    sensitivity = np.zeros((len(c.rates), len(wrt.kind)))
+    sensitivity = np.zeros((len(c.rates), len(wrt.factor)))
     at = basis_rows(np.array([x]), c)[0]
     inputs = len(rest)
     first = INPUT + inputs + len(c.rates)
@@ -230,12 +260,16 @@ def _rested(
         row = first + n * (1 + inputs) + 1
         pulls = c.curves[row : row + inputs] @ at
         w[n] = rest @ pulls
-        for m in np.flatnonzero(wrt.kind == INPUT_SHAPE):
-            sensitivity[n, m] = change[wrt.first[m]] @ pulls
-    for m in np.flatnonzero((wrt.kind == WEIGHT) & (wrt.first >= first)):
-        n, k = divmod(wrt.first[m] - first, 1 + inputs)
+        for block in np.flatnonzero(wrt.kind == INPUT_SHAPE):
+            shape = wrt.first[block]
+            for m in range(wrt.start[block], wrt.start[block + 1]):
+                sensitivity[n, m] = change[shape + m - wrt.start[block]] @ pulls
+    for block in np.flatnonzero((wrt.kind == WEIGHT) & (wrt.first >= first)):
+        n, k = divmod(wrt.first[block] - first, 1 + inputs)
         if k > 0:
-            sensitivity[n, m] = rest[k - 1] * at[wrt.second[m]] * wrt.factor[m]
+            here = slice(wrt.start[block], wrt.start[block + 1])
+            columns = slice(wrt.column[block], wrt.column[block] + here.stop - here.start)
+            sensitivity[n, here] = rest[k - 1] * at[columns] * wrt.factor[here]
     return w, sensitivity
 
 
@@ -287,7 +321,7 @@ def observed_run(
     count = len(measured)
     elements = len(c.rates)
     slips = len(c.slip_force)
-    parameters = len(wrt.kind)
+    parameters = len(wrt.factor)
     states = np.full((count, 3 + elements + slips), np.nan)
     sensitivity = np.zeros((count, parameters))
     change = du[:, 0] if np.all(rested == u[0]) else np.zeros_like(du[:, 0])  # offsets of resting inputs are small

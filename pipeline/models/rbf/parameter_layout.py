@@ -14,7 +14,7 @@ from pydantic.dataclasses import dataclass
 
 from ...fitting.regression import InputAction
 from ...generated.terms import BENT, PAST_ZONE
-from ...numerics.arrays import FloatArray
+from ...numerics.arrays import FloatArray, IntArray
 from ..model_file import MOST_INPUTS, STORED, Unit, listed
 from .coefficients import (
     ARC,
@@ -29,6 +29,7 @@ from .coefficients import (
     SLIP_FORCE,
     SLIP_LENGTH,
     STOPS,
+    WEIGHT,
     Coefficients,
     SensitivityParameters,
     basis_rows,
@@ -153,13 +154,11 @@ class ParameterLayout:
             curves[FORCE, POLYNOMIALS - 1] = -np.exp(part["force"][POLYNOMIALS - 1])
         for i, sign in enumerate(self.signs):
             gain = part[f"input{i}"]
-            columns = self.columns(constant=s.constant_gain)
-            curves[INPUT + i, columns] = sign * np.exp(gain) if sign else gain
+            curves[INPUT + i, self.basis_of(f"input{i}")] = sign * np.exp(gain) if sign else gain
         for name in rows:
             if name == "force" or name in (f"input{i}" for i in range(k)):
                 continue
-            columns = self.columns(constant=name == "damping" and s.constant_damping)
-            curves[rows[name], columns] = np.exp(part[name]) if name in positive else part[name]
+            curves[rows[name], self.basis_of(name)] = np.exp(part[name]) if name in positive else part[name]
         inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
         low = -1.0 - 3.0 * OVERHANG
         high = 1.0 + 3.0 * OVERHANG
@@ -175,14 +174,8 @@ class ParameterLayout:
 
     @np.errstate(over="ignore")
     def sensitivity_parameters(self, theta: FloatArray) -> SensitivityParameters:
-        """Map of each parameter: the kind of coefficient that it moves, where that one stands, and its slope."""
-        kind, first, second = (np.zeros(self.count, dtype=np.int64) for _ in range(3))
+        """Map of the parameters, block by block: the kind of coefficient that they move, where it stands, its slope."""
         factor = np.ones(self.count)
-        for name, row in self.rows.items():
-            where = self.slices[name]
-            first[where] = row
-            count = where.stop - where.start
-            second[where] = np.arange(count) + (0 if name == "force" or count == 1 else POLYNOMIALS)
         if self.structure.force != "offset":
             factor[self.cubic] = -np.exp(theta[self.cubic])
         for name in ("damping", *(f"relaxation{i}" for i in range(self.structure.shape_elements))):
@@ -190,24 +183,37 @@ class ParameterLayout:
         for i, sign in enumerate(self.signs):
             if sign:
                 factor[self.slices[f"input{i}"]] = sign * np.exp(theta[self.slices[f"input{i}"]])
-        for name, code in _KINDS.items():
-            where = self.slices[name]
-            kind[where] = code
-            first[where] = np.arange(where.stop - where.start) + _PLACES.get(name, 0)
         length = np.exp(theta[self.slices["slip_length"]])
         factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
         factor[self.slices["inertia"]] = np.exp(theta[self.slices["inertia"]])
         factor[self.slices["inertia_centre"]] = -1.0  # of the arm, which counts from there
         factor[self.slices["drag"]] = np.exp(theta[self.slices["drag"]])
         factor[self.slices["stops"]][2:] = np.exp(theta[self.slices["stops"]][2:])
-        shape = self.slices["input_offset"].start
-        for name in ("input_lag", "input_delay", "input_bend", "input_zone"):
-            first[self.slices[name]] = self.slices[name].start - shape
-        return SensitivityParameters(kind, first, second, factor)
+        return SensitivityParameters(*self._blocks, factor)
 
-    def columns(self, *, constant: bool) -> slice:
-        """Columns of `Coefficients.curves` that a curve without polynomial uses: the Gaussians, or a constant."""
-        return slice(0, 1) if constant else slice(POLYNOMIALS, None)
+    @cached_property
+    def _blocks(self) -> tuple[IntArray, IntArray, IntArray, IntArray]:
+        """Kind, first place, first column and first parameter of each block that has parameters."""
+        shape = self.slices["input_offset"].start
+        blocks = []
+        for name, where in self.slices.items():
+            if where.start == where.stop:
+                continue
+            kind = _KINDS.get(name, WEIGHT)
+            if kind == WEIGHT:
+                first, column = self.rows[name], self.basis_of(name).start
+            else:
+                first, column = where.start - shape if kind == INPUT_SHAPE else _PLACES.get(name, 0), 0
+            blocks.append((kind, first, column, where.start))
+        kind, first, column, start = np.array(blocks, dtype=np.int64).T
+        return kind.copy(), first.copy(), column.copy(), np.append(start, self.count)
+
+    def basis_of(self, curve: str) -> slice:
+        """Basis functions of a curve: all from the constant on for the force, else the Gaussians or a constant."""
+        where = self.slices[curve]
+        count = where.stop - where.start
+        first = 0 if curve == "force" or count == 1 else POLYNOMIALS
+        return slice(first, first + count)
 
     @property
     def held(self) -> bool:

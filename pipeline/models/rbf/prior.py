@@ -311,7 +311,7 @@ def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: Known
         y = curve[finite] * (-1.0 if name == "force" else volts) / p.scales.half
         basis = basis_rows(np.ascontiguousarray((measured.q[finite] - p.scales.middle) / p.scales.half), c)
         block = np.zeros((len(y), p.count))
-        block[:, where] = basis[:, wrt.second[where]] * wrt.factor[where]
+        block[:, where] = basis[:, p.basis_of(name)] * wrt.factor[where]
         spread = KEPT * np.abs(y).max()
         rows.append(block / spread)
         right.append((y - basis @ c.curves[p.rows[name]] + block @ theta) / spread)

@@ -303,7 +303,7 @@ class JointProblem:
         if skipped:
             u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
         wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
-        self.effort.spend(stop * steps, len(wrt.kind))
+        self.effort.spend(stop * steps, len(wrt.factor))
         drive = Drive(u, du, p.at_rest(u, theta, begins=log.past == 0), p.held and log.every == 1)
         coupling = Coupling(log.measured[:stop], seen[:stop], gain * p.scales.frequency)
         start = (float(log.measured[0]), log.start)

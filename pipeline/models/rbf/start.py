@@ -300,11 +300,11 @@ def _motion(records: Sequence[Log], p: ParameterLayout) -> tuple[list[FloatArray
     speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
     target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
     basis = basis_rows(x, p.coefficients(np.zeros(p.count)))
-    force = basis[:, : p.slices["force"].stop - p.slices["force"].start]
-    damping = -speed[:, None] * basis[:, p.columns(constant=shape.constant_damping)]
+    force = basis[:, p.basis_of("force")]
+    damping = -speed[:, None] * basis[:, p.basis_of("damping")]
     if shape.overdamped:
         damping, target = np.zeros_like(damping), OVERDAMPED * s.frequency * speed
-    return [force, damping, basis[:, p.columns(constant=shape.constant_gain)]], target
+    return [force, damping, basis[:, p.basis_of("input0")]], target
 
 
 def _gains(u: FloatArray, basis: FloatArray) -> list[FloatArray]:

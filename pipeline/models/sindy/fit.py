@@ -10,6 +10,7 @@ from typing import Literal
 
 import numpy as np
 
+from ...device.device import Device
 from ...errors import InputError
 from ...fitting.regression import triangular_factor
 from ...numerics.arrays import FloatArray
@@ -86,9 +87,7 @@ class _LimitReachedError(Exception):
     """The search has reached its limit of candidates."""
 
 
-def fit_sindy(
-    trajectories: Sequence[Log], *, squared: bool = True, angle: bool = False, most: int | None = None
-) -> SindyFit:
+def fit_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | None = None) -> SindyFit:
     """Fit the acceleration by pysindy's weak form, treated as held-out parts of the training data decide.
 
     A coordinate search: lags, then the library, then the threshold. Each candidate is fitted on all blocks but
@@ -99,10 +98,8 @@ def fit_sindy(
     ----------
     trajectories : sequence of Log
         Gap-free training segments, all with the same inputs; voltages as finely as they are known.
-    squared : bool
-        Inputs v² (electrostatic) or v.
-    angle : bool
-        True if q is an angle [rad]: libraries of sin q and cos q are tried too.
+    plant : Device
+        Action of the inputs. Where q is an angle, libraries of sin q and cos q are tried too.
     most : int, optional
         Candidates after which the search ends with what it has tried; it ends by itself if left out. Counted, so that
         no machine decides.
@@ -112,7 +109,7 @@ def fit_sindy(
     InputError
         No data, differing inputs, a constant displacement, or segments that are too short.
     """
-    problem = prepare_problem(trajectories, squared, angle)
+    problem = prepare_problem(trajectories, plant)
     errors: dict[Treatment, FloatArray] = {}
     terms: dict[Treatment, int] = {}
 
@@ -126,7 +123,7 @@ def fit_sindy(
 
     status: SearchStatus = "completed"
     try:
-        _search(error, angle, problem)
+        _search(error, problem, angle=plant.displacement.symbol == "rad")
     except _LimitReachedError:
         status = "limit"
     means = {candidate: float(values.mean()) for candidate, values in errors.items()}
@@ -135,7 +132,7 @@ def fit_sindy(
     return _refit(problem, chosen, errors, status)
 
 
-def _search(error: Callable[[Treatment], float], angle: bool, problem: Problem) -> None:
+def _search(error: Callable[[Treatment], float], problem: Problem, *, angle: bool) -> None:
     """Try candidates in order; each stage keeps the best of the one before."""
     present = {lag.time for lag in problem.empty.lags}
     sets = [tuple(ratio * problem.time_scale for ratio in ratios) for ratios in LAG_SETS]
@@ -235,9 +232,7 @@ def _refit(problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArr
     )  # fmt: skip
 
 
-def fit_default_sindy(
-    trajectories: Sequence[Log], *, units: tuple[float, float], squared: bool = True
-) -> PolynomialDynamics:
+def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> PolynomialDynamics:
     """``pysindy.SINDy().fit(x, t=…, u=…)`` with x = [q, q̇] and u = v² (or v), everything else left alone.
 
     The defaults are second-degree polynomials, STLSQ with a threshold of 0.1 on raw coefficients and second-order
@@ -249,10 +244,8 @@ def fit_default_sindy(
     ----------
     trajectories : sequence of Log
         Gap-free training segments; velocities are used, accelerations are not.
-    squared : bool
-        Inputs v² or v.
-    units : (float, float)
-        Units of the log for q and the inputs, in SI.
+    plant : Device
+        Action of the inputs, and the units of the log.
 
     Raises
     ------
@@ -264,14 +257,15 @@ def fit_default_sindy(
     if len({x.v.shape[1] for x in trajectories}) != 1 or np.ptp([x.interval for x in trajectories]) > 1e-9:
         raise InputError("the training logs differ in inputs or sample interval; ingest them alike")
     inputs = trajectories[0].v.shape[1]
-    length, volt = units
-    input_scale = volt**2 if squared else volt
+    length = plant.displacement.factor
+    volt = plant.inputs[0].factor
+    input_scale = volt**2 if plant.squared else volt
     model = pysindy.SINDy()
     with seeded():
         model.fit(
             [np.column_stack([x.q, x.qdot]) / length for x in trajectories],
             t=trajectories[0].interval,
-            u=[(np.square(x.v) if squared else x.v) / input_scale for x in trajectories],
+            u=[plant.acting(x.v) / input_scale for x in trajectories],
         )
     powers = np.asarray(model.feature_library.powers_, dtype=np.int64)
     exponents = np.zeros((len(powers), FIRST_INPUT + inputs), dtype=np.int64)
@@ -279,4 +273,6 @@ def fit_default_sindy(
     scales = np.array([length, length, 1.0, 1.0, 1.0, *[input_scale] * inputs])
     coefficients = length * np.asarray(model.coefficients(), dtype=np.float64)
     used = np.any(coefficients != 0.0, axis=0)
-    return PolynomialDynamics(exponents[used], coefficients[:, used], scales, (), squared, *escape_bounds(low, high))
+    return PolynomialDynamics(
+        exponents[used], coefficients[:, used], scales, (), plant.squared, *escape_bounds(low, high)
+    )

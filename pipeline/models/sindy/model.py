@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import model_validator
 
-from ...fitting.regression import InputAction
+from ...device.device import Device
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
 from ...scoring.cross_validation import mean_over_folds
@@ -82,10 +82,9 @@ class SindyModel(ModelFile):
     def of(
         cls,
         dynamics: PolynomialDynamics,
+        plant: Device,
         name: Literal["sindy", "sindy-default"] = "sindy",
-        mass: float = 1.0,
         diagnostics: Mapping[str, Any] | None = None,
-        units: Units = ("m", "V"),
     ) -> Self:
         """The model of a right-hand side.
 
@@ -93,14 +92,12 @@ class SindyModel(ModelFile):
         ----------
         dynamics : PolynomialDynamics
             The right-hand side.
+        plant : Device
+            Units in which equations are printed, and the mass, which only scales `curves`.
         name : {"sindy", "sindy-default"}
             Name of the model.
-        mass : float
-            Moving mass [kg], which only scales `curves`; 1 if unknown.
         diagnostics : mapping, optional
             Choice of the treatment.
-        units : (str, str)
-            SI units of q and of the inputs, in which equations are printed.
         """
         d = dynamics
         return cls(
@@ -110,11 +107,11 @@ class SindyModel(ModelFile):
             scales=d.scales[[*range(d.scales.size), *(lag.source for lag in d.lags)]],
             lag_s=np.array([lag.time for lag in d.lags], dtype=np.float64),
             lag_source=np.array([lag.source for lag in d.lags], dtype=np.int64),
-            mass_kg=mass,
+            mass_kg=plant.mass,
             inputs="squared" if d.squared else "linear",
             bounds=np.array([d.low, d.high]),
             diagnostics=dict(diagnostics or {}),
-            units=units,
+            units=(plant.displacement.symbol, plant.inputs[0].symbol),
         )
 
     @cached_property
@@ -232,10 +229,19 @@ class SindyModel(ModelFile):
                 continue
             value = scaled / float(np.prod(scales**powers))
             factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(symbols, powers * orders, strict=True) if n]
-            unit = _unit(np.bincount(sources, powers, d.scales.size).astype(int), row, self.units, d.squared)
+            unit = self._unit(np.bincount(sources, powers, d.scales.size).astype(int), row)
             number = f"{value:+.4g}{unit}" if unit or value != 1.0 else ""
             parts.append("·".join([number, *factors]).strip("·"))
         return " ".join(parts) if parts else "0"
+
+    def _unit(self, powers: Any, row: int) -> str:
+        """Unit of a coefficient: that of q̇ or q̈ over that of its monomial."""
+        metres = 1 - int(powers[Q] + powers[QDOT])
+        seconds = -1 - row + int(powers[QDOT])
+        volts = -int(powers[FIRST_INPUT:].sum()) * (2 if self.dynamics.squared else 1)
+        named = ((self.units[0], metres), ("s", seconds), (self.units[1], volts))
+        parts = [f"{u}^{n}" if n != 1 else u for u, n in named if n and u != "1"]
+        return f" {' '.join(parts)}" if parts else ""
 
     def describe(self) -> dict[str, Any]:
         """Structure, equations and how they were chosen."""
@@ -246,36 +252,15 @@ def _at_samples(v: FloatArray) -> FloatArray:
     return v if v.ndim == 2 else v[:, 0]
 
 
-def _unit(powers: Any, row: int, units: Units, squared: bool) -> str:
-    """Unit of a coefficient: that of q̇ or q̈ over that of its monomial."""
-    metres = 1 - int(powers[Q] + powers[QDOT])
-    seconds = -1 - row + int(powers[QDOT])
-    volts = -int(powers[FIRST_INPUT:].sum()) * (2 if squared else 1)
-    named = ((units[0], metres), ("s", seconds), (units[1], volts))
-    parts = [f"{u}^{n}" if n != 1 else u for u, n in named if n and u != "1"]
-    return f" {' '.join(parts)}" if parts else ""
-
-
-def identify_sindy(
-    trajectories: Sequence[Log],
-    *,
-    inputs: InputAction = "squared",
-    mass: float = 1.0,
-    units: Units = ("m", "V"),
-    most: int | None = None,
-) -> SindyModel:
+def identify_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | None = None) -> SindyModel:
     """SINDy at its best: see `pipeline.models.sindy.fit.fit_sindy`.
 
     Parameters
     ----------
     trajectories : sequence of Log
         Gap-free segments of the training logs, voltages as finely as they are known.
-    inputs : {"squared", "linear"}
-        Action of the inputs: v² or v enters the equation.
-    mass : float
-        Moving mass [kg]; 1 if unknown. It scales the characteristic curves only.
-    units : (str, str)
-        SI units of q and of the inputs, for printing; where q is an angle [rad], sin q and cos q are candidates too.
+    plant : Device
+        Action of the inputs, units, and the mass, which scales the characteristic curves only.
     most : int, optional
         Candidates that the search tries, see `fit_sindy`.
 
@@ -286,13 +271,13 @@ def identify_sindy(
     """
     from .fit import fit_sindy
 
-    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad", most=most)
+    fit = fit_sindy(trajectories, plant, most=most)
     errors = fit.errors[fit.candidate]
     mean, band = mean_over_folds(errors)
     return SindyModel.of(
         fit.dynamics,
+        plant,
         "sindy",
-        mass,
         {
             "library": str(fit.candidate.library),
             "library_terms": fit.library_terms,
@@ -309,38 +294,24 @@ def identify_sindy(
             "condition": fit.condition_number,
             "acceleration_residual": fit.acceleration_residual,
         },
-        units,
     )
 
 
-def identify_default_sindy(
-    trajectories: Sequence[Log],
-    *,
-    inputs: InputAction = "squared",
-    mass: float = 1.0,
-    units: Units = ("m", "V"),
-    log_units: tuple[float, float] = (1e-3, 1e3),
-) -> SindyModel:
+def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyModel:
     """SINDy as pysindy ships it: `pipeline.models.sindy.fit.fit_default_sindy`.
 
     Parameters
     ----------
     trajectories : sequence of Log
         Gap-free segments of the training logs.
-    inputs : {"squared", "linear"}
-        Action of the inputs: v² or v enters the equation.
-    mass : float
-        Moving mass [kg]; 1 if unknown.
-    units : (str, str)
-        SI units of q and of the inputs, for printing.
-    log_units : (float, float)
-        Units of the log for q and the inputs, in SI.
+    plant : Device
+        Action of the inputs, units, those of the log among them, and mass.
     """
     from .fit import fit_default_sindy
 
-    dynamics = fit_default_sindy(trajectories, squared=inputs == "squared", units=log_units)
+    dynamics = fit_default_sindy(trajectories, plant)
     notes = {"library": "poly2(q, q̇, u), pysindy's default, in the units of the log", "terms_kept": _terms(dynamics)}
-    return SindyModel.of(dynamics, "sindy-default", mass, notes, units)
+    return SindyModel.of(dynamics, plant, "sindy-default", notes)
 
 
 def _terms(dynamics: PolynomialDynamics) -> int:
@@ -349,16 +320,12 @@ def _terms(dynamics: PolynomialDynamics) -> int:
 
 
 SINDY = ModelType(
-    lambda data: identify_sindy(
-        data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
-    ),
+    lambda data: identify_sindy(data.fitted_segments, data.device, most=data.compare.candidates),
     partial(SindyModel.read, name="sindy", command="compare"),
     "export.data_driven:realise_polynomial",
 )
 SINDY_DEFAULT = ModelType(
-    lambda data: identify_default_sindy(
-        data.segments, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
-    ),
+    lambda data: identify_default_sindy(data.segments, data.device),
     partial(SindyModel.read, name="sindy", command="compare"),
     "export.data_driven:realise_polynomial",
 )

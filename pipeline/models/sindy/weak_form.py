@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
+from ...device.device import Device
 from ...errors import InputError
 from ...numerics.arrays import FloatArray, IntArray
 from ...numerics.fixed_step import escape_bounds
@@ -257,7 +258,7 @@ class Problem:
         return np.concatenate([self.rows[i] for i in used]), np.concatenate([self.targets[i] for i in used])
 
 
-def prepare_problem(trajectories: Sequence[Log], squared: bool, angle: bool) -> Problem:
+def prepare_problem(trajectories: Sequence[Log], plant: Device) -> Problem:
     """Every candidate term in weak form.
 
     Raises
@@ -270,7 +271,7 @@ def prepare_problem(trajectories: Sequence[Log], squared: bool, angle: bool) -> 
         raise InputError("the training logs differ in their number of inputs; identify them apart")
     speed = max(float(np.abs(x.qdot).max()) for x in trajectories) or 1.0
     volts = np.max([np.abs(x.drive).reshape(-1, x.v.shape[-1]).max(axis=0) for x in trajectories], axis=0)
-    scales = np.array([max(abs(low), abs(high)), speed, SLOW * speed, 1.0, 1.0, *(volts**2 if squared else volts)])
+    scales = np.array([max(abs(low), abs(high)), speed, SLOW * speed, 1.0, 1.0, *plant.acting(volts)])
     scales[scales == 0.0] = 1.0  # an input that is never used: its columns are zero whatever the scale
     acceleration = rms(np.concatenate([x.qddot for x in trajectories]))
     interval = max(x.interval for x in trajectories)
@@ -279,9 +280,10 @@ def prepare_problem(trajectories: Sequence[Log], squared: bool, angle: bool) -> 
     times = [time_scale * ratio for ratio in sorted({ratio for ratios in LAG_SETS for ratio in ratios})]
     lags = tuple(Lag(source, time) for time in times if time >= _SHORTEST_LAG * interval for source in followed)
     nothing = np.zeros((0, scales.size + len(lags)), dtype=np.int64)
-    empty = PolynomialDynamics(nothing, np.zeros((2, 0)), scales, lags, squared, *escape_bounds(low, high))
+    empty = PolynomialDynamics(nothing, np.zeros((2, 0)), scales, lags, plant.squared, *escape_bounds(low, high))
     blocks = held_out_blocks(trajectories)
     half_width = _half_width(trajectories, blocks, time_scale)
+    angle = plant.displacement.symbol == "rad"
     weak = [_weak_block(trajectories, block, empty, half_width, angle) for block in blocks]
     usable = [i for i, (exponents, _, _) in enumerate(weak) if len(exponents)]
     return Problem(

@@ -64,15 +64,12 @@ def training(
     return Training(
         segments=tuple(segment for log in logs for segment in log.segments()),
         records=tuple(part.to_fit() for part in _long_enough(parts)),
-        units=(plant.displacement.symbol, plant.inputs[0].symbol),
-        inputs=plant.action,
-        known_mass=plant.known_mass,
+        device=plant,
         parameters=parameters,
         known_curves=None if beside.curves is None else _known_curves(beside.curves, len(plant.inputs)),
         siblings=beside.siblings,
         identify=prototype.identify,
         compare=prototype.compare,
-        log_units=(plant.displacement.factor, plant.inputs[0].factor),
         inputs_before=prototype.plant.inputs_before,
         rotation=None if plant.angle is None or parameters is None else rotation_nodes(parameters),
         on_progress=on_progress,
@@ -154,7 +151,7 @@ def identified(
         if wanted == AUTO:
             choice = _choose(whole, data, prototype)
             model, notes[CHOICE] = choice.model, choice.to_json()
-            if not choice.held_out and whole.units[0] == "rad" and prototype.may_be_a_joint:
+            if not choice.held_out and whole.device.displacement.symbol == "rad" and prototype.may_be_a_joint:
                 notes["warnings"].append(choice.reason)
             if choice.other is not None:
                 beside[choice.other.name] = choice.other

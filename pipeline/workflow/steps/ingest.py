@@ -88,8 +88,8 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
     cut = ends / masked.interval
     findings += log_findings(clock, quality, (masked.masked_rows + cut) / (masked.rows + cut), few)
     if settings.rails == "keep":
-        kept = [sentences(finding)[0] for finding in findings if finding.gate == "rails"]
-        warnings += [f"q: {text}; kept ([ingest] rails)" for text in kept]
+        rails = [sentences(finding)[0] for finding in findings if finding.gate == "rails"]
+        warnings += [f"q: {text}; kept ([ingest] rails)" for text in rails]
         findings = [finding for finding in findings if finding.gate != "rails"]
     accepted = judge(where, findings, prototype.quality)
     notes = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
@@ -253,9 +253,9 @@ def _hum_against_rate(signals: RawLog, rate: float | None) -> list[str]:
     """Warnings where mains hum on the inputs contradicts the sample rate [Hz] of the settings."""
     texts = []
     for k, (_, samples) in enumerate(signals.inputs if rate else (), start=1):
-        found = mains_at_another_rate(select(samples, finite(samples)), 1.0 / (rate or 1.0))
-        if found is not None:
-            line, factor = found
+        hum = mains_at_another_rate(select(samples, finite(samples)), 1.0 / (rate or 1.0))
+        if hum is not None:
+            line, factor = hum
             rectified = ", or that of a rectifier" if factor < 1.0 else ""
             texts.append(
                 f"v{k}: a line at {line.frequency:g} Hz and no hum at {factor * line.frequency:g} Hz, as mains hum at "

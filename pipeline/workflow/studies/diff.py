@@ -131,10 +131,10 @@ def paired_logs(
         """Pair what is left of one role and fits."""
         for log in second:
             if log not in pairs:
-                found = next((other for other in left if other[0] == log[0] and fits(log, other)), None)
-                if found is not None:
-                    pairs[log] = found[1]
-                    del left[found]
+                partner = next((other for other in left if other[0] == log[0] and fits(log, other)), None)
+                if partner is not None:
+                    pairs[log] = partner[1]
+                    del left[partner]
 
     pair(lambda log, other: bool(second[log]) and second[log] == first[other])
     pair(lambda log, other: log == other)

@@ -28,6 +28,7 @@ from ...settings.logs import ROLES
 from ...settings.models import CENTRES, SMOOTHING
 from ...settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
 from ...signals.differentiate import AlphaStudy, alpha_study
+from ...signals.log import Log
 from ...store import layout, schemas
 from ...store.atomic import run_lock
 from ...store.run_folder import RunFolder, Written
@@ -213,7 +214,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
     }
     study = schemas.STUDIES["basis"], (prototype.identify.basis_functions, prototype.identify.smoothing)
     units = {column.key: column.unit for column in schemas.schema_of(study[0], device(prototype)).columns}
-    begin = float(training.kinematics["t"][0])
+    begin = float(training.motion.t[0])
     q = np.linspace(network.centres[0], network.centres[-1], 241)
     drawn = {name: data.models[name] for name in DRAWN if name in data.models}
     curves = {name: model.curves(q) for name, model in drawn.items() if isinstance(model, HasCurves)}
@@ -222,7 +223,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         "lag-search": draw.lag_figure(network.diagnostics["lag_search"]),
         "fig-11a": draw.signals_figure(training),
         "fig-11b": draw.basis_study_figure(run.read_table(layout.study("basis")), units, study[1]),
-        "fig-11c": draw.alpha_figure(*_alpha_study(training.kinematics), float(RECIPE.alpha)),
+        "fig-11c": draw.alpha_figure(*_alpha_study(training.motion), float(RECIPE.alpha)),
         "fig-12": compared["train"],
         "fig-13": window(compared["train"], *(begin + at for at in draw.ZOOM)),
         "fig-14": draw.curves_figure(curves, q),
@@ -230,15 +231,13 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
     return figures | ({"fig-15": compared["validation"]} if "validation" in compared else {})
 
 
-def _alpha_study(kinematics: Mapping[str, Any]) -> tuple[FloatArray, AlphaStudy]:
-    """Figure 11c: the record's longest segment differentiated with each α [mm·s], around its fastest moment t [s]."""
-    segments = kinematics["segment"]
-    longest = max(np.unique(segments[segments >= 0]), key=lambda n: np.sum(segments == n))
-    rows = segments == longest
-    t = kinematics["t"][rows]
+def _alpha_study(motion: Log) -> tuple[FloatArray, AlphaStudy]:
+    """Figure 11c: the log's longest segment differentiated with each α [mm·s], around its fastest moment t [s]."""
+    longest = max(motion.segments(), key=lambda segment: len(segment.t))
+    t = longest.t
     unit = ALPHA_UNIT["m"][1]
     epsilon = float(RECIPE.epsilon or 0.0) * unit**2
-    study = alpha_study(kinematics["q"][rows], SAMPLE_INTERVAL, unit * np.array(ALPHAS), order=1, epsilon=epsilon)
-    fastest = t[np.argmax(np.abs(kinematics["qdot"][rows]))]
+    study = alpha_study(longest.q, SAMPLE_INTERVAL, unit * np.array(ALPHAS), order=1, epsilon=epsilon)
+    fastest = t[np.argmax(np.abs(longest.qdot))]
     near = (t >= fastest - 0.5) & (t <= fastest + 1.0)
     return t[near], replace(study, alphas=np.array(ALPHAS), qdot=study.qdot[:, near])

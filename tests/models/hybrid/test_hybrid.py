@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT
 from pipeline.device.parameters import NOMINAL
 from pipeline.diagnostics.calibrated import calibrated
 from pipeline.errors import CorruptArtifactError, DataRefusedError
@@ -218,7 +219,7 @@ WRONG = {"left.log C0": 5.0, "log E": 5.0}
 
 
 def given(*records: Log) -> Training:
-    return Training((), records, ("m", "V"), "squared", None, NOMINAL, None, Identify())
+    return Training((), records, JOINT, NOMINAL, None, Identify())
 
 
 def test_a_hybrid_joint_that_follows_its_logs_is_taken() -> None:

@@ -1,13 +1,17 @@
 """SINDy recovers a planted sparse equation, simulates it, survives a round trip and names a divergence."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from pipeline.device.device import JOINT, Device
 from pipeline.models.polynomial_dynamics import PolynomialDynamics, free_run
 from pipeline.models.sindy.model import SINDY, SindyModel, identify_sindy
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.signals.log import Log
+from pipeline.units.units import SiUnit
 
 STIFFNESS, HARDENING, DAMPING, GAIN = 300.0, 2.0e6, 1.5, 1.0e-6
 TRUTH = PolynomialDynamics(
@@ -46,7 +50,7 @@ def motion(samples: int = 2000, seed: int = 1) -> Log:
 
 @pytest.fixture(scope="module")
 def model() -> SindyModel:
-    return identify_sindy([motion()], mass=0.04)
+    return identify_sindy([motion()], replace(JOINT, known_mass=0.04))
 
 
 def test_the_planted_equation_is_recovered(model: SindyModel) -> None:
@@ -94,7 +98,7 @@ def test_divergence_is_a_status_with_a_time() -> None:
         -0.1,
         0.1,
     )
-    run = SindyModel.of(unstable).simulate(0.01 * np.arange(100), np.zeros((100, 1)), 1e-3, 0.0)
+    run = SindyModel.of(unstable, JOINT).simulate(0.01 * np.arange(100), np.zeros((100, 1)), 1e-3, 0.0)
     assert run.status == "diverged"
     assert run.diverged_at_s == pytest.approx(np.log(200.0) / 20.0, abs=0.011)
     assert np.all(np.isnan(run.q[27:]))
@@ -115,7 +119,7 @@ def test_a_pendulum_is_found_in_sines() -> None:
     rng = np.random.default_rng(2)
     v, t = np.repeat(rng.uniform(0.0, 0.8, 40), 75)[:, None], 0.01 * np.arange(3000)
     data = Log(t, *free_run(pendulum, v, 0.01, 0.0, 0.0)[0].T, v)
-    model = identify_sindy([data], units=("rad", "1"))
+    model = identify_sindy([data], Device(None, SiUnit(1.0, "rad"), (SiUnit(1.0, "1"),), "squared", None))
     assert "sin q" in model.diagnostics["library"]
     acceleration = SINDY.read(model.to_tree()).equations()[1]
     for part in ("q̈ [rad/s²]", "-20 rad s^-2·sin q", " s^-1·q̇", "+25 rad s^-2·v1^2"):
@@ -127,7 +131,7 @@ def test_fine_voltages_act_between_the_samples() -> None:
     """A pulse of 5 ms that no sample shows moves the joint all the same."""
     t, v = 0.01 * np.arange(50), np.zeros((50, 10, 2))
     v[20, 3:8, 0] = 3000.0
-    model = SindyModel.of(TRUTH)
+    model = SindyModel.of(TRUTH, JOINT)
     start = -np.sqrt(STIFFNESS / HARDENING)
     moved = model.simulate(t, v, start, 0.0).q
     still = model.simulate(t, v[:, 0], start, 0.0).q

@@ -3,7 +3,8 @@
 import pint
 import pytest
 
-from pipeline.units.units import INPUT, curve_units
+from pipeline.device.device import Device
+from pipeline.units.units import INPUT, SiUnit
 
 REGISTRY = pint.UnitRegistry()
 SPELT = {"·": "*", "²": "**2"}
@@ -20,7 +21,9 @@ def dimension(unit: str) -> object:
 @pytest.mark.parametrize("voltage", INPUT)
 @pytest.mark.parametrize("displacement", ["m", "rad", "V"])
 def test_every_term_of_the_equation_of_motion_has_the_same_dimension(displacement, voltage, squared, mass_known):
-    units = curve_units(displacement, voltage, squared=squared, mass_known=mass_known)
+    action = "squared" if squared else "linear"
+    mass = 1.0 if mass_known else None
+    units = Device(None, SiUnit(1.0, displacement), (SiUnit(1.0, voltage),), action, mass).curve_units
     force = dimension(units["F"])
     assert dimension(f"({units['d']})*{displacement}/s") == force
     power = 2 if squared else 1
