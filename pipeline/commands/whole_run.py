@@ -239,7 +239,7 @@ def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = Fals
 
     place = place_of(prototype, output)
     with Progress(quiet=quiet) as progress:
-        done = run_prototype(place, None, progress, only="ingest")
+        done = run_prototype(place, None, progress, only="ingest", jobs=cores())
     outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(place.root, ingested))
 
 
@@ -308,8 +308,8 @@ def report(
 
 
 def _done(run: Path, stage: "StageName", quiet: bool, figures: Typeface | None = None) -> "list[TaskStatus]":
-    """Bring one stage of a run up to date."""
+    """Bring one stage of a run up to date, on all cores but for the report, which is one task."""
     from ..workflow.run import run_stage
 
     with Progress(quiet=quiet) as progress:
-        return run_stage(run, stage, progress, figures=figures)
+        return run_stage(run, stage, progress, figures=figures, jobs=1 if stage == "report" else cores())

@@ -192,6 +192,31 @@ def pool(jobs: int) -> Iterator[Pool]:
         processes.close()
 
 
+@contextmanager
+def meanwhile(call: Call, on_progress: OnProgress, jobs: int) -> Iterator[Callable[[], Any]]:
+    """The result of a call that another process makes meanwhile; with a single job it is made when it is asked for.
+
+    Parameters
+    ----------
+    call : callable
+        The call; picklable with more than one job.
+    on_progress : callable
+        Receives its progress, while its result is waited for.
+    jobs : int
+        Processes at a time.
+    """
+    if jobs == 1:
+        yield lambda: call(on_progress)
+        return
+    other = _Processes(1)
+    other.begin(0, call, on_progress)
+    try:
+        yield lambda: other.finished()[0][1]()
+    finally:
+        other.terminate()
+        other.close()
+
+
 def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int) -> Iterator[Made]:
     """The results of `work` for the items, in order, in `jobs` processes; in this one for a single job."""
     made = dict[int, Made]()

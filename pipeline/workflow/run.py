@@ -41,6 +41,8 @@ class Planned:
         The models to score and show, the main model first; empty for all that the settings name.
     typeface : str, optional
         Typeface of figures for a paper, where they are wanted although the run holds none.
+    jobs : int
+        Processes at a time.
     """
 
     run: RunFolder
@@ -48,6 +50,7 @@ class Planned:
     prototype_file: Path
     models: tuple[str, ...] = ()
     typeface: Typeface | None = None
+    jobs: int = 1
 
     @cached_property
     def parameters(self) -> JointParameters | None:
@@ -99,7 +102,7 @@ STAGES = (
     Stage("ingest", lambda p: reading_tasks(p.prototype, p.prototype_file)),
     Stage("check", lambda p: check.tasks(p.prototype)),
     Stage("differentiate", lambda p: ingest.differentiate_tasks(p.prototype), with_it=("check",)),
-    Stage("identify", lambda p: identify.tasks(p.prototype, p.parameters), known_after=layout.CHECK),
+    Stage("identify", lambda p: identify.tasks(p.prototype, p.parameters, p.jobs), known_after=layout.CHECK),
     Stage("compare", _compare, with_it=("scores",)),
     Stage(
         "instruments",
@@ -180,12 +183,14 @@ def run_prototype(
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
         _strike_lost(run, observer)
-        planned = Planned(run, prototype, prototype_file)
+        planned = Planned(run, prototype, prototype_file, jobs=jobs)
         observer.planned([task.stage for task in tasks_of(of_stages(plan(planned), stages))])
         return _bring_up_to_date(run, of_stages(plan(planned), stages), stages, observer, jobs)
 
 
-def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Typeface | None = None) -> list[TaskStatus]:
+def run_stage(
+    root: Path, stage: StageName, observer: Observer, *, figures: Typeface | None = None, jobs: int = 1
+) -> list[TaskStatus]:
     """Bring one stage of an existing run up to date, by the settings that the run holds.
 
     `figures` is the typeface of the figures for a paper, which the report makes if given, or if the run holds some.
@@ -200,6 +205,8 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
         Receives what happens.
     figures : {"sans", "serif"}, optional
         Typeface of the figures for a paper, which the report then makes; without one it keeps those of the run.
+    jobs : int
+        Processes at a time.
 
     Raises
     ------
@@ -212,7 +219,7 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
         run = RunFolder.open(root)
         _strike_lost(run, observer)
         models = () if stage == "compare" else validate.scored_models(run, run.prototype)
-        planned = Planned(run, run.prototype, Path(run.manifest.prototype_file), models, figures)
+        planned = Planned(run, run.prototype, Path(run.manifest.prototype_file), models, figures, jobs)
         beside = next(row.with_it for row in STAGES if row.name == stage)
         selected = list(tasks_of(of_stages(plan(planned), (stage, *beside))))
         if edits := edited(run):
@@ -223,7 +230,7 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
                 "the run was made from; `debist run` takes the edit over",
             )
         _refuse_damaged_inputs(run, selected)
-        return _bring_up_to_date(run, selected, (stage,), observer)
+        return _bring_up_to_date(run, selected, (stage,), observer, jobs)
 
 
 def _strike_lost(run: RunFolder, observer: Observer) -> None:

@@ -25,8 +25,8 @@ from .steps.identify import CHOICE, IDENTIFIED, identified, training
 ALGORITHM = "60"
 
 
-def tasks(prototype: Prototype, parameters: JointParameters | None) -> list[Task]:
-    """One task for all identified models: they share `model.h5`."""
+def tasks(prototype: Prototype, parameters: JointParameters | None, jobs: int) -> list[Task]:
+    """One task for all identified models, which share `model.h5`; with several `jobs` two are fitted at once."""
     settings = {
         "identify": prototype.identify.model_dump(mode="json"),
         "plant": prototype.plant.model_dump(mode="json", exclude=FILM | {"siblings"}),
@@ -44,7 +44,7 @@ def tasks(prototype: Prototype, parameters: JointParameters | None) -> list[Task
                 *known_inputs(prototype),
             ),
             outputs=(layout.MODELS,),
-            work=partial(_identify, prototype=prototype, parameters=parameters, settings=settings),
+            work=partial(_identify, prototype=prototype, parameters=parameters, settings=settings, jobs=jobs),
             reports=True,
         )
     ]
@@ -56,11 +56,12 @@ def _identify(
     prototype: Prototype,
     parameters: JointParameters | None,
     settings: Mapping[str, Any],
+    jobs: int,
 ) -> dict[str, Written]:
     plant = device(prototype)
     data = load_logs(run, prototype, "train")
     prior = prior_knowledge_of(run, prototype, parameters)
-    models, notes = identified(data, prototype, parameters, prior, on_progress)
+    models, notes = identified(data, prototype, parameters, prior, on_progress, jobs)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),

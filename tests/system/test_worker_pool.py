@@ -8,7 +8,7 @@ from functools import partial
 import pytest
 
 from pipeline.errors import WARNING, DebistError, InputError
-from pipeline.system.worker_pool import in_processes, pool
+from pipeline.system.worker_pool import in_processes, meanwhile, pool, silent
 
 
 def _square(number):
@@ -68,3 +68,26 @@ def test_a_process_that_dies_is_an_error_and_the_pool_goes_on_with_another():
         processes.finished()
         processes.begin(1, _reports, lambda what, share: None)
         assert [key for key, _ in processes.finished()] == [1]
+
+
+def _slow(on_progress):
+    time.sleep(60.0)
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_a_call_made_meanwhile_gives_its_result_and_its_error(jobs):
+    seen: list = []
+    with meanwhile(_reports, lambda what, share: seen.append((what, share)), jobs) as result, warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        assert (result() == os.getpid()) is (jobs == 1)
+    assert seen == [("half", 0.5)]
+    failing = meanwhile(partial(_raises, InputError("file x")), silent, jobs)
+    with failing as result, pytest.raises(InputError, match="file x"):
+        result()
+
+
+def test_a_call_whose_result_nobody_wants_is_ended():
+    began = time.perf_counter()
+    with meanwhile(_slow, silent, 2):
+        pass
+    assert time.perf_counter() - began < 30.0

@@ -2,7 +2,8 @@
 
 import time
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,7 @@ from ...signals.findings import Finding
 from ...signals.log import EDGE, Log
 from ...store.manifest import TIMES
 from ...store.tables import Table
-from ...system.worker_pool import OnProgress, silent
+from ...system.worker_pool import OnProgress, meanwhile, silent
 
 _LEAST_PART = 5 * EDGE
 """Valid samples of a part of a log that is no more than its beginning."""
@@ -111,6 +112,7 @@ def identified(
     parameters: JointParameters | None,
     prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
+    jobs: int = 1,
 ) -> tuple[dict[str, StoredModel], dict[str, Any]]:
     """Models of logs by name, the main model first, and notes on how they came about.
 
@@ -129,6 +131,8 @@ def identified(
         Curves and prior beside the logs.
     on_progress : callable
         Receives what a fit is doing, and its share.
+    jobs : int
+        Processes at a time: with more than one `rbf` is fitted beside the main model.
 
     Raises
     ------
@@ -144,30 +148,38 @@ def identified(
     models: dict[str, StoredModel] = {}
     beside: dict[str, StoredModel] = {}
     whole = training(data, prototype, parameters, prior_knowledge, on_progress)
-    for wanted in prototype.identify.models:
-        if wanted in notes.get(IDENTIFIED, ()):  # it was chosen already
-            continue
-        began = time.process_time()
-        if wanted == AUTO:
-            choice = _choose(whole, data, prototype)
-            model, notes[CHOICE] = choice.model, choice.to_json()
-            if not choice.held_out and whole.device.displacement.symbol == "rad" and prototype.may_be_a_joint:
-                notes["warnings"].append(choice.reason)
-            if choice.other is not None:
-                beside[choice.other.name] = choice.other
-        else:
-            asked = beside.get(wanted) or _asked(wanted, whole, data, prototype, notes["warnings"])
-            if asked is None:
+    network = partial(_fitted, "rbf", replace(whole, on_progress=silent), data, prototype)
+    with meanwhile(network, on_progress, jobs if "rbf" in prototype.identify.models[1:] else 1) as rbf:
+        for wanted in prototype.identify.models:
+            if wanted in notes.get(IDENTIFIED, ()):  # it was chosen already
                 continue
-            model = asked
-        models[model.name], facts = model, model.describe()
-        if facts.get("converged") is False:
-            notes["warnings"].append("; ".join(not_converged(model.name)))
-        if facts.get("search_complete") is False:
-            notes["warnings"].append(SEARCH_CUT.format(model=model.name, tried=len(facts["candidates"])))
-        seconds = None if wanted in beside else time.process_time() - began
-        notes[model.name] = {**facts, TIMES: {"fit_s": seconds}}
-        notes.setdefault(IDENTIFIED, []).append(model.name)
+            if wanted == AUTO:
+                began = time.process_time()
+                choice = _choose(whole, data, prototype)
+                seconds: float | None = time.process_time() - began
+                model, notes[CHOICE] = choice.model, choice.to_json()
+                if not choice.held_out and whole.device.displacement.symbol == "rad" and prototype.may_be_a_joint:
+                    notes["warnings"].append(choice.reason)
+                if choice.other is not None:
+                    beside[choice.other.name] = choice.other
+            elif wanted in beside:
+                model, seconds = beside[wanted], None
+            else:
+                fit = rbf if wanted == "rbf" else partial(_fitted, wanted, whole, data, prototype, on_progress)
+                try:
+                    model, seconds = fit()
+                except DataRefusedError as refused:
+                    if wanted != "rbf" or AUTO not in prototype.identify.models:
+                        raise
+                    notes["warnings"].append(f"rbf is not among the models: {refused}")
+                    continue
+            models[model.name], facts = model, model.describe()
+            if facts.get("converged") is False:
+                notes["warnings"].append("; ".join(not_converged(model.name)))
+            if facts.get("search_complete") is False:
+                notes["warnings"].append(SEARCH_CUT.format(model=model.name, tried=len(facts["candidates"])))
+            notes[model.name] = {**facts, TIMES: {"fit_s": seconds}}
+            notes.setdefault(IDENTIFIED, []).append(model.name)
     if prototype.identify.models[0] == AUTO:
         _put_first(models, whole, notes)
     if "hybrid" in beside:
@@ -201,21 +213,18 @@ def _stands_in(models: Collection[str]) -> tuple[tuple[str, ...], str]:
     return tuple(gates), " or ".join(what for name, what in knowledge.items() if name in models)
 
 
-def _asked(
-    wanted: str, given: Training, data: list[Log], prototype: Prototype, warnings: list[str]
-) -> StoredModel | None:
-    """A model that the settings name; no `rbf` beside "auto" where the logs refuse one, which `warnings` then state."""
-    if wanted != "rbf" or AUTO not in prototype.identify.models:
-        return model_type(wanted).fit(given)
-    try:
-        return _network(given, data, prototype)
-    except DataRefusedError as refused:
-        warnings.append(f"rbf is not among the models: {refused}")
-        return None
+def _fitted(
+    wanted: str, given: Training, data: list[Log], prototype: Prototype, on_progress: OnProgress
+) -> tuple[StoredModel, float]:
+    """A model that the settings name, and the processor time [s] of its fit."""
+    began = time.process_time()
+    given = replace(given, on_progress=on_progress)
+    beside_auto = wanted == "rbf" and AUTO in prototype.identify.models
+    model = _network(given, data, prototype) if beside_auto else model_type(wanted).fit(given)
+    return model, time.process_time() - began
 
 
 def _choose(given: Training, data: list[Log], prototype: Prototype) -> Choice:
-
     if given.known_curves is not None:
         return Choice(_network(given, data, prototype), "only rbf keeps the measured curves of plant.curves", {})
     return choose(given, model_type("hybrid").fit, lambda part: _network(part, data, prototype))
