@@ -272,23 +272,27 @@ class InstrumentTest:
         ahead, behind = ([self._residual(parts, delta + side * unit) for unit in units] for side in (1.0, -1.0))
         if any(run is None for run in (*ahead, *behind)):
             return None
-        problem, gain = self._problem(parts, delta)
-        residual, by_theta = problem.jacobian(self._model.theta, gain)
+        problem, gain, scale = self._problem(parts, delta)
+        residual, by_theta = (scale * each for each in problem.jacobian(self._model.theta, gain))
         by_parameters = by_theta @ self._model.spread
         if not (np.isfinite(residual).all() and np.isfinite(by_parameters).all()):
             return None
         return Linearised(residual, 0.5 * (np.array(ahead) - np.array(behind)).T, by_parameters)
 
     def _residual(self, parts: Sequence[Log], delta: FloatArray) -> FloatArray | None:
-        problem, gain = self._problem(parts, delta)
-        return problem.residual(self._model.theta, gain)
+        problem, gain, scale = self._problem(parts, delta)
+        residual = problem.residual(self._model.theta, gain)
+        return None if residual is None else scale * residual
 
-    def _problem(self, parts: Sequence[Log], delta: FloatArray) -> tuple[ObservedProblem, float]:
-        """The corrected log with the model, and the observer gain: by the log's own clock, as samples are compared from
-        some of its time constants after a gap on.
+    def _problem(self, parts: Sequence[Log], delta: FloatArray) -> tuple[ObservedProblem, float, float]:
+        """The corrected log with the model, the observer gain, and what makes residuals those of the raw reading of q.
+
+        The gain is by the log's own clock, as samples are compared from some of its time constants after a gap on. The
+        noise is that of the raw reading: else a gain of zero would leave nothing of a linear device.
         """
         by = _corrections(delta * self._limits)
-        return self._model.observed([corrected(part, by) for part in parts]), self._model.coupling / by.clock
+        problem = self._model.observed([corrected(part, by) for part in parts])
+        return problem, self._model.coupling / by.clock, 1.0 / by.gain_q
 
 
 def _corrections(delta: FloatArray) -> Corrections:

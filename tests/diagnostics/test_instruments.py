@@ -242,16 +242,16 @@ class _PendulumModel:
         return _PendulumProblem(parts[0])
 
 
-def _angle_log(seed: int) -> Log:
-    """An angle [rad] under sines of one linear input, with noise of 0.2 mrad."""
+def _angle_log(seed: int, size: float = 0.15, noise: float = 2e-4) -> Log:
+    """An angle [rad] under sines of one linear input, with noise [rad]."""
     rng = np.random.default_rng(seed)
     t = INTERVAL * np.arange(800)
     times = INTERVAL / FINE * np.arange(FINE * len(t))
     phases = rng.uniform(0.0, 2.0 * np.pi, 8)
     sines = np.sin(2.0 * np.pi * np.outer(times, np.linspace(0.2, 2.5, 8)) + phases).sum(axis=1)
-    fine = 0.15 * sines.reshape(len(t), FINE, 1)
+    fine = size * sines.reshape(len(t), FINE, 1)
     still = Log(t, 0.0 * t, 0.0 * t, 0.0 * t, fine[:, 0], fine=fine)
-    q = _pendulum(_PendulumModel().theta, still, 0.0, (0.0, 0.0)) + 2e-4 * rng.standard_normal(len(t))
+    q = _pendulum(_PendulumModel().theta, still, 0.0, (0.0, 0.0)) + noise * rng.standard_normal(len(t))
     return replace(still, q=q)
 
 
@@ -263,3 +263,14 @@ def test_instruments_of_an_angle_under_one_linear_input() -> None:
     wrong = corrected(_angle_log(2), Corrections((1.03,), 0.02, 1.02, 2.5e-3))
     found = _beyond(instruments.of([wrong]), instruments)
     assert found == pytest.approx({"gain_v1": 0.03, "zero_q": 0.02, "gain_q": 0.02, "delay": 2.5e-3}, rel=0.15)
+
+
+def test_a_linear_device_with_model_errors_does_not_hide_a_delay() -> None:
+    """Small swings are linear: gains of zero would leave no residual, were its noise not that of the raw reading."""
+    instruments = InstrumentTest(
+        _PendulumModel(np.array([TORQUE, GRAVITY, 1.05 * DAMPING])), [[_angle_log(1, 0.003, 0.0)]]
+    )
+    late = instruments.of([corrected(_angle_log(2, 0.003, 0.0), Corrections((1.0,), delay=5e-3))])
+    place = [each.name for each in instruments.quantities].index("delay")
+    assert late.status == "measured" and _beyond(late, instruments).keys() == {"delay"}
+    assert abs(late.estimate[place] - 5e-3) < SIGNIFICANCE * late.standard_error[place]
