@@ -18,7 +18,8 @@ SHARES = {
     "missing": ("of the samples are not finite", "repair the recorder"),
     "repeated": (
         "of the time stamps repeat the one before",
-        "repair the clock, or where its stamps are too coarse leave `time` out and set [ingest] sample_rate",
+        "repair the clock; only if its stamps are too coarse and no row is missing, leave `time` out and set [ingest] "
+        "sample_rate",
     ),
     "dropped": ("of the samples are missing one by one", "record slower"),
     "jitter": ("of the time step is its jitter (RMS)", "record by a hardware clock"),
@@ -189,10 +190,14 @@ def _coupling(finding: Finding) -> ShownRow:
     most = finding.value("most")
     mass = finding.value("mass")
     what = f"coupling if of {1e3 * mass:g} g"
-    advice = "check the units of the channels"
+    off = max(ratio, 1.0 / ratio)
+    small, short, large = ("small", "short", "large") if ratio > 1.0 else ("large", "long", "small")
+    root, most_off = significant(off**0.5, 2), significant(off, 2)
+    of_all = f"v1 and v2 ({root} times too {small} do that), of time ({root} times too {short}), of q"
+    advice = f"check the units of {of_all} ({most_off} times too {large})"
     if finding.subject == "stated":
         what = f"coupling with {quantity(1e3 * mass, 'g') if mass < 1.0 else f'{significant(mass)} kg'}"
-        advice = "check the unit of plant.mass, then those of the channels"
+        advice = f"check the units of {of_all} and of plant.mass ({most_off} times too {large})"
     coupling = f"{significant(ratio, 2)} × as drawn"
     advice = f"that is {_times(ratio)} the coupling of the joint as drawn: {advice}"
     return ShownRow(what, coupling, f"{1.0 / most:.2g} … {most:g}", advice)

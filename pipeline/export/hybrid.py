@@ -65,7 +65,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
     """
     condensed = model.joint
     if condensed.angle:
-        raise InputError(ANGLE_IS_READ.format(name="hybrid", what="exports"))
+        raise InputError(ANGLE_IS_READ.format(name="hybrid", what="exports", way_out="measure q, or take --model rbf"))
     joint = _Joint(model)
     return Realisation(
         functions={

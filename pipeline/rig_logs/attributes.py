@@ -10,7 +10,7 @@ import numpy as np
 from ..errors import InputError
 from ..units.units import parse_quantity, time_unit
 from .recording import NOT_APPLIED
-from .source import stated_rate
+from .source import possible_rate, stated_rate
 
 _UNIT = re.compile(r"(?i)(eng(ineering)?[ _]?)?units?|unit[ _]?(string|label|text)|ni_unitdescription|einheit(en)?")
 _OFFSET = "offset|intercept|y_?(org|origin|off|zero)"
@@ -68,11 +68,12 @@ def monitor_ratio(*texts: str) -> float:
 
 
 def rates_among(attributes: Mapping[str, Any], place: str) -> dict[str, tuple[float, float]]:
-    """Numbers among attributes that state a sample rate, and that [Hz], by their names; `place` stands before these."""
+    """Numbers among attributes that state or may state a sample rate, and it [Hz], by names; `place` before these."""
     rates = {}
     for name in attributes:
-        number = _number(attributes[name], quantity=True) if stated_rate(name, 1.0) is not None else None
-        if number is not None and (rate := stated_rate(name, number)) is not None:
+        rate_of = stated_rate if stated_rate(name, 1.0) is not None else possible_rate
+        number = _number(attributes[name], quantity=True) if rate_of(name, 1.0) is not None else None
+        if number is not None and (rate := rate_of(name, number)) is not None:
             rates[f"{place}.{name}" if place else name] = (number, rate)
     return rates
 

@@ -88,7 +88,7 @@ def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
 def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> dict[str, Any]:
     source = open_source(path, CsvOptions(**request["csv"]), limits)
     entries = source.entries()
-    wanted = _wanted(path, entries, source.texts, request["channels"])
+    wanted = _wanted(path, entries, source.texts, request["channels"], source.warnings)
     by_name = {entry.name: entry for entry in entries}
     bases = {entry.time: by_name[entry.time] for _, entry in wanted if entry.time is not None}
     needed = {entry.name: entry for entry in (*bases.values(), *(entry for _, entry in wanted))}
@@ -131,13 +131,14 @@ def _stated(source: Source) -> dict[str, Any]:
     """Metadata of the log: rates, descriptions, heading."""
     return {
         "rates": source.rates,
+        "frequencies": source.frequencies,
         "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
         "heading": source.heading[:_LONGEST_TEXT],
     }
 
 
 def _wanted(
-    path: Path, entries: list[Entry], texts: Mapping[str, str], names: list[str] | None
+    path: Path, entries: list[Entry], texts: Mapping[str, str], names: list[str] | None, warnings: list[str]
 ) -> list[tuple[str, Entry]]:
     """The entries asked for, each under the name by which it was asked for."""
     if names is None:
@@ -152,7 +153,8 @@ def _wanted(
             way_out = "" if ":" in texts[name] or ";" in texts[name] else "; export it as numbers"
             raise _RefusedError(f"{path}: channel {name!r} holds no plain numbers, but {texts[name]}{way_out}")
         if name not in by_alias:
-            raise _RefusedError(missing_channel(path, name, tuple(entry.name for entry in entries)))
+            told = "".join(f"; {warning}" for warning in warnings)
+            raise _RefusedError(missing_channel(path, name, tuple(entry.name for entry in entries)) + told)
     return [(name, by_alias[name]) for name in names]
 
 

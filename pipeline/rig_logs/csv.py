@@ -2,7 +2,7 @@
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -70,13 +70,14 @@ class CsvSource(Source):
         self._columns = unique_names(list(self._dialect.header))
         self._origins: dict[str, int] = {}
         self.rates = {name: rate for name, _, rate in self._dialect.rates}
+        self.frequencies = dict(self._dialect.frequencies)
         self._rewritten = self._dialect.rewritten
         self._words = dict[str, list[int]]()
         self._remarks = list[str]()
         self._firsts = dict(zip(self._columns, self._dialect.firsts, strict=True))
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
         local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
-        self._clocks = {name: Clock(self._firsts[name]) for name in local}
+        self._clocks = _clocks(self._firsts, local)
         texts = self._left_out()
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
         self.notes = self._noted(texts)
@@ -119,8 +120,10 @@ class CsvSource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Several columns, block of rows by block of rows."""
-        for name in self._clocks.keys() & set(names):
-            note = f"time of {name!r} {self._clocks[name].note}"
+        first: dict[float, str] = {}
+        for name in filter(self._clocks.__contains__, names):
+            clock = self._clocks[name]
+            note = f"time of {name!r} {first.setdefault(clock.turn, clock.note)}"
             self.notes += [] if note in self.notes else [note]
         rows = Counter[str]()
         while True:
@@ -219,7 +222,7 @@ class CsvSource(Source):
 
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
 
-        clocks = {name: Clock(self._firsts[name]) for name in self._clocks}
+        clocks = _clocks(self._firsts, self._clocks)
         looked_at = self._dialect.numeric[0] and not self._rewritten
         first = [name for name in self._columns[:1] if looked_at and name not in names]
         every = [*names, *first]  # words in the first column show that a row is none of numbers
@@ -272,11 +275,12 @@ class CsvSource(Source):
         return pa.float64() if self._dialect.has_marks or self._rewritten else pa.int64()
 
     def _since_first(self, name: str, stamps: Any) -> NDArray[Any]:
-        """Time stamps [s] since the first one of the column."""
+        """Time stamps [s] since the first one of the first column of such."""
         ticks = stamps.cast(pa.int64())
         if name not in self._origins and len(seen := ticks.drop_null()):
-            self._origins[name] = seen[0].as_py()
-            self.notes.append(f"time of {name!r} counts from {self._firsts[name]}")
+            first = next(iter(self._origins), name)
+            self._origins[name] = self._origins.get(first, seen[0].as_py())
+            self.notes.append(f"time of {name!r} counts from {self._firsts[first]}")
         since = pc.subtract(ticks, int(self._origins.get(name, 0))).cast(pa.float64(), safe=False)
         return doubles(since) / 1e9
 
@@ -285,6 +289,12 @@ class CsvSource(Source):
         length, notes = whole_rows(self._path, self._dialect)
         self.warnings += [note for note in notes if note not in self.warnings]
         return length
+
+
+def _clocks(firsts: Mapping[str, str], names: Iterable[str]) -> dict[str, Clock]:
+    """The columns of times of day of one log, which count from one origin."""
+    origins: dict[float, float] = {}
+    return {name: Clock(firsts[name], origins) for name in names}
 
 
 def _spellings(text: str) -> set[str]:

@@ -167,18 +167,28 @@ class Clock:
     ----------
     first : str
         The first cell that is not empty.
+    origins : dict of float to float
+        First time [ns] of the columns of one log, by the time [ns] after which they begin anew; the first to be read
+        sets it, so that what lies between two clocks stays.
+
+    Attributes
+    ----------
+    turn : float
+        That time of this column.
+    note : str
+        What it counts from if it is the first to be read.
     """
 
-    def __init__(self, first: str) -> None:
-        self._origin = np.nan
+    def __init__(self, first: str, origins: dict[float, float]) -> None:
+        self._origins = origins
         self._last = 0.0
         self._form, match = clock_of(first) or ("", None)
-        self._turn = SECONDS_IN["day" if match and match["h"] else "h"]
+        self.turn = 1e9 * SECONDS_IN["day" if match and match["h"] else "h"]
         begins = min((match.start(part) for part, text in match.groupdict().items() if text), default=0) if match else 0
         self.note = f"counts from {first}" + ("; its date is not used" if begins > 1 else "")
 
     def seconds(self, cells: Any) -> NDArray[Any]:
-        """The seconds of a part of the column since its first cell, NaN where a cell is empty.
+        """The seconds of a part of the column since the first cell of the log's clocks, NaN where a cell is empty.
 
         Raises
         ------
@@ -205,22 +215,22 @@ class Clock:
                 doubles(pc.match_substring_regex(half, form).cast(pa.float64())) for form in (".", "[Pp]")
             )
             hours = np.where(of_twelve > 0.0, hours % 12.0 + 12.0 * after_noon, hours)
-        return self._onwards(
-            SECONDS_IN["h"] * hours + SECONDS_IN["min"] * (part("m") + part("mm")) + part("s") + part("ss")
-        )
+        seconds = SECONDS_IN["h"] * hours + SECONDS_IN["min"] * (part("m") + part("mm")) + part("s") + part("ss")
+        return self._onwards(np.rint(1e9 * seconds))
 
     def _onwards(self, times: NDArray[Any]) -> NDArray[Any]:
-        """Times within a day (or an hour) from the first one on: back by more than half of it is the next one."""
+        """Times [ns] within a day (or an hour) from the first one on, in s: back by more than half is the next one."""
         filled = np.flatnonzero(np.isfinite(times))
         if not filled.size:
             return times
-        self._origin = float(times[filled[0]]) if np.isnan(self._origin) else self._origin
-        seconds = times - self._origin
-        steps = np.diff(seconds[filled], prepend=self._last % self._turn)
-        turns = np.floor(self._last / self._turn) + np.cumsum(steps < -self._turn / 2.0)
-        seconds[filled] += self._turn * turns
-        self._last = float(seconds[filled[-1]])
-        return seconds
+        since = times - self._origins.setdefault(self.turn, float(times[filled[0]]))
+        steps = np.diff(since[filled], prepend=self._last % self.turn)
+        turns = np.floor(self._last / self.turn) + np.cumsum(steps < -self.turn / 2.0)
+        if self._last == 0.0 and steps[0] > self.turn / 2.0:  # it begins before the origin, and that after midnight
+            turns -= 1.0
+        since[filled] += self.turn * turns
+        self._last = float(since[filled[-1]])
+        return since / 1e9
 
 
 def labview_starts(above: Sequence[Sequence[str]], width: int) -> tuple[tuple[float, float], ...]:

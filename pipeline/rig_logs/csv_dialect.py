@@ -31,6 +31,7 @@ from .csv_heading import (
     is_comment,
     names_and_units,
     rows_by_key,
+    stated_frequencies,
     stated_rates,
     stated_scales,
 )
@@ -231,6 +232,8 @@ class Dialect:
     """True if the decimal mark is known: seen, set, or the point beside commas that separate."""
     rates: tuple[tuple[str, float, float], ...]
     """Names and numbers in the preamble that state a sample rate, and it [Hz]."""
+    frequencies: tuple[tuple[str, float], ...]
+    """Names and frequencies [Hz] there that may be the sample rate."""
     scales: tuple[str, ...]
     """Notes on numbers in the preamble that look like a calibration."""
     texts: tuple[str, ...]
@@ -307,6 +310,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     above, comments = _above(table, lines)
     header_row, units_row = _header_rows(table, above, comments, options.header_row)
     _check_rows_below_header(table, above, header_row)
+    _check_commas(table, above)
     header, units, headings = _headings(table, above, header_row, units_row)
     if options.decimal is None and not table.shows_mark:
         _check_marks(table, header)
@@ -330,6 +334,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         firsts,
         options.decimal is not None or table.delimiter == "," or table.has_marks,
         stated_rates(lines[: table.first], table.delimiter),
+        stated_frequencies(lines[: table.first], table.delimiter),
         tuple(stated_scales(lines[: table.first], table.delimiter)),
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         bool(table.delimiter == " " or table.ragged or in_seconds)
@@ -426,6 +431,24 @@ def _check_marks(table: SampleTable, header: Sequence[str]) -> None:
         whole = any(NUMBER.match(cell) and table.decimal not in cell for _, cell in cells)
         if marked and (whole or table.decimal == "," or table.delimiter == ";"):
             raise UnreadableLogError(unclear_mark(marked, line + 1, header[column], table.decimal))
+
+
+_LEADING_ZERO = re.compile(r"0\d+")
+
+
+def _check_commas(table: SampleTable, above: Sequence[Sequence[str]]) -> None:
+    """Refuse commas that separate cells and stand before decimals: more cells than names, of which some are as 007."""
+    width = len(table.numeric)
+    names = next(([cell for cell in row if cell] for row in reversed(above) if any(row)), [])
+    if table.delimiter != "," or not 1 < len(names) < width <= 2 * len(names) or any(map(NUMBER.match, names)):
+        return
+    cells = [cell for row in table.rows[table.first :] for cell in row]
+    decimal = next(filter(_LEADING_ZERO.fullmatch, cells), None)
+    if decimal is not None and not any("." in cell for cell in cells):
+        raise UnreadableLogError(
+            f"its rows have {width} cells below {', '.join(map(repr, names))}, some of them as {decimal!r}: the comma "
+            "separates cells and stands before decimals; export it with semicolons, or with decimal points"
+        )
 
 
 def _check_rows_below_header(table: SampleTable, above: Sequence[Sequence[str]], header_row: int | None) -> None:

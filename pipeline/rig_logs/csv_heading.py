@@ -2,12 +2,12 @@
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from ..units.units import PLAIN
 from .attributes import number_with_unit, scales_among
 from .csv_cells import COMMENT, NUMBER, is_stamp, split_row
-from .source import UnreadableLogError, stated_rate, unique_names
+from .source import UnreadableLogError, possible_rate, stated_rate, unique_names
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
 _UNIT_BEHIND = re.compile(r"^(?P<name>.*\S)(?:\s+in\s+|\s+/\s*|,\s+|\s*(?=[<{]))[<{]?(?P<unit>[^\s<>{}]+)[>}]?$")
@@ -22,6 +22,8 @@ _RATE_IN_WORDS = re.compile(
     r"(?i)(sampl|scan|\brate|abtast)[^\d]*(?P<number>\d+([.,]\d+)?) ?(?P<unit>k?Hz|(s|sa|samples)/s(ec)?)\b"
 )
 """A sample rate as in ``sampled at 500 Hz``."""
+_ALONE = re.compile(r"(?i)\d+([.,]\d+)? ?k?Hz")
+"""A frequency with nothing else in its line, as in ``# 500 Hz``."""
 _KEY_END = re.compile(r"[:=;,\t]")
 _APART = re.compile(r"\s{2,}|\t")
 """Gap between names of several words above columns between blanks."""
@@ -129,6 +131,24 @@ def _holds_units(row: Row) -> bool:
 
 def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float, float], ...]:
     """Names and numbers, behind or below them, that state a sample rate in lines above the data, and it [Hz]."""
+    rates = _numbers_called(stated_rate, lines, delimiter)
+    for match in () if rates else filter(None, map(_RATE_IN_WORDS.search, lines)):
+        rate = number_with_unit(f"{match['number']} {match['unit']}", "")
+        rates[match[0]] = (match[0], rate, rate)
+    return tuple(rates.values())
+
+
+def stated_frequencies(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float], ...]:
+    """Names and frequencies [Hz] in lines above the data that may be the sample rate: of `frequency`, or alone."""
+    found = {name: rate for name, _, rate in _numbers_called(possible_rate, lines, delimiter).values()}
+    alone = filter(None, (_ALONE.fullmatch(bare_line(line).strip(f" {delimiter}")) for line in lines))
+    return tuple((found | {f"the line {match[0]!r}": number_with_unit(match[0], "") for match in alone}).items())
+
+
+def _numbers_called(
+    rate_of: Callable[[str, float], float | None], lines: Sequence[str], delimiter: str
+) -> dict[str, tuple[str, float, float]]:
+    """Names, numbers and rates [Hz] by those names, of keys of which a function knows the rate."""
     rates: dict[str, tuple[str, float, float]] = {}
     rows = [split_row(bare_line(line), delimiter) for line in lines]
     over = {cell for row in rows if row and row[0] == "X_Dimension" for cell in row[1:] if cell}
@@ -138,19 +158,16 @@ def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float
         for j, cell in enumerate(row):
             key, _, own = _KEY_END.sub(":", cell).partition(":")
             name, unit = _BRACKETED.sub("", key).strip(" #%"), "".join(_BRACKETED.findall(key)).strip("[]()")
-            if stated_rate(name, 1.0) is None or name in rates:
+            if rate_of(name, 1.0) is None or name in rates:
                 continue
             whole = _KEY_END.split(bare_line(lines[i]), maxsplit=1)[-1] if j == 0 else own  # a comma may be decimal
             below = rows[i + 1][j : j + 1] if i + 1 < len(rows) else []
             numbers = [number_with_unit(text, unit) for text in (whole, own, *row[j + 1 :], *below)]
             numbers = numbers[:1] if numbers[0] else numbers
-            stated = dict.fromkeys((number, rate) for number in numbers if (rate := stated_rate(name, number)))
+            stated = dict.fromkeys((number, rate) for number in numbers if (rate := rate_of(name, number)))
             for own_name, each in zip(unique_names([name] * len(stated)), stated, strict=True):
                 rates[own_name] = (own_name, *each)
-    for match in () if rates else filter(None, map(_RATE_IN_WORDS.search, lines)):
-        rate = number_with_unit(f"{match['number']} {match['unit']}", "")
-        rates[match[0]] = (match[0], rate, rate)
-    return tuple(rates.values())
+    return rates
 
 
 _DISPLAY = re.compile(r"(?i)(vertical|horizontal|probe|trigger|time|x)\b")

@@ -297,6 +297,8 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
         if ratio > 1.0 and unit == "V":
             entry = _with(entry, f"scale = {ratio:g}")
             monitor = f"; a monitor of 1:{ratio:g} by the log"
+        elif ratio > 1.0 and unit == FILL_IN:
+            monitor = f"; the log names 1:{ratio:g}: V of a monitor take scale = {ratio:g}"
         elif role in ("v1", "v2") and unit == "V" and _may_be_a_monitor(channel):
             monitor = "; of a 1:1000 monitor? then also scale = 1000"
         if role in ("v1", "v2") and _seldom(channel, log):

@@ -164,6 +164,7 @@ def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Fl
         for entry in answer["channels"]
     )
     rates = {str(name): float(rate) for name, rate in answer["rates"].items()}
+    frequencies = {str(name): float(number) for name, number in answer["frequencies"].items()}
     descriptions = {str(name): str(text) for name, text in answer["descriptions"].items()}
     return Recording(
         path=path,
@@ -173,6 +174,7 @@ def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Fl
         notes=tuple(answer["notes"]),
         warnings=tuple(answer["warnings"]),
         rates=rates,
+        frequencies=frequencies,
         descriptions=descriptions,
         heading=str(answer["heading"]),
     )

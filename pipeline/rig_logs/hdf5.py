@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ..units.units import SECONDS, time_unit
 from .attributes import description_among, plain, rates_among, scales_among, starts_among, texts_among, unit_among
 from .channel_roles import is_called
-from .source import MOST_COLUMNS, PART, Counted, Entry, Source, UnreadableLogError, left_out, not_listed, ranges
+from .source import MOST_COLUMNS, PART, Entry, Source, UnreadableLogError, left_out, not_listed, ranges
 
 PACKING = ("scale_factor", "add_offset", "_Unsigned", "valid_min", "valid_max", "valid_range")
 """Attributes of netCDF by which stored numbers are not the values."""
@@ -259,7 +259,7 @@ class Hdf5Source(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels, in slices along the stored chunks."""
-        counted = Counted()
+        counted = self.counted
         for name in names:
             dataset, column, missing = self._places[name]
             axis = int(np.argmax(dataset.shape))
@@ -281,7 +281,7 @@ class Hdf5Source(Source):
                 if written is not None:
                     samples = np.where(written[np.arange(first, last) // dataset.chunks[axis]], samples, np.nan)
                 yield name, samples
-        self.notes += counted.notes()
+        self.notes += counted.notes(names)
 
     def _list(self, name: str, dataset: Any) -> bool:
         """List its channels, or the sample rate that it states; False for numbers that are neither."""

@@ -28,13 +28,13 @@ from .mat_recorders import (
 )
 from .source import (
     MOST_COLUMNS,
-    Counted,
     Entry,
     Source,
     UnreadableLogError,
     left_out,
     not_listed,
     note_on_rate,
+    possible_rate,
     ranges,
     stated_rate,
 )
@@ -81,12 +81,12 @@ class MatSource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels."""
-        counted = Counted()
+        counted = self.counted
         for name in names:
             channel = self._channels[name]
             for first, last in ranges(channel.entry.count, channel.step):
                 yield name, counted(name, channel.read(first, last))
-        self.notes += counted.notes()
+        self.notes += counted.notes(names)
 
     def _add(self, channels: Sequence[MatChannel], prefix: str = "") -> None:
         for channel in channels:
@@ -112,6 +112,7 @@ class MatSource(Source):
             self.texts[name] = f"a MATLAB {value.kind}: {advice}"
         elif isinstance(value, str) and value:
             self.texts[name] = f"the text {value[:40]!r}"
+            self.heading = "; ".join(filter(None, (self.heading, value)))
         elif isinstance(value, MatArray):
             self._note_scalar(name, value, second)
             if value.is_vector:
@@ -156,6 +157,8 @@ class MatSource(Source):
                 rate if (stated_rate(name, 2.0) or 0.0) > (stated_rate(name, 1.0) or 0.0) else rate / second
             )
             self.notes.append(note_on_rate(name, number, rate))
+        elif (frequency := possible_rate(name, number)) is not None:
+            self.frequencies[name] = frequency
         self.stated_starts |= starts_among({name: number}, "")
         self.notes += scales_among({name: number})
 

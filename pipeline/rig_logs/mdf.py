@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 
 from ..units.units import SECONDS, time_unit
 from .source import (
-    Counted,
     Entry,
     Source,
     UnreadableChannelError,
@@ -68,7 +67,7 @@ class MdfSource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels in their physical units, NaN where the log marks them invalid."""
-        counted = Counted()
+        counted = self.counted
         for name in names:
             group, index = self._places[name]
             expected = int(self._mdf.groups[group].channel_group.cycles_nr)
@@ -80,7 +79,7 @@ class MdfSource(Source):
                 self._let_go()
             if held != expected:
                 raise UnreadableLogError(f"channel {name!r} has {held} of {expected} samples: truncated")
-        self.notes += counted.notes()
+        self.notes += counted.notes(names)
 
     def _let_go(self) -> None:
         """Give back the pages of the log that were read; asammdf maps all of it."""

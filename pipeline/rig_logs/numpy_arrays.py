@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from .attributes import rates_among, scales_among
 from .source import (
     MOST_COLUMNS,
-    Counted,
     Entry,
     Source,
     UnreadableLogError,
@@ -79,11 +78,11 @@ class NumpySource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels."""
-        counted = Counted()
+        counted = self.counted
         for name in names:
             for first, last in ranges(self._vectors[name].size):
                 yield name, counted(name, np.asarray(self._vectors[name][first:last]))
-        self.notes += counted.notes()
+        self.notes += counted.notes(names)
 
 
 open_log = NumpySource

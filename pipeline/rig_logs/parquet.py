@@ -83,14 +83,14 @@ class ParquetSource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Columns as numbers, NaN where they are null; time stamps as seconds since the first one."""
-        counted = Counted()
+        counted = self.counted
         for name in names:
             try:
                 for column in self._chunks(name):
                     yield name, _numbers(name, column, counted)
             except (pa.ArrowInvalid, OSError) as error:
                 raise UnreadableLogError(f"column {name!r}: {error}") from error
-        self.notes += counted.notes()
+        self.notes += counted.notes(names)
 
     def _chunks(self, label: str) -> Iterator[Any]:
         """A column in chunked arrays; a row group may be as large as the log, so it is not read at once."""
@@ -124,7 +124,7 @@ def _since_first(name: str, column: Any, counted: Counted) -> Any:
     """Decimals from the first one on where that is too large to be held exactly."""
     first = next((value.as_py() for value in column if value.is_valid), None)
     if first is not None:
-        counted.setdefault(name, first if abs(first).scaleb(column.type.scale) > EXACT else 0)
+        counted.origin(name, first if abs(first).scaleb(column.type.scale) > EXACT else 0)
     if not (origin := counted.get(name, 0)):
         return column
     wide = column.cast(pa.decimal256(_MOST_DIGITS, column.type.scale))

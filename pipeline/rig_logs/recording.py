@@ -69,6 +69,8 @@ class Recording:
         Samples that were left out or changed.
     rates : mapping of str to float
         Sample rates [Hz] that single numbers beside the channels state, by their names; information only.
+    frequencies : mapping of str to float
+        Frequencies [Hz] of which nothing says whether they are those of the samples or of a motion, by their names.
     descriptions : mapping of str to str
         Text of the log beside a channel, by its name.
     heading : str
@@ -82,6 +84,7 @@ class Recording:
     notes: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
     rates: Mapping[str, float] = field(default_factory=dict)
+    frequencies: Mapping[str, float] = field(default_factory=dict)
     descriptions: Mapping[str, str] = field(default_factory=dict)
     heading: str = ""
 

@@ -114,6 +114,10 @@ class Source(ABC):
         Names of columns that are no numbers, with a cell that shows it and what to do.
     rates : dict of str to float
         The sample rates [Hz] that single numbers state, by their names.
+    frequencies : dict of str to float
+        Frequencies [Hz] of which nothing says whether they are those of the samples or of a motion, by their names.
+    counted : Counted
+        Origins of its clocks.
     starts : dict of str to (float, float)
         Start and step [s] of each channel, where the log states them.
     stated_starts : dict of str to float
@@ -132,14 +136,19 @@ class Source(ABC):
         self.warnings: list[str] = []
         self.texts: dict[str, str] = {}
         self.rates: dict[str, float] = {}
+        self.frequencies: dict[str, float] = {}
+        self.counted = Counted()
         self.starts: dict[str, tuple[float, float]] = {}
         self.stated_starts: dict[str, float] = {}
         self.descriptions: dict[str, str] = {}
         self.heading = ""
 
     def note_rates(self, stated: Mapping[str, tuple[float, float]]) -> None:
-        """Keep numbers that state a sample rate, and that [Hz], by their names; each is noted once."""
+        """Keep numbers that state a sample rate, or may, and that [Hz], by their names; the former are noted once."""
         for name, (number, rate) in stated.items():
+            if stated_rate(name, number) is None:
+                self.frequencies[name] = rate
+                continue
             self.notes += [] if name in self.rates else [note_on_rate(name, number, rate)]
             self.rates[name] = rate
 
@@ -182,7 +191,15 @@ EXACT = 1 << 53
 
 
 class Counted(dict[str, Any]):
-    """Origins of channels of time stamps, or of whole numbers that are too large for float64, such as ns since 1970."""
+    """Origins of channels of time stamps, or of whole numbers that are too large for float64, such as ns since 1970.
+
+    Clocks of one log share an origin, the first sample of the first one that is read: what lies between them stays.
+    """
+
+    def origin(self, name: str, first: Any) -> Any:
+        """Origin of a channel whose first sample this is: that of a clock before it, else the sample itself."""
+        clocks = (each for each in self.values() if type(each) is type(first) and each != 0)
+        return self.setdefault(name, next((each for each in clocks if _is_near(each, first)), first))
 
     def __call__(self, name: str, samples: NDArray[Any]) -> NDArray[Any]:
         """A part of a channel, from its first sample on where that is a time stamp or too large to be held exactly.
@@ -191,7 +208,7 @@ class Counted(dict[str, Any]):
         """
         if samples.dtype.kind == "M":
             stamps = samples[~np.isnat(samples)]
-            samples = samples - (self.setdefault(name, stamps[0]) if stamps.size else self.get(name, samples[:1]))
+            samples = samples - (self.origin(name, stamps[0]) if stamps.size else self.get(name, samples[:1]))
         if samples.dtype.kind == "m":
             return samples / np.timedelta64(1, "s")
         if samples.dtype.kind not in "iu" or samples.dtype.itemsize < 8 or not samples.size:
@@ -199,16 +216,26 @@ class Counted(dict[str, Any]):
         ends = np.iinfo(samples.dtype)  # which stand for no value, mostly, as in place of NaN
         counts = samples[(samples != ends.min) & (samples != ends.max)]
         if counts.size:
-            self.setdefault(name, int(counts[0]) if abs(int(counts[0])) > EXACT else 0)
+            self.origin(name, int(counts[0]) if abs(int(counts[0])) > EXACT else 0)
         if not (origin := self.get(name, 0)):
             return samples
         near = (samples.astype(np.uint64) - np.uint64(origin % (1 << 64))).view(np.int64)
         far = samples.astype(np.float64) - float(origin)
         return np.where(np.abs(far) < EXACT, near, far)
 
-    def notes(self) -> list[str]:
-        """Origin of the channels' times."""
-        return [f"{name!r} counts from {origin}, its first sample" for name, origin in self.items() if origin != 0]
+    def notes(self, names: Sequence[str]) -> list[str]:
+        """Origin of the times of these channels."""
+        first = {f"{origin}": name for name, origin in reversed(self.items())}
+        return [
+            f"{name!r} counts from {origin}, the first sample of {first[f'{origin}']!r}"
+            for name, origin in self.items()
+            if name in names and origin != 0
+        ]
+
+
+def _is_near(origin: Any, first: Any) -> bool:
+    """True if a sample lies so near to an origin that float64 holds what is between them."""
+    return isinstance(first, np.datetime64) or abs(first - origin) < EXACT
 
 
 def left_out(texts: Mapping[str, str]) -> list[str]:
@@ -243,19 +270,31 @@ _STEP = re.compile(
     rf"{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit))"
 )
 """Names of single numbers that say how often a log was sampled …"""
+_FREQUENCY = re.compile(r"(?i)(.*[./])?(freq(uency)?|frequenz)")
+_PERIOD = re.compile(r"(?i)(.*[./])?period(e|endauer)?")
+"""… or what happens that often …"""
 _WITH_UNIT = re.compile(r"(?i)(?P<name>.*?)[_ ]+[\[(]?(?P<unit>k?hz|[mu]?s)[\])]?")
 """… and a unit behind such a name."""
 
 
 def stated_rate(name: str, number: float) -> float | None:
     """Sample rate [Hz] that a single number of this name states, as `fs` [Hz], `Ts` [s] or `dt_ms`; None for others."""
+    return _rate(name, number, _RATE, _STEP)
+
+
+def possible_rate(name: str, number: float) -> float | None:
+    """Frequency [Hz] that a single number of this name states, as `frequency` or `period_us`; None for others."""
+    return _rate(name, number, _FREQUENCY, _PERIOD)
+
+
+def _rate(name: str, number: float, rates: re.Pattern[str], steps: re.Pattern[str]) -> float | None:
     if not 0.0 < number < math.inf:
         return None
     unit = _WITH_UNIT.fullmatch(name)
-    if unit and not (_RATE.fullmatch(name) or _STEP.fullmatch(name)):
+    if unit and not (rates.fullmatch(name) or steps.fullmatch(name)):
         name = unit["name"]
         number *= SECONDS.get(unit["unit"].lower(), 1000.0 if unit["unit"].lower() == "khz" else 1.0)
-    rate = number if _RATE.fullmatch(name) else 1.0 / number if _STEP.fullmatch(name) else math.inf
+    rate = number if rates.fullmatch(name) else 1.0 / number if steps.fullmatch(name) else math.inf
     return rate if rate < math.inf else None
 
 

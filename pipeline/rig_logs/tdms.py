@@ -16,7 +16,6 @@ from ..units.units import SECONDS, time_unit
 from .attributes import description_among, rates_among, scales_among, texts_among, unit_among
 from .channel_roles import is_called
 from .source import (
-    Counted,
     Entry,
     Source,
     UnreadableLogError,
@@ -176,7 +175,7 @@ class TdmsSource(Source):
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels; time stamps count from the first."""
         waveforms = {name: key for key, name in self._times.items()}
-        counted = Counted()
+        counted = self.counted
         for name in names:
             if name in waveforms:
                 step, begun, count = waveforms[name]
@@ -188,7 +187,7 @@ class TdmsSource(Source):
                 continue
             for first, last in ranges(len(self._channels[name])):
                 yield name, counted(name, np.asarray(self._channels[name][first:last]))
-        self.notes += counted.notes()
+        self.notes += counted.notes(names)
 
 
 def _start(properties: Mapping[str, Any]) -> Any:

@@ -201,6 +201,11 @@ def _instead(unit: str, allowed: tuple[str, ...], *, velocity: bool) -> str:
             "; if these are steps or volts of a sensor, give `scale` too: the length or angle of one, in that unit; a "
             "temperature or another quantity goes as 'V', which stands for it"
         )
+    if allowed == (MASS["rad"],):
+        return (
+            ": q is an angle; for that of a joint set plant.parameters too, else give the inertia in 'g*m^2', or leave "
+            "the mass out"
+        )
     return "; write '1' for the numbers of any other input" if allowed == INPUT else ""
 
 

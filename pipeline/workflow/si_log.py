@@ -122,8 +122,10 @@ def read_si(
     beside = _clocks_beside(read, prototype)
     unread = sorted({*beside.values(), *_clocks_unnamed(read, prototype)}.difference(wanted))
     if unread:
-        clocks = read_recording(path, channels=unread, csv=csv).channels
-        read = replace(read, channels=(*read.channels, *clocks))
+        named = [each.channel for each in (channels.time, *(signal.time for signal in signals)) if each is not None]
+        clocks = read_recording(path, channels=[*named, *unread], csv=csv).channels  # stamps count from one origin
+        others = (each for each in read.channels if each.name not in {clock.name for clock in clocks})
+        read = replace(read, channels=(*clocks, *others))
     plant = device(prototype)
     return with_displacement(on_uniform_clocks(_si_log(read, prototype, plant, beside)), plant, parameters)
 
@@ -386,8 +388,10 @@ def _contradicted_rates(recording: Recording, channel: str, time: FloatArray, pr
     rates = dict(rates_beside(channel, recording.rates))
     for name in _clocks_unnamed(recording, prototype):
         rates |= _rate_of_column(recording.channel(name), prototype.ingest.sample_rate or 0.0)
-    own = 1.0 / nominal_step(time) if rates else 0.0
-    if any(abs(rate / own - 1.0) <= _RATES_AGREE for rate in rates.values()) or not rates:
+    if not rates:
+        return _rates_in_doubt(recording, prototype)
+    own = 1.0 / nominal_step(time)
+    if any(abs(rate / own - 1.0) <= _RATES_AGREE for rate in rates.values()):
         return []
     stated = " and ".join(f"{name} states {rate:.6g} Hz" for name, rate in rates.items())
     if prototype.ingest.sample_rate is None:
@@ -395,6 +399,26 @@ def _contradicted_rates(recording: Recording, channel: str, time: FloatArray, pr
     numbers = {name: Number(rate, "Hz") for name, rate in rates.items()}
     numbers["settings"] = Number(prototype.ingest.sample_rate, "Hz")
     return judge(f"{recording.path}", [refusal("rate", "other_rate", numbers)], prototype.quality)
+
+
+def _rates_in_doubt(recording: Recording, prototype: Prototype) -> list[str]:
+    """A message on frequencies that no motion in the samples can have, and that are not the rate of the settings.
+
+    A lower one may be that of an excitation, and any may be that of another instrument: none refuses the log.
+    """
+    rate = prototype.ingest.sample_rate
+    if rate is None or prototype.channels.time is not None:
+        return []
+    ratios = {name: frequency / rate for name, frequency in recording.frequencies.items()}
+    if any(abs(ratio - 1.0) <= _RATES_AGREE for ratio in ratios.values()):
+        return []
+    beyond = [f"{name} is {ratio * rate:.6g} Hz" for name, ratio in ratios.items() if ratio >= 0.5 * (1 - _RATES_AGREE)]
+    if not beyond:
+        return []
+    return [
+        f"in the log {' and '.join(beyond)}, and a motion has less than half of [ingest] sample_rate = {rate:g} Hz: is "
+        "that rate right?"
+    ]
 
 
 def _rate_of_column(column: RecordedChannel, wanted: float) -> dict[str, float]:

@@ -82,13 +82,17 @@ MISTAKES = (
         "give q scale = -1",
         _logs(lambda table: table * [1.0, -1.0, 1.0, 1.0]),
     ),
-    Mistake("the mass in g given as kg", "the coupling of the joint as drawn: check the unit", _edit(('"g"', '"kg"'))),
+    Mistake("the mass in g given as kg", "of q and of plant.mass (", _edit(('"g"', '"kg"'))),
     Mistake(
         "time in ms read as s",
         "correct the unit of time in [channels] (ms is not s) or the sample_rate (in Hz)",
         _logs(lambda table: table * [1e3, 1.0, 1.0, 1.0]),
     ),
-    Mistake("kV read as V", "the coupling of the joint as drawn: check the unit", _edit(('unit = "kV"', 'unit = "V"'))),
+    Mistake(
+        "kV read as V",
+        "the coupling of the joint as drawn: check the units of v1 and v2 (",
+        _edit(('unit = "kV"', 'unit = "V"')),
+    ),
     Mistake("mm read as m", "check the unit of q in [channels]", _edit(('unit = "mm"', 'unit = "m"'))),
     Mistake(
         "the folder of another prototype's run",

@@ -277,7 +277,7 @@ MISTAKES = (
     Mistake("a log of 20 ms", "record longer", INGEST, _signal(lambda one: rows(one, slice(0, 20)))),
     Mistake(
         "a mass in g given as kg",
-        "check the unit of plant.mass",
+        "of q and of plant.mass (",
         CHECK,
         _settings(plant={"mass": {"value": 41.0, "unit": "kg"}}),
     ),

@@ -62,3 +62,14 @@ def test_columns_of_structs_in_parquet_are_channels(tmp_path):
     np.testing.assert_array_equal(channels["m.q"], np.where(missing, np.nan, Q))
     np.testing.assert_array_equal(channels["m.hv.left"], np.where(missing, np.nan, V))
     assert set(channels) == {"t", "m.q", "m.hv.left"} and "'m.hv.note' (string)" in " ".join(recording.notes)
+
+
+@pytest.mark.parametrize("apart", [12_000_000, 0, -(1 << 60)])
+def test_counters_of_one_log_keep_what_lies_between_them_as_far_as_float64_holds_it(tmp_path, apart):
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        file["t"], file["t_v"], file["id"] = STAMPS, STAMPS + apart, np.full(STAMPS.size, 7)
+    read = {channel.name: channel.samples for channel in read_recording(tmp_path / "log.h5").channels}
+    own = apart if abs(apart) < 1 << 53 else 0
+    np.testing.assert_array_equal(read["t"], STAMPS - STAMPS[0])
+    np.testing.assert_array_equal(read["t_v"], STAMPS - STAMPS[0] + own)
+    assert read["id"][0] == 7

@@ -83,6 +83,28 @@ def test_missing_values_are_numbers_that_are_not_there(tmp_path):
     np.testing.assert_array_equal(read_here(path)["q"], [np.nan, np.nan, np.nan, np.inf, -5, np.nan, 7, 8])
 
 
+@pytest.mark.parametrize("heading", ["t,q,v", "t [s],q [mm],v [kV]", "Prüfstand 3\nt,q,v\ns,mm,kV", "# t,q,v"])
+@pytest.mark.parametrize("whole", [False, True])
+def test_commas_that_separate_and_stand_before_decimals_are_refused(heading, whole):
+    """Cut at each comma, decimals are columns of their own; a column of whole numbers has none."""
+    rows = [f"{i if whole else i / 2000},{-8 + i / 640:.3f},{i % 7 / 64:.2f}".replace(".", ",") for i in range(400)]
+    rows = [row.replace(",", ".").replace(".", ",") for row in rows if whole or row.count(",") == 5]
+    with pytest.raises(UnreadableLogError, match=r"the comma separates cells and stands before decimals"):
+        _find("\n".join([heading, *rows]) + "\n")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "rig,2\n" + "".join(f"{i},{2 * i},{i % 9}\n" for i in range(50)),
+        "t,q\n" + "".join(f"0{i % 9}.5,{i},{i % 9}\n" for i in range(50)),
+        "t,q,n,m\n" + "".join(f"{i},{2 * i},007,{i % 9}\n" for i in range(50)),
+    ],
+)
+def test_rows_of_whole_numbers_below_other_words_are_read(text):
+    assert _find(text).delimiter == ","
+
+
 def test_quoted_cells_protect_the_delimiter(tmp_path):
     path = tmp_path / "log.csv"
     path.write_text('"t","q [mm]","remark"\n"0","1.5","a, b"\n"1","2.5",""\n')

@@ -5,6 +5,7 @@ import tomllib
 import h5py
 import numpy as np
 import pytest
+from scipy.io import savemat
 from typer.testing import CliRunner
 
 from cli import app
@@ -73,3 +74,8 @@ def test_small_voltages_may_be_those_of_a_monitor(tmp_path):
     )
     refused = RUNNER.invoke(app, ["ingest", str(settings), "-o", str(tmp_path / "run")])
     assert refused.exit_code == 2 and 'give unit = "V", scale = 1000' in " ".join(refused.output.split())
+
+
+def test_a_text_of_a_mat_file_tells_of_the_monitor_where_no_unit_is_stated(tmp_path):
+    savemat(tmp_path / "log.mat", {"t": T, "laser": COLUMNS["q"], "hv1": COLUMNS["a"], "note": "Trek, monitor 1:1000"})
+    assert "the log names 1:1000: V of a monitor take scale = 1000" in toml_draft([inspect_log(tmp_path / "log.mat")])

@@ -123,6 +123,37 @@ def test_each_channel_is_on_the_clock_beside_it(tmp_path, names):
     assert rises == pytest.approx(0.012, abs=2e-3) and "a clock of its own" in result.output
 
 
+@pytest.mark.parametrize(
+    ("name", "begins"),
+    [("log.parquet", "2026-11-20T10:00"), ("log.npz", "2026-11-20T10:00"), ("iso.csv", "2026-11-20T10:00")]
+    + [("clock.csv", begins) for begins in ("2026-11-20T10:00", "2026-11-20T23:59:59.995", "2026-11-20T23:59:59.985")],
+)
+@pytest.mark.parametrize("late", [0.012, -0.012])
+def test_clocks_of_dates_or_times_of_day_keep_what_lies_between_them(tmp_path, name, begins, late):
+    """Each would begin at zero by itself; time stamps of a log count from one origin, also across midnight."""
+    stamps = np.datetime64(begins, "us") + np.rint(1e6 * T).astype("m8[us]")
+    columns = {"t": stamps, "q": Q, "t_v": stamps + np.timedelta64(round(1e6 * late), "us"), "v": V}
+    if name.endswith("npz"):
+        np.savez(tmp_path / name, **columns)
+    elif name.endswith("parquet"):
+        pd.DataFrame(columns).to_parquet(tmp_path / name)
+    else:
+        texts = {key: [str(each)[11 * (name == "clock.csv") :] for each in columns[key]] for key in ("t", "t_v")}
+        pd.DataFrame(columns | texts).to_csv(tmp_path / name, index=False)
+    (tmp_path / "d.toml").write_text(
+        f'name = "d"\n[logs]\ntrain = ["{name}"]\n[channels]\n{TIME}q = {{ channel = "q", unit = "mm" }}\n'
+        'v1 = { channel = "v", unit = "V" }\n[plant]\ninputs = "linear"\n'
+    )
+    result = RUNNER.invoke(app, ["ingest", str(tmp_path / "d.toml"), "-o", str(tmp_path / "run")])
+    said = " ".join(result.output.split())
+    assert result.exit_code == 0, said
+    record = RunFolder.open(tmp_path / "run").read_table(f"train/{name.partition('.')[0]}/record.parquet")
+    np.testing.assert_allclose(record["q"], 1e-3 * np.interp(record["t"], T, Q), atol=1e-5)
+    rises = record["t"][np.argmax(np.diff(record["v1"]) > 1000.0)] - T[np.argmax(np.diff(V) > 1000.0)]
+    assert rises == pytest.approx(late, abs=2e-3)
+    assert "up to 12.0 ms from 't': it is used for v1" in said and "rounded" not in said
+
+
 def test_a_rate_that_the_log_states_against_that_of_the_settings(tmp_path):
     channels = 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
     (tmp_path / "log.csv").write_text(
@@ -136,6 +167,32 @@ def test_a_rate_that_the_log_states_against_that_of_the_settings(tmp_path):
         assert (
             "sample rate states 1000 Hz, but [ingest] sample_rate is 100 Hz" in " ".join(result.output.split())
         ) is (rate == 100.0)
+
+
+@pytest.mark.parametrize(
+    ("above", "rate", "told"),
+    [
+        ("# 1000 Hz", 500.0, "the line '1000 Hz' is 1000 Hz, and a motion has less than half of"),
+        ("Frequency: 1000 Hz", 2000.0, "Frequency is 1000 Hz"),
+        ("frequency = 1 kHz", 1200.0, "frequency is 1000 Hz"),
+        ("period_us: 1000", 833.3, "period_us is 1000 Hz"),
+        ("# 1000 Hz", 1000.0, ""),
+        ("excitation frequency: 2.5 Hz", 1000.0, ""),
+        ("frequency: 400 Hz", 1000.0, ""),
+        ("# 1000 Hz low pass", 500.0, ""),
+    ],
+)
+def test_a_frequency_that_no_motion_can_have_questions_the_rate_and_refuses_nothing(tmp_path, above, rate, told):
+    rows = "".join(f"{q:.4f},{v:.1f}\n" for q, v in zip(Q, V, strict=True))
+    (tmp_path / "log.csv").write_text(f"{above}\nq,v\n{rows}")
+    (tmp_path / "d.toml").write_text(
+        'name = "d"\n[logs]\ntrain = ["log.csv"]\n[channels]\nq = { channel = "q", unit = "mm" }\n'
+        f'v1 = {{ channel = "v", unit = "V" }}\n[plant]\ninputs = "linear"\n[ingest]\nsample_rate = {rate}\n'
+    )
+    result = RUNNER.invoke(app, ["ingest", str(tmp_path / "d.toml"), "-o", str(tmp_path / "run")])
+    said = " ".join(result.output.split())
+    assert result.exit_code == 0, said
+    assert ("is that rate right?" in said) is bool(told) and told in said
 
 
 @pytest.mark.parametrize(

@@ -16,8 +16,7 @@ from ...numerics.arrays import FloatArray
 from ...signals.log import Log
 
 ANGLE_IS_READ = (
-    "{name} was identified from the angle of the joint, and {what} of it take a measured displacement; measure q, or "
-    "take another model"
+    "{name} was identified from the angle of the joint, and {what} of it take a measured displacement; {way_out}"
 )
 """Message with which uses of a model that read q alone refuse it."""
 _NEWTON = 4

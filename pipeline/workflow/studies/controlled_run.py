@@ -156,11 +156,14 @@ def control_run(root: Path) -> ControlRun:
     name, artifact = controlled_model(run, prototype)
     model = load_run_model(run, prototype, name)
     if not isinstance(model, HybridModel):
-        joint = "name the model 'hybrid' first in [identify] models"
-        advice = joint if device(prototype).joint else "it is for a joint with two membranes, not for another device"
+        plant = device(prototype)
+        advice = "name the model 'hybrid' first in [identify] models"
+        if not plant.joint:
+            angle = plant.displacement.symbol == "rad" and len(plant.inputs) > 1
+            advice = "of a joint measure q itself, not its angle" if angle else "it is for joints with two membranes"
         raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
     if model.joint.angle:
-        raise InputError(f"{root}: {ANGLE_IS_READ.format(name=name, what='controllers')}")
+        raise InputError(f"{root}: {ANGLE_IS_READ.format(name=name, what='controllers', way_out='measure q')}")
     rests = _rests(run, prototype)
     _refuse_bad_model(run, name, model, _MISSED * (rests[1] - rests[0]) if rests else _UNSEEN)
     return ControlRun(run, prototype, model, name, artifact, rests)
