@@ -81,10 +81,6 @@ class ControlledJoint:
         """Reading of the laser [m] at the displacement q [m]."""
         return q + self.offset
 
-    def displacement(self, reading: float) -> float:
-        """The displacement [m] at which the laser shows `reading` [m]."""
-        return reading - self.offset
-
 
 def plant_of(model: "HybridModel", rests: tuple[float, float] | None = None) -> ControlledJoint:
     """The plant of an identified hybrid joint, whose logs show these rests (readings [m])."""

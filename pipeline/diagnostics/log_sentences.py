@@ -174,7 +174,10 @@ def _late_answer(finding: Finding) -> ShownRow:
     number = finding.numbers["late"]
     shown, factor = scale("s", number.value)
     later = number.value > 0.0
-    advice = "q moves before its inputs: start both recorders by one trigger"
+    advice = (
+        "q moves before its inputs: if it is the angle of a joint, give it in deg or rad; else start both recorders "
+    )
+    advice += "by one trigger"
     if later:
         advice = (
             "start both recorders by one trigger; if the sensor of q averages over a window, give that as `average` in "

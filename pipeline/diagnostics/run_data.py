@@ -95,7 +95,7 @@ class RunData:
     choice : mapping or None
         Choice of "auto" between the models (`pipeline.models.choose.Choice`), if it was made.
     log_checks : sequence of mapping
-        Rows of `debist check` as its JSON has them; none in a run of before they were made.
+        Rows of `debist check` as its JSON has them.
     instruments : sequence of mapping
         Rows of ``instruments.parquet``; none in a run without it.
     siblings : NormalPopulation or None

@@ -54,11 +54,6 @@ class Rail:
     high: float
     share: float
 
-    @property
-    def level(self) -> float:
-        """The middle."""
-        return 0.5 * (self.low + self.high)
-
 
 def rail(values: FloatArray, usual: tuple[float, float], end: int, noise: float) -> Rail | None:
     """The end of the sensor's range, where a signal is cut off by it.

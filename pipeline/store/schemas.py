@@ -32,9 +32,6 @@ class Schema:
     kind: str
     columns: tuple[Column, ...]
 
-    def __getitem__(self, key: str) -> Column:
-        return next(column for column in self.columns if column.key == key)
-
 
 RECORD = Schema("record", RECORD_COLUMNS)
 SIGNALS = Schema("signals", RECORD_COLUMNS)

@@ -12,8 +12,11 @@ from pipeline.diagnostics.check import check_logs, check_rows, refusing
 from pipeline.diagnostics.sentences import sentences
 from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray
+from pipeline.rig.joint import simulate
+from pipeline.rig.parameters import nominal
 from pipeline.signals.findings import Finding
 from pipeline.units.units import SiUnit
+from tests.models.hybrid.test_hybrid import pulses
 from tests.prototypes import motion
 
 RATE, DURATION = 1000.0, 37.5
@@ -208,3 +211,16 @@ def test_the_angle_of_a_joint_is_named_and_may_answer_at_other_times(pair: list[
         for angle in (None, SiUnit(1.0, "rad"))
     ]
     assert [codes & {"from_angle", "late_answer"} for codes in found] == [{"late_answer"}, {"from_angle"}]
+
+
+def test_the_angle_of_a_joint_given_as_a_length_answers_early_and_is_named() -> None:
+    t, v = pulses(3, 16.0)
+    fine = np.arange(round(4000.0 * t[-1]) + 1) / 4000.0
+    volts = np.column_stack([np.interp(fine, t, column) for column in v.T])
+    moved = simulate(nominal(), volts, 1.0 / 4000.0, stride=2)
+    at = slice(None, None, 4)
+    noise = np.random.default_rng(1).normal(0.0, 5e-6, (2, moved.phi[at].size))
+    for q, told in ((moved.q[at], False), (1e-3 * np.degrees(moved.phi[at]), True)):
+        log = LogSignals("log", fine[::4][: q.size], q + noise[0], volts[::4][: q.size], 1e-3, 5e-6)
+        said = [": ".join(sentences(each)) for each in check_logs([log], JOINT, 0.01) if each.severity == "fair"]
+        assert any("if it is the angle of a joint, give it in deg or rad" in text for text in said) is told, said
