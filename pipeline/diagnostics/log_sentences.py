@@ -175,9 +175,9 @@ def _late_answer(finding: Finding) -> ShownRow:
     shown, factor = scale("s", number.value)
     later = number.value > 0.0
     advice = (
-        "q moves before its inputs: if it is the angle of a joint, give it in deg or rad; else start both recorders "
+        "q moves before its inputs: if it is the angle of a joint, give it in deg or rad; "
+        "else start both recorders by one trigger"
     )
-    advice += "by one trigger"
     if later:
         advice = (
             "start both recorders by one trigger; if the sensor of q averages over a window, give that as `average` in "
