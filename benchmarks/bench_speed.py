@@ -49,9 +49,9 @@ _CALIBRATION = (
     + """
 from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 from pipeline.device.parameters import NOMINAL
-from pipeline.workflow.logs import trajectories
+from pipeline.signals.log import log_of
 from pipeline.store.tables import read_table
-motions = trajectories(read_table(next(run.glob("train/*/kinematics.parquet"))))
+motions = log_of(read_table(next(run.glob("train/*/kinematics.parquet")))).segments()
 names = ASYMMETRIC_NAMES + FRICTION_NAMES
 print(seconds(lambda: calibrate(motions, NOMINAL, np.random.default_rng(0), names=names), 1))
 """
