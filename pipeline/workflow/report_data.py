@@ -61,7 +61,7 @@ def read_run(
         scores=tuple(row for row in rows if row["model"] in models),
         provenance=provenance(run, prototype),
         accepted=_accepted(run, prototype),
-        log_checks=tuple(run.read_document(layout.CHECK)["rows"]),
+        log_checks=_log_checks(run),
         choice=run.record(layout.MODELS).notes.get(CHOICE),
         studies=tuple(read_study(run, name, plant) for name in studies),
         measured_curves=measured_curves(run, prototype),
@@ -86,6 +86,13 @@ def measured_curves(run: RunFolder, prototype: Prototype) -> dict[str, FloatArra
     }
 
 
+def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:
+    """The rows of `debist check`; none in a run of before they were made."""
+    if layout.CHECK not in run.manifest.artifacts:
+        return ()
+    return tuple(run.read_document(layout.CHECK)["rows"])
+
+
 def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
     """Findings that the quality gates let pass by the settings, those of the logs first."""
     accepted = [
@@ -93,11 +100,9 @@ def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
         for role, name, _ in layout.logs(prototype)
         for text in run.record(layout.record(role, name)).notes.get("accepted", ())
     ]
-    return (
-        *accepted,
-        *run.record(layout.CHECK).notes.get("accepted", ()),
-        *run.record(layout.MODELS).notes.get("accepted", ()),
-    )
+    if layout.CHECK in run.manifest.artifacts:
+        accepted += run.record(layout.CHECK).notes.get("accepted", ())
+    return (*accepted, *run.record(layout.MODELS).notes.get("accepted", ()))
 
 
 def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:
@@ -119,6 +124,8 @@ def _models(
     unreadable: dict[str, dict[str, str]] = {}
     for name in names:
         artifact = layout.MODELS if name in identified_models(run, prototype) else layout.baseline(name)
+        if artifact not in run.manifest.artifacts:
+            continue
         tree = run.read_tree(artifact, name)
         try:
             loaded[name] = model_from_tree(name, tree)
@@ -131,7 +138,8 @@ def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, A
     if name in identified_models(run, prototype):
         described = run.record(layout.MODELS).notes.get(name, {})
     else:
-        described = run.record(layout.baseline(name)).notes
+        record = run.manifest.artifacts.get(layout.baseline(name))
+        described = record.notes if record else {}
     stated = {key: value for key, value in described.items() if key != TIMES}
     return stated | choice_facts(run.record(layout.MODELS).notes.get(CHOICE), name)
 
