@@ -1,11 +1,11 @@
 """`compiled`: numba's `njit` with the cache of `kernel_cache`, and the parts of numba that kernels need."""
 
-import atexit
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar, overload
 
+from ..system.isolation import at_end
 from ..system.machine import import_configured
 from .arrays import FloatArray, IntArray
 from .kernel_cache import certify, kernel_folder
@@ -79,7 +79,7 @@ def keep_kernels() -> None:
         certify()
 
 
-atexit.register(keep_kernels)
+at_end(keep_kernels)
 
 
 @inner

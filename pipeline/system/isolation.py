@@ -4,6 +4,7 @@ On Linux processes are forked from a server that has imported what they need, el
 process imports neither the program's main module nor modules of the current folder, and ends when its parent is gone.
 """
 
+import atexit
 import json
 import math
 import multiprocessing
@@ -268,6 +269,22 @@ def _work(channel: Connection, here: str | None, words: str, work: Callable[...,
         os.dup2(stream.fileno(), number)
         setattr(sys, name, stream)
     work(lambda message: channel.send_bytes(json.dumps(message).encode()), *arguments)
+    end()
+
+
+_at_end = list[Callable[[], None]]()
+
+
+def at_end(call: Callable[[], None]) -> None:
+    """Have this called when the process ends as usual, by `multiprocessing` too, which does nothing of `atexit`."""
+    atexit.register(call)
+    _at_end.append(call)
+
+
+def end() -> None:
+    """Do what is to be done at the end of a process of `multiprocessing`."""
+    for call in _at_end:
+        call()
 
 
 def begin() -> None:

@@ -9,7 +9,7 @@ from multiprocessing.connection import Connection, wait
 from typing import Any, Protocol, TypeVar
 
 from ..errors import WARNING, DebistError
-from .isolation import apart, begin, process_context
+from .isolation import apart, begin, end, process_context
 
 OnProgress = Callable[[str, float], None]
 """Called with the present step and the share, 0 to 1, that is done."""
@@ -127,6 +127,12 @@ class _Processes:
         for process in self._processes:
             process.terminate()
 
+    def leave(self) -> None:
+        """Let processes without a call end, which then keep what they have compiled, and end all if one has a call."""
+        if self._calls:
+            self.terminate()
+        self.close()
+
 
 class _Ended:
     """Outcome of a call: its value, or the error that it raised, and the warnings for the user."""
@@ -156,6 +162,7 @@ def _serve(channel: Connection) -> None:
     begin()
     while (call := channel.recv()) is not None:
         channel.send(_made(call, lambda what, share: channel.send((what, share))))
+    end()
 
 
 def _made(call: Call, on_progress: OnProgress) -> _Ended:
@@ -213,8 +220,7 @@ def meanwhile(call: Call, on_progress: OnProgress, jobs: int) -> Iterator[Callab
     try:
         yield lambda: other.finished()[0][1]()
     finally:
-        other.terminate()
-        other.close()
+        other.leave()
 
 
 def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int) -> Iterator[Made]:

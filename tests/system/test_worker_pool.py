@@ -8,6 +8,7 @@ from functools import partial
 import pytest
 
 from pipeline.errors import WARNING, DebistError, InputError
+from pipeline.system.isolation import at_end
 from pipeline.system.worker_pool import in_processes, meanwhile, pool, silent
 
 
@@ -91,3 +92,16 @@ def test_a_call_whose_result_nobody_wants_is_ended():
     with meanwhile(_slow, silent, 2):
         pass
     assert time.perf_counter() - began < 30.0
+
+
+def _leaves(path, on_progress):
+    at_end(partial(path.write_text, "kept", encoding="utf-8"))
+
+
+def test_a_process_does_at_its_end_what_it_was_asked_to(tmp_path):
+    with pool(2) as processes:
+        processes.begin(0, partial(_leaves, tmp_path / "end"), silent)
+        processes.finished()
+    with meanwhile(partial(_leaves, tmp_path / "other"), silent, 2) as result:
+        result()
+    assert [(tmp_path / name).read_text(encoding="utf-8") for name in ("end", "other")] == ["kept", "kept"]
