@@ -14,7 +14,14 @@ from pipeline.numerics import compiled
 from pipeline.numerics.kernel_cache import VARIABLE, WITHOUT_KERNELS, check_private
 
 _HAS_KERNELS = re.compile(r"^from \.+(numerics\.|codegen\.)?(compiled|numba_writer) import", re.MULTILINE)
-_COMPILER = ("numerics/arrays.py", "numerics/compiled.py", "numerics/kernel_cache.py", "system/machine.py", "errors.py")
+_COMPILER = (
+    "numerics/arrays.py",
+    "numerics/compiled.py",
+    "numerics/kernel_cache.py",
+    "system/isolation.py",
+    "system/machine.py",
+    "errors.py",
+)
 _CALLED = "from pipeline.numerics.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
 _CALLER = """from pipeline.numerics.compiled import compiled
 from pipeline.called import (
