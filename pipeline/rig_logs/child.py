@@ -153,8 +153,8 @@ def _wanted(
             way_out = "" if ":" in texts[name] or ";" in texts[name] else "; export it as numbers"
             raise _RefusedError(f"{path}: channel {name!r} holds no plain numbers, but {texts[name]}{way_out}")
         if name not in by_alias:
-            told = "".join(f"; {warning}" for warning in warnings)
-            raise _RefusedError(missing_channel(path, name, tuple(entry.name for entry in entries)) + told)
+            remarks = "".join(f"; {warning}" for warning in warnings)
+            raise _RefusedError(missing_channel(path, name, tuple(entry.name for entry in entries)) + remarks)
     return [(name, by_alias[name]) for name in names]
 
 
