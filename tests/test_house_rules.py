@@ -2,6 +2,8 @@
 
 import ast
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
@@ -79,6 +81,36 @@ def _functions(body: list[ast.stmt], owner: str = "") -> list[tuple[str, ast.Fun
         elif isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
             found += _functions(node.body, f"{node.name}.")
     return found
+
+
+_IMPORT_WITHOUT_LAPACK = """
+import importlib, sys
+import numpy.linalg, scipy.linalg
+
+def refused(*arguments, **options):
+    raise AssertionError("LAPACK is called by an import")
+
+for library in (numpy.linalg, scipy.linalg):
+    for name in ("cholesky", "det", "eig", "eigh", "inv", "lstsq", "pinv", "qr", "solve", "svd"):
+        if hasattr(library, name):
+            setattr(library, name, refused)
+for module in sys.argv[1:]:
+    importlib.import_module(module)
+"""
+
+
+def test_no_module_calls_lapack_when_it_is_imported() -> None:
+    """OpenBLAS takes its workspace at the first call, and ends the process where memory is short: nothing catches it."""
+    parts = [path.relative_to(ROOT).with_suffix("").parts for path in sorted((ROOT / "pipeline").rglob("*.py"))]
+    ends = {
+        "__init__",
+        "__main__",
+        "preloaded",
+        "equations",
+    }  # preloaded acts when it is imported, equations need CasADi
+    modules = [".".join(each) for each in parts if not ends.intersection(each)]
+    command = [sys.executable, "-c", _IMPORT_WITHOUT_LAPACK, *modules]
+    subprocess.run(command, check=True, cwd=ROOT)
 
 
 def test_public_functions_of_four_parameters_describe_them() -> None:

@@ -59,11 +59,16 @@ class Method(NamedTuple):
 
 
 def _rosenbrock(gamma: float, a: FloatArray, c: FloatArray) -> Method:
-    """A Rosenbrock method: with Γ = (1/γ − C)⁻¹ its nodes are the row sums of A Γ, its shares of ∂f/∂t those of Γ."""
+    """A Rosenbrock method: with Γ = (1/γ − C)⁻¹ its nodes are the row sums of A Γ, its shares of ∂f/∂t those of Γ.
+
+    C is lower triangular, so each row follows from those before it. LAPACK would take its workspace while this module
+    is imported, and end the program where memory is short.
+    """
     stages = len(a)
-    square = np.pad(np.stack([a, c]), ((0, 0), (0, 0), (0, 1)))
-    by_time = np.linalg.solve(np.eye(stages) / gamma - square[1], np.ones(stages))
-    return Method(gamma, np.ones(stages), a, c, square[0] @ by_time, by_time)
+    by_time = np.zeros(stages)
+    for i in range(stages):
+        by_time[i] = gamma * (1.0 + c[i, :i] @ by_time[:i])
+    return Method(gamma, np.ones(stages), a, c, a @ by_time[:-1], by_time)
 
 
 RODAS4 = _rosenbrock(
@@ -98,7 +103,9 @@ def _alexander() -> Method:
     first = -0.25 * (6.0 * gamma**2 - 16.0 * gamma + 1.0)
     second = 0.25 * (6.0 * gamma**2 - 20.0 * gamma + 5.0)
     b = np.array([[0.0, 0.0, 0.0], [middle - gamma, 0.0, 0.0], [first, second, 0.0]]) / gamma
-    a = np.asarray(np.linalg.solve(np.eye(3) + b, b), dtype=np.float64)
+    a = np.zeros((3, 3))
+    for i in range(3):
+        a[i] = b[i] - b[i, :i] @ a[:i]
     return Method(gamma, 1.0 - a.sum(axis=1), a, np.zeros((3, 0)), np.array([gamma, middle, 1.0]), np.zeros(3))
 
 
