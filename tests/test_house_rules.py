@@ -100,7 +100,7 @@ for module in sys.argv[1:]:
 
 
 def test_no_module_calls_lapack_when_it_is_imported() -> None:
-    """OpenBLAS takes its workspace at the first call; where memory is short, it ends the process, and nothing catches it."""
+    """Where memory is short, OpenBLAS ends the process at its first call, and nothing catches it."""
     parts = [path.relative_to(ROOT).with_suffix("").parts for path in sorted((ROOT / "pipeline").rglob("*.py"))]
     ends = {
         "__init__",
