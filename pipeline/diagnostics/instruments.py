@@ -95,8 +95,8 @@ class Linearised:
 
     @property
     def reach(self) -> float:
-        """The largest RMS residual that a single instrument causes at its limit: smaller ones are of no interest."""
-        return max(rms(column) for column in self.by_corrections.T)
+        """RMS residual that all instruments cause at their limits, if they err independently: less is of no interest."""
+        return float(np.sqrt(np.sum(np.mean(self.by_corrections**2, axis=0))))
 
 
 @dataclass(frozen=True)
@@ -309,7 +309,7 @@ class _Fitted:
     step, error : FloatArray, shape (K,)
         Change of δ [limits], and its standard error if errors were noise.
     size : float
-        RMS of the errors of the log, over that which an instrument causes at its limit.
+        RMS of the errors of the log, over that which instruments cause at their limits.
     residual_ratio, unlike : float
         See `Reading`.
     residual, design : FloatArray, shapes (N,) and (N, P)

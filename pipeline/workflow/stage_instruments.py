@@ -19,7 +19,7 @@ from .engine import Task
 from .logs import corrections, load_motion, sources
 from .steps.identify import fitted_parts
 
-ALGORITHM = "7"
+ALGORITHM = "8"
 
 Logs = Mapping[tuple[Role, str], Log]
 """Logs by role and name."""
