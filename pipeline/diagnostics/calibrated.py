@@ -45,14 +45,13 @@ def calibrated(model: DynamicModel | None) -> list[Calibrated]:
     """
     if not isinstance(model, HybridModel):
         return []
-    quantities = [_one(model, i) for i in range(len(DEVIATIONS))]
-    return sorted(quantities, key=lambda quantity: quantity.nominal is None)
+    return sorted((_one(model, i) for i in range(len(DEVIATIONS))), key=lambda quantity: quantity.nominal is None)
 
 
 def _one(model: HybridModel, i: int) -> Calibrated:
     """Deviation number i as a quantity: what it is at the set's size, times the device's size."""
     entry = DEVIATIONS[i]
-    name = DEVIATIONS[i].quantity
+    name = entry.quantity
     nominal = model.joint.parameters.value(name) if name in VECTOR_NAMES else None
     begin = nominal if nominal is not None else (entry.typical or float(entry.logarithm))
     powers = np.array(POWERS[entry.unit])

@@ -60,11 +60,14 @@ RESOLUTION = 0.01
 def input_findings(fact: LogFacts, plant: Device) -> list[Finding]:
     """The findings on the inputs of a log."""
     findings = [
-        _unseen_force(fact, i) if force is None else _force(fact, i, force, plant)
-        for i, force in enumerate(fact.input_forces)
+        *(
+            _unseen_force(fact, i) if force is None else _force(fact, i, force, plant)
+            for i, force in enumerate(fact.input_forces)
+        ),
+        *(_noise(fact, i, plant) for i in range(len(fact.input_forces))),
+        *_correlated(fact, plant),
+        *_input_actions(fact, plant),
     ]
-    findings += [_noise(fact, i, plant) for i in range(len(fact.input_forces))]
-    findings += [*_correlated(fact, plant), *_input_actions(fact, plant)]
     if plant.joint:
         findings += [*_late(fact, plant), _field(fact, plant), *_rest_levels(fact, plant)]
         findings += [*_scale(fact, plant), *_sides(fact)]
@@ -74,12 +77,9 @@ def input_findings(fact: LogFacts, plant: Device) -> list[Finding]:
 def _unseen_force(fact: LogFacts, i: int) -> Finding:
     """Finding on an input whose force the log does not show: it is never on, or hardly ever changes."""
     v = fact.signals.v[:, i]
-    subject = f"v{i + 1}"
-    if np.ptp(v) > 0.0 and is_idle(v):
-        return Finding("idle_input", "fair", fact.signals.name, subject)
-    if fact.peaks[i] == 0.0:
-        return Finding("never_on", "fair", fact.signals.name, subject)
-    return Finding("hardly_changes", "unseen", fact.signals.name, subject)
+    idle = np.ptp(v) > 0.0 and is_idle(v)
+    code = "idle_input" if idle else "never_on" if fact.peaks[i] == 0.0 else "hardly_changes"
+    return Finding(code, "unseen" if code == "hardly_changes" else "fair", fact.signals.name, f"v{i + 1}")
 
 
 def _force(fact: LogFacts, i: int, force: InputForce, plant: Device) -> Finding:
@@ -96,12 +96,12 @@ def _force(fact: LogFacts, i: int, force: InputForce, plant: Device) -> Finding:
 
 def _noise(fact: LogFacts, i: int, plant: Device) -> Finding:
     """Noise of an input that is measured; a command has none, and an amplifier need not follow it."""
-    v = fact.signals.v[:, i]
-    noise = noise_level(v)
+    noise = noise_level(fact.signals.v[:, i])
     if noise <= np.finfo(np.float32).eps * fact.peaks[i]:
         return Finding("command", "good", fact.signals.name, f"v{i + 1}")
-    numbers = {"noise": Number(noise, plant.input_symbols[i])}
-    return Finding("input_noise", "good", fact.signals.name, f"v{i + 1}", numbers)
+    return Finding(
+        "input_noise", "good", fact.signals.name, f"v{i + 1}", {"noise": Number(noise, plant.input_symbols[i])}
+    )
 
 
 def _late(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -131,9 +131,12 @@ def _scale(fact: LogFacts, plant: Device) -> list[Finding]:
         "most": Number(allowed),
         "mass": Number(mass, "kg"),
     }
-    subject = "drawn" if plant.known_mass is None else "stated"
-    severity: Severity = "poor" if wrong else "good"
-    return [Finding("coupling", severity, fact.signals.name, subject, numbers, "scale" if wrong else None)]
+    return [
+        Finding(
+            "coupling", "poor" if wrong else "good", fact.signals.name,
+            "drawn" if plant.known_mass is None else "stated", numbers, "scale" if wrong else None,
+        )
+    ]  # fmt: skip
 
 
 def _couplings(fact: LogFacts) -> list[float]:
@@ -180,8 +183,8 @@ def _field(fact: LogFacts, plant: Device) -> Finding:
         "film": Number(plant.film_thickness, "m"),
     }
     of_units = not limit / RATIO < field < limit * RATIO and largest > 0.0
-    code = "field_units" if of_units else "field"
-    return Finding(code, "fair" if of_units or field > FIELD * limit else "good", fact.signals.name, "", numbers)
+    severity: Severity = "fair" if of_units or field > FIELD * limit else "good"
+    return Finding("field_units" if of_units else "field", severity, fact.signals.name, "", numbers)
 
 
 def _rest_levels(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -211,8 +214,7 @@ def rest_level(v: FloatArray) -> float | None:
         return None
     sign = -1.0 if -np.min(v) > np.max(v) else 1.0
     low, level, high = np.quantile(sign * v, (0.01, 0.05, 0.1)).tolist()
-    rests = high - low <= REST_LEVEL * float(np.max(np.abs(v)))
-    return sign * level if rests else None
+    return sign * level if high - low <= REST_LEVEL * float(np.max(np.abs(v))) else None
 
 
 def _input_actions(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -226,8 +228,8 @@ def _input_actions(fact: LogFacts, plant: Device) -> list[Finding]:
     if fact.as_signed_monitor is not None and fact.as_signed_monitor < OTHER_ACTION * min(own, other):
         numbers["left_by_membranes"] = Number(fact.as_signed_monitor)
         return [Finding("signed_monitor", "fair", fact.signals.name, actions[1], numbers)]
-    right = other >= OTHER_ACTION * own
-    return [Finding("law", "good" if right else "fair", fact.signals.name, actions[1], numbers)]
+    severity: Severity = "good" if other >= OTHER_ACTION * own else "fair"
+    return [Finding("law", severity, fact.signals.name, actions[1], numbers)]
 
 
 ROUNDING = 1e-9
@@ -236,8 +238,11 @@ ROUNDING = 1e-9
 
 def motion_findings(fact: LogFacts, plant: Device) -> list[Finding]:
     """The findings on the motion of a log."""
-    findings = [*_ranges(fact, plant), _resolution(fact, plant), _rate(fact)]
-    findings += [*_held(fact), *_wrapped(fact, plant), _rests(fact, plant)]
+    rate = {"rate": Number(1.0 / fact.signals.raw_step, "Hz")}
+    findings = [
+        *_ranges(fact, plant), _resolution(fact, plant), Finding("sampling_rate", "good", fact.signals.name, "", rate),
+        *_held(fact), *_wrapped(fact, plant), _rests(fact, plant),
+    ]  # fmt: skip
     if fact.drift is not None:
         unit = plant.displacement.symbol
         moved = abs(fact.drift) * float(np.ptp(fact.signals.t))
@@ -269,10 +274,10 @@ def starts(facts: Sequence[LogFacts]) -> list[Finding]:
 def _ranges(fact: LogFacts, plant: Device) -> list[Finding]:
     """Ranges of q and of the inputs against those that a device can have."""
     findings = [Finding("from_angle", "good", fact.signals.name, "q")] if plant.angle else []
-    names = ("q", *(f"v{i + 1}" for i in range(fact.peaks.size)))
-    spans = (fact.span, *fact.peaks.tolist())
-    units = (plant.displacement.symbol, *plant.input_symbols)
-    for name, span, unit in zip(names, spans, units, strict=True):
+    for name, span, unit in [
+        ("q", fact.span, plant.displacement.symbol),
+        *((f"v{i}", *each) for i, each in enumerate(zip(fact.peaks.tolist(), plant.input_symbols, strict=True), 1)),
+    ]:
         allowed = plant.plausible_span(unit)
         times = scale_suspicion(span, allowed)
         still = name == "q" and span <= ROUNDING * float(np.nanmax(np.abs(fact.signals.q)))
@@ -284,8 +289,8 @@ def _ranges(fact: LogFacts, plant: Device) -> list[Finding]:
             numbers |= {"least": Number(allowed[0], unit), "most": Number(allowed[1], unit)}
         if times is not None:
             numbers["times"] = Number(times)
-        code = "still" if still else "range"
-        findings.append(Finding(code, severity, fact.signals.name, name, numbers, "scale" if judged else None))
+        gate: Gate | None = "scale" if judged else None
+        findings.append(Finding("still" if still else "range", severity, fact.signals.name, name, numbers, gate))
     return findings
 
 
@@ -298,10 +303,6 @@ def _resolution(fact: LogFacts, plant: Device) -> Finding:
     most = RESOLUTION * fact.span
     numbers |= {"resolution": Number(log.resolution, unit), "most": Number(most, unit)}
     return Finding("resolution", "good" if log.resolution <= most else "fair", log.name, "q", numbers)
-
-
-def _rate(fact: LogFacts) -> Finding:
-    return Finding("sampling_rate", "good", fact.signals.name, "", {"rate": Number(1.0 / fact.signals.raw_step, "Hz")})
 
 
 def _held(fact: LogFacts) -> list[Finding]:
@@ -406,19 +407,13 @@ class CheckRow:
 
 def check_rows(findings: Sequence[Finding]) -> list[CheckRow]:
     """The findings of a check as rows."""
-    rows = []
-    for finding in findings:
-        shown = log_sentences.row(finding)
-        advice = shown.advice if finding.severity in ("fair", "poor") else ""
-        state = STATES[finding.severity]
-        values = _in_si(finding)
-        rows.append(
-            CheckRow(
-                finding.log, shown.what, shown.found, shown.limit, state, finding.gate, advice, shown.more, values,
-                finding.code,
-            )
-        )  # fmt: skip
-    return rows
+    return [
+        CheckRow(
+            finding.log, shown.what, shown.found, shown.limit, STATES[finding.severity], finding.gate,
+            shown.advice if finding.severity in ("fair", "poor") else "", shown.more, _in_si(finding), finding.code,
+        )
+        for finding, shown in zip(findings, map(log_sentences.row, findings), strict=True)
+    ]  # fmt: skip
 
 
 def remarks(findings: Sequence[Finding]) -> list[str]:
@@ -440,11 +435,9 @@ def beside(rows: Sequence[CheckRow]) -> tuple[tuple[str, ...], list[tuple[str, .
     table = []
     for what in dict.fromkeys(row.what for row in rows):
         kind = [row for row in rows if row.what == what]
-        shown: list[CheckRow | None]
+        shown = [next((row for row in kind if row.log == log), None) for log in logs]
         if len(logs) > _MOST_BESIDE:
             shown = [max(kind, key=lambda row: order.index(row.state))]
-        else:
-            shown = [next((row for row in kind if row.log == log), None) for log in logs]
         table.append((what, *map(_cell, shown), kind[0].limit))
     columns = logs if len(logs) <= _MOST_BESIDE else [f"most remarkable of {len(logs)} logs"]
     return ("checked", *columns, "limit"), table

@@ -98,8 +98,7 @@ def _windows(time: FloatArray, q: FloatArray) -> Iterator[tuple[FloatArray, Floa
             hashes = (sums[_WINDOW:] - sums[:-_WINDOW]) * np.cumprod(np.full(part.size - _WINDOW + 1, inverse))
         with np.errstate(invalid="ignore"):
             moves = np.diff(part, prepend=part[0]) != 0.0
-        finite = np.isfinite(part)
-        counts = [np.concatenate(([0], np.cumsum(each))) for each in (moves, finite)]
+        counts = [np.concatenate(([0], np.cumsum(each))) for each in (moves, np.isfinite(part))]
         moving, measured = (each[_WINDOW:] - each[:-_WINDOW] for each in counts)
         usable = (2 * moving > _WINDOW) & (measured == _WINDOW)
         # High bits alone, as the low ones depend on the low bits of the samples, which are often zero; exact in JSON.

@@ -134,8 +134,8 @@ def quantities(parts: Sequence[Log]) -> tuple[Instrument, ...]:
     span = float(np.ptp(np.concatenate([part.known_q for part in parts])))
     scales = {"zero_q": span, "delay": parts[0].interval}
     inputs = [Instrument(f"gain_v{k}", LIMITS["gain"]) for k in range(1, parts[0].v.shape[1] + 1)]
-    rest = [name for name in LIMITS if name != "gain"]
-    return (*inputs, *(Instrument(name, LIMITS[name] * scales.get(name, 1.0)) for name in rest))
+    others = (Instrument(name, limit * scales.get(name, 1.0)) for name, limit in LIMITS.items() if name != "gain")
+    return (*inputs, *others)
 
 
 class InstrumentTest:
@@ -226,20 +226,22 @@ class InstrumentTest:
             log = self._linearised(parts, delta)
         unlike = abs(fit.unlike) if fitted else fit.unlike
         alike = unlike <= 1.0 or fit.size <= 1.0
-        if fitted and not alike:
-            return self._not_measured(exchange)
-        astray = np.abs(fit.step) > fit.error
-        if alike and (np.any(np.abs(delta) >= FARTHEST) or np.any(astray)):
+        astray = np.any(np.abs(delta) >= FARTHEST) or np.any(np.abs(fit.step) > fit.error)
+        if (alike and astray) or (fitted and not alike):
             return self._not_measured(exchange)
         errors = np.hypot(between, np.maximum(fit.error, np.sqrt(np.sum(fit.spread() ** 2, axis=1))))
         if alike and np.all(errors > SIGNIFICANCE):  # no quantity is known to some limits: the model errs, as it shows
             return self._not_measured(exchange)
         ahead, behind = (self._errors(delta + side * errors) for side in (1.0, -1.0))
-        status: Status = "measured" if alike else "another device"
-        corrections = _corrections(delta * self._limits)
-        estimate = self._errors(delta)
-        standard_error = 0.5 * np.abs(ahead - behind)
-        return Reading(status, exchange, corrections, estimate, standard_error, fit.residual_ratio, fit.unlike)
+        return Reading(
+            status="measured" if alike else "another device",
+            exchange=exchange,
+            corrections=_corrections(delta * self._limits),
+            estimate=self._errors(delta),
+            standard_error=0.5 * np.abs(ahead - behind),
+            residual_ratio=fit.residual_ratio,
+            unlike=fit.unlike,
+        )
 
     def _not_measured(self, exchange: Exchange) -> Reading:
         nothing = np.full(len(self._limits), np.nan)
@@ -247,8 +249,8 @@ class InstrumentTest:
 
     def _errors(self, delta: FloatArray) -> FloatArray:
         by = _corrections(delta * self._limits)
-        gains = [1.0 / gain - 1.0 for gain in by.gains]
-        return np.array([*gains, -by.zero / by.gain_q, 1.0 / by.gain_q - 1.0, -by.delay, 1.0 / by.clock - 1.0])
+        others = (-by.zero / by.gain_q, 1.0 / by.gain_q - 1.0, -by.delay, 1.0 / by.clock - 1.0)
+        return np.array([*(1.0 / gain - 1.0 for gain in by.gains), *others])
 
     def _as_trained(self, parts: Sequence[Log]) -> tuple[Exchange, Sequence[Log]]:
         """What must be exchanged for the log to be like the training logs, and the log with that exchanged."""
@@ -425,16 +427,15 @@ def _compared(reference: Sequence[FloatArray], error: FloatArray) -> tuple[float
     levels = []
     doubts = []
     for each, white, doubt in zip(errors, noise, unseen, strict=True):
-        squares = np.array([rms(group) ** 2 - white for group in np.array_split(each, GROUPS)])
-        squares = np.maximum(squares, SIGNIFICANCE * max(unseen))
+        own = np.array([rms(group) ** 2 - white for group in np.array_split(each, GROUPS)])
+        squares = np.maximum(own, SIGNIFICANCE * max(unseen))
         levels.append(np.log(squares))
         doubts.append((doubt / squares) ** 2)
-    shares = []
-    freedoms = []
-    for own, doubt in ((levels[-1], doubts[-1]), (np.concatenate(levels[:-1]), np.concatenate(doubts[:-1]))):
-        shares.append((own.var(ddof=1) + doubt.mean()) / own.size)
-        freedoms.append(own.size - 1)
+    both = ((levels[-1], doubts[-1]), (np.concatenate(levels[:-1]), np.concatenate(doubts[:-1])))
+    shares = [(level.var(ddof=1) + doubt.mean()) / level.size for level, doubt in both]
     difference = float(levels[-1].mean() - np.mean(levels[:-1]))
-    freedom = sum(shares) ** 2 / sum(share**2 / own for share, own in zip(shares, freedoms, strict=True))
+    freedom = sum(shares) ** 2 / sum(
+        share**2 / (len(level) - 1) for share, (level, _) in zip(shares, both, strict=True)
+    )
     critical = stdtrit(freedom, ndtr(SIGNIFICANCE)) * np.sqrt(sum(shares))
     return float(np.exp(0.5 * difference)), difference / float(critical)

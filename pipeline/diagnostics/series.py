@@ -119,8 +119,8 @@ def facts_of(
     for quantity in calibrated(model):
         if quantity.name in _QUANTITIES:
             key = quantity.name.partition(",")[0].replace(" ", "_")
-            title = _QUANTITIES[quantity.name]
-            yield RunFact(key, title, quantity.unit, quantity.value, _error(quantity.low, quantity.high))
+            error = _error(quantity.low, quantity.high)
+            yield RunFact(key, _QUANTITIES[quantity.name], quantity.unit, quantity.value, error)
 
 
 def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:

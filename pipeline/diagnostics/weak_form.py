@@ -115,8 +115,7 @@ def weak_terms(log: LogSignals, acting: FloatArray, sample_interval: float) -> W
     motion = [_average(z**k, bump)[rows] for k in range(FORCE_ORDER + 1)]
     motion += [_average(z, slope)[rows], _average(z**3 / 3.0, slope)[rows]]  # z² ż is the rate of z³/3
     inertia = _average(z, curvature)[rows]
-    inputs = _input_terms(acting, z, bump)
-    return WeakTerms(size, rows, z[rows], inertia, np.column_stack(motion), inputs, log.interval)
+    return WeakTerms(size, rows, z[rows], inertia, np.column_stack(motion), _input_terms(acting, z, bump), log.interval)
 
 
 def under_inputs(terms: WeakTerms, log: LogSignals, acting: FloatArray, sample_interval: float) -> WeakTerms:

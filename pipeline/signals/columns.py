@@ -100,9 +100,8 @@ def finite(samples: FloatArray) -> BoolArray:
 def select(samples: FloatArray, taken: BoolArray) -> FloatArray:
     """The samples at the rows taken; the column itself where those are all."""
     count = int(np.count_nonzero(taken))
-    if count == samples.size:
-        return samples
-    return column(count, (samples[rows][taken[rows]] for rows in chunks(samples.size)), np.float64)
+    parts = (samples[rows][taken[rows]] for rows in chunks(samples.size))
+    return samples if count == samples.size else column(count, parts, np.float64)
 
 
 def sparse(signal: Signal) -> tuple[Signal, int]:
@@ -170,8 +169,7 @@ def missing(q: Signal, beside: Mapping[str, Signal]) -> dict[str, Missing]:
     absent = {}
     for name, signal in beside.items():
         first, last, count, bad = _extent(name, signal)
-        lost = max(0.0, first - begin), max(0.0, end - last)
-        absent[name] = Missing(signal[1].size, count, bad, *lost, end - begin)
+        absent[name] = Missing(signal[1].size, count, bad, max(0.0, first - begin), max(0.0, end - last), end - begin)
     return absent
 
 
@@ -206,10 +204,8 @@ _HUGE = 0.999e20
 
 def masked(samples: FloatArray, codes: Iterable[float]) -> FloatArray:
     """A column with NaN in place of codes; the column itself without any."""
-    if not codes:
-        return samples
     parts = (np.where(_is_any(samples[rows], codes), np.nan, samples[rows]) for rows in chunks(samples.size))
-    return column(samples.size, parts, np.float64)
+    return column(samples.size, parts, np.float64) if codes else samples
 
 
 def codes_in(

@@ -175,8 +175,7 @@ class Log:
         """True if q moves at the beginning."""
         first = int(np.argmax(self.valid))
         edge = self.q[first : first + EDGE + 1]
-        change = np.nanmax(edge) - np.nanmin(edge)
-        return bool(change > _MOVING * (np.nanmax(self.q) - np.nanmin(self.q)))
+        return bool(np.nanmax(edge) - np.nanmin(edge) > _MOVING * (np.nanmax(self.q) - np.nanmin(self.q)))
 
     @property
     def begins_in_motion(self) -> bool:

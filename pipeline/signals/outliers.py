@@ -161,8 +161,8 @@ def _jumps(samples: FloatArray, least: float) -> IntArray:
     for rows in chunks(samples.size):
         begin = max(rows.start - 1, 0)
         steps = np.abs(np.diff(samples[begin : rows.stop + 2]))
-        beside = OF_BESIDE * np.maximum(steps[:-2], steps[2:])
-        rows_before.append(begin + 1 + np.flatnonzero((steps[1:-1] > least) & (steps[1:-1] >= beside)))
+        jumps = (steps[1:-1] > least) & (steps[1:-1] >= OF_BESIDE * np.maximum(steps[:-2], steps[2:]))
+        rows_before.append(begin + 1 + np.flatnonzero(jumps))
     return np.concatenate([np.empty(0, dtype=np.int64), *rows_before])
 
 
@@ -171,10 +171,9 @@ def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> 
     bursts = []
     last = -1
     for before, end in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
-        there = samples[before + 1] - samples[before]
-        back = samples[end + 1] - samples[end]
+        there_and_back = (samples[before + 1] - samples[before]) * (samples[end + 1] - samples[end]) < 0.0
         short = before > last and 2 <= end - before <= longest
-        if short and there * back < 0.0 and np.ptp(samples[before + 1 : end + 1]) <= flat:
+        if short and there_and_back and np.ptp(samples[before + 1 : end + 1]) <= flat:
             bursts.append((before + 1, end + 1))
             last = end
     return np.array(bursts, dtype=np.int64).reshape(-1, 2)
@@ -233,8 +232,7 @@ def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:
     count, first = single_spikes(values, noise)
     if not 0 < count <= SELDOM * values.size:
         return signal, 0, np.nan
-    at = float(select(time, usable)[first[0]])
-    return (time, bridged(samples, noise)), count, at
+    return (time, bridged(samples, noise)), count, float(select(time, usable)[first[0]])
 
 
 def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float) -> tuple[float, float]:
@@ -391,12 +389,10 @@ def trusted(
 
 def _within(samples: FloatArray, bounds: tuple[float, float]) -> FloatArray:
     """The samples, NaN beyond the bounds."""
-    if bounds == (-np.inf, np.inf):
-        return samples
     parts = (
         np.where((samples[r] < bounds[0]) | (samples[r] > bounds[1]), np.nan, samples[r]) for r in chunks(samples.size)
     )
-    return column(samples.size, parts, np.float64)
+    return samples if bounds == (-np.inf, np.inf) else column(samples.size, parts, np.float64)
 
 
 def _without(samples: FloatArray, spans: IntArray) -> FloatArray:

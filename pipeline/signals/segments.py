@@ -170,10 +170,17 @@ def finite_segments(
         stamps = select(rows.time, valid)
         bounds = _cut(segments(stamps, default_gap_limit(rows.step)), stamps, rows.ends)
         edges = stamps[np.stack((bounds[:, 0], bounds[:, 1] - 1), axis=1)]
-        picked = tuple(select(columns[j], valid) for j in members)
-        kinds = tuple(smooth[j] for j in members)
-        missed = tuple(not_finite[j] for j in members)
-        groups.append(Segments(stamps, picked, kinds, bounds, edges, rows.step, missed))
+        groups.append(
+            Segments(
+                time=stamps,
+                columns=tuple(select(columns[j], valid) for j in members),
+                smooth=tuple(smooth[j] for j in members),
+                bounds=bounds,
+                edges=edges,
+                step=rows.step,
+                not_finite=tuple(not_finite[j] for j in members),
+            )
+        )
     return groups
 
 
@@ -184,8 +191,6 @@ def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:
 
 def _cut(bounds: IntArray, stamps: FloatArray, ends: FloatArray) -> IntArray:
     """Segments also end where time stepped back or rows are missing, even if the hole is small."""
-    if ends.size == 0:
-        return bounds
     edges = np.unique(np.concatenate((bounds.ravel(), np.searchsorted(stamps, ends, side="right"))))
     return np.stack((edges[:-1], edges[1:]), axis=1)
 

@@ -251,8 +251,13 @@ class Resampling:
             last = min(first + CHUNK, self._grid.size)
             values = np.concatenate([stream.read(last - first) for stream in streams])
             segment = _segment_numbers(self._valid, first, last)
-            q = np.where(segment < 0, np.nan, values[0])
-            yield UniformRecord(self._grid[first:last], q, np.ascontiguousarray(values[1:].T), segment, self.report)
+            yield UniformRecord(
+                t=self._grid[first:last],
+                q=np.where(segment < 0, np.nan, values[0]),
+                v=np.ascontiguousarray(values[1:].T),
+                segment=segment,
+                report=self.report,
+            )
 
     def record(self) -> UniformRecord:
         """The whole record, in memory."""
