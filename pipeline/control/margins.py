@@ -128,10 +128,9 @@ def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float
     friction : float
         Factor on friction that sticks.
     """
-    x = joint[PLACES["x"]]
     volts = joint[PLACES["volts"]]
     n = STATES
-    a, b = full_jacobian(x, volts**2, plant.constants)
+    a, b = full_jacobian(joint[PLACES["x"]], volts**2, plant.constants)
     whole = np.zeros((n + 4, n + 4))
     whole[:n, :n] = a[:, :n] + friction * a[:, n:] @ _stops(law)
     whole[:n, n : n + 2] = 2.0 * b * volts
@@ -139,8 +138,7 @@ def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float
         rate = -np.log(law.number(f"kept_{name}")) / PERIOD
         whole[n + side, [n + side, n + 2 + side]] = -rate, rate
     step = expm(PERIOD * whole)
-    c = np.eye(1, n + 2)
-    return step[: n + 2, : n + 2], step[: n + 2, n + 2 :], c, np.zeros((1, 2))
+    return step[: n + 2, : n + 2], step[: n + 2, n + 2 :], np.eye(1, n + 2), np.zeros((1, 2))
 
 
 def _stops(law: Law) -> FloatArray:

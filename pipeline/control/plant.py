@@ -89,13 +89,12 @@ def plant_of(model: "HybridModel", rests: tuple[float, float] | None = None) -> 
     instruments = condensed.instruments(theta)
     k = condensed.in_use(theta)
     constants = Constants(k, prepare(k[None])[0], condensed.basis, condensed.weights(theta))
-    probe = np.asarray(instruments.probe, dtype=np.float64)
     return ControlledJoint(
         constants,
         float(instruments.offset),
         float(instruments.delay),
         float(instruments.charging),
-        probe,
+        np.asarray(instruments.probe, dtype=np.float64),
         condensed.largest_voltage,
         0.5 * condensed.length,
         rests,
@@ -273,16 +272,12 @@ def linearise(plant: ControlledJoint, x: FloatArray, v: FloatArray) -> LinearMod
     Dry friction whose level sets in with the speed is left out with the stop operators: over the few millimetres per
     second in which it does, its slope is a damping that no motion of a millimetre meets.
     """
-    a, b_squared = jacobian(x, v**2, _without_dry_friction(plant.constants))
-    c = np.zeros((1, STATES))
-    c[0, 0] = 1.0
-    return LinearModel(plant.reading(float(x[0])), v, x, a, 2.0 * b_squared * v, c, np.zeros((1, 2)), b_squared)
-
-
-def _without_dry_friction(c: Constants) -> Constants:
-    k = c.k.copy()
+    k = plant.constants.k.copy()
     k[[INDEX[name] for name in DRY_LEVELS]] = 0.0
-    return c._replace(k=k, p=prepare(k[None])[0])
+    a, b_squared = jacobian(x, v**2, plant.constants._replace(k=k, p=prepare(k[None])[0]))
+    return LinearModel(
+        plant.reading(float(x[0])), v, x, a, 2.0 * b_squared * v, np.eye(1, STATES), np.zeros((1, 2)), b_squared
+    )
 
 
 def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:

@@ -128,9 +128,8 @@ def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed:
     """
     rng = np.random.default_rng(seed)
     form = LAYOUTS[experiment.format]
-    files: dict[str, list[str]] = {role: [] for role in get_args(Role)}
-    for role, stem in _planned(experiment):
-        files[role].append(f"{stem}{form.suffix}")
+    planned = _planned(experiment)
+    files = {role: [f"{stem}{form.suffix}" for of, stem in planned if of == role] for role in get_args(Role)}
     names = [*(file for of_role in files.values() for file in of_role), f"{name}.toml", "truth/truth.json"]
     with new_outputs(folder, "rig simulate", force=None, names=names) as staged:
         joint, bench, logs = draw(experiment, rng)
@@ -299,9 +298,8 @@ STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
 def recorded() -> tuple[dict[str, Readings], str]:
     """The demo's logs, by name, and the truth behind them, as they come with the program."""
     with np.load(RECORDING) as stored:
-        names = dict.fromkeys(key.partition(".")[0] for key in stored if "." in key)
         logs = {}
-        for name in names:
+        for name in dict.fromkeys(key.partition(".")[0] for key in stored if "." in key):
             q, v1, v2 = (
                 np.cumsum(stored[f"{name}.{key}"], dtype=np.int64).astype(np.float64) * step
                 for key, step in STEPS.items()

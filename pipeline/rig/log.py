@@ -26,18 +26,6 @@ def write_mat5(path: Path, t: FloatArray, channels: dict[str, tuple[FloatArray, 
     """Write `channels` (name → samples, unit) over the times `t` [s] as MAT v5, samples in single precision."""
     from scipy.io import savemat
 
-    x, y = _axes(t, channels)
-    record = {
-        "Info": {"RevisionMajor": 2},
-        "X": _struct_array([x]),
-        "Y": _struct_array(y),
-        "Description": {"General": {"User": "virtual rig"}},
-    }
-    savemat(path, {_VARIABLE: record}, format="5", do_compression=False)
-
-
-def _axes(t: FloatArray, channels: dict[str, tuple[FloatArray, str]]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
-    """Fields of the time axis, and of each channel."""
     x = {"Name": "", "Type": 5, "Data": t[None, :], "Unit": "s", "Raster": _RASTER}
     y = [
         {
@@ -51,7 +39,13 @@ def _axes(t: FloatArray, channels: dict[str, tuple[FloatArray, str]]) -> tuple[d
         }
         for name, (samples, unit) in channels.items()
     ]
-    return x, y
+    record = {
+        "Info": {"RevisionMajor": 2},
+        "X": _struct_array([x]),
+        "Y": _struct_array(y),
+        "Description": {"General": {"User": "virtual rig"}},
+    }
+    savemat(path, {_VARIABLE: record}, format="5", do_compression=False)
 
 
 def _struct_array(records: list[dict[str, Any]]) -> NDArray[np.void]:

@@ -186,8 +186,7 @@ def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
     k = int(np.argmax(gaps))
     if gaps[k] < CLUSTER_GAP * (ordered[-1] - ordered[0]) or gaps[k] <= 0.1 * span:
         return NoWells("the rest positions form one cluster: not bistable, or only one well is visited", True)
-    left = float(np.median(ordered[: k + 1]))
-    right = float(np.median(ordered[k + 1 :]))
+    left, right = (float(np.median(places)) for places in np.split(ordered, [k + 1]))
     return Wells(left, right, float(ordered[k] + ordered[k + 1]) / 2.0)
 
 

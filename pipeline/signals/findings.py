@@ -288,8 +288,8 @@ def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) ->
         cut = "but for its noise, " if high > low else ""
         remarks.append(
             f"{100.0 * np.mean(there):.2g} % of the samples stay at {level:.6g} {unit}, {cut}the first at "
-            f"{time[np.argmax(there)]:.6g} s, which they reach at a slope: a saturated probe? What was applied there is "
-            "not known: widen the probe's range, unless this is a command that is limited there"
+            f"{time[np.argmax(there)]:.6g} s, which they reach at a slope: a saturated probe? What was applied there "
+            "is not known: widen the probe's range, unless this is a command that is limited there"
         )
     return remarks
 

@@ -85,8 +85,10 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
     spread = None if spread is None or not math.isfinite(spread) or spread <= 0.0 else spread
     shown, factor = scale(unit, spread if spread is not None and spread > LOST * size else size)
     number = value * factor
-    if spread is None:
-        text = _beside(number, abs(like) * factor) if abs(value) < abs(like) else significant(number)
+    if spread is None and abs(value) < abs(like):  # to three digits of the larger one
+        text = rounded(number, 2 - _decade(like * factor), abs(like) * factor)
+    elif spread is None:
+        text = significant(number)
     else:
         width = spread * factor
         # Two digits of the uncertainty, and the value to the same place, but no more than five digits of the value.
@@ -95,12 +97,6 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
         text = rounded(number, places, largest)
         text += f" ± {rounded(width, places, largest)}" if round(width, places) > 0.0 else ""
     return f"{text} {shown}".replace("-", "−").strip() if shown != "1" else text.replace("-", "−")
-
-
-def _beside(number: float, largest: float) -> str:
-    """A number that is smaller than `largest` beside it, to three digits of that."""
-    places = 2 - _decade(largest)
-    return rounded(number, places, largest)
 
 
 def _decade(number: float) -> int:
