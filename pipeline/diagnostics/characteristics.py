@@ -273,7 +273,7 @@ def intervals(
         if len(drawn) >= COVERAGE * len(draws):
             low, high = np.quantile(drawn, [(1.0 - COVERAGE) / 2.0, (1.0 + COVERAGE) / 2.0])
             own = values.get(key)
-            ends = [float(low), float(high)] + ([] if own is None else [own])
+            ends = [float(low), float(high)] if own is None else [float(low), float(high), own]
             limits[key] = (min(ends), max(ends))
     return limits
 

@@ -1,6 +1,6 @@
 """All checks of a prototype's logs, each by itself and without a model: findings, and their table."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -187,19 +187,17 @@ def _field(fact: LogFacts, plant: Device) -> Finding:
     return Finding("field_units" if of_units else "field", severity, fact.signals.name, "", numbers)
 
 
-def _rest_levels(fact: LogFacts, plant: Device) -> list[Finding]:
+def _rest_levels(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """A joint's voltage of one sign whose lowest level is not zero; one of two signs may switch between them.
 
     What drives another device, as a fan, need never have been off, and an offset would bend the law of its square.
     """
-    findings = []
     for i, (peak, unit) in enumerate(zip(fact.peaks.tolist(), plant.input_symbols, strict=True)):
         level = rest_level(fact.signals.v[:, i])
         most = REST_LEVEL * peak
         if level is not None and abs(level) > most:
             numbers = {"level": Number(level, unit), "most": Number(most, unit)}
-            findings.append(Finding("rest_level", "fair", fact.signals.name, f"v{i + 1}", numbers))
-    return findings
+            yield Finding("rest_level", "fair", fact.signals.name, f"v{i + 1}", numbers)
 
 
 def rest_level(v: FloatArray) -> float | None:
@@ -271,9 +269,10 @@ def starts(facts: Sequence[LogFacts]) -> list[Finding]:
     ]  # fmt: skip
 
 
-def _ranges(fact: LogFacts, plant: Device) -> list[Finding]:
+def _ranges(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """Ranges of q and of the inputs against those that a device can have."""
-    findings = [Finding("from_angle", "good", fact.signals.name, "q")] if plant.angle else []
+    if plant.angle:
+        yield Finding("from_angle", "good", fact.signals.name, "q")
     for name, span, unit in [
         ("q", fact.span, plant.displacement.symbol),
         *((f"v{i}", *each) for i, each in enumerate(zip(fact.peaks.tolist(), plant.input_symbols, strict=True), 1)),
@@ -290,8 +289,7 @@ def _ranges(fact: LogFacts, plant: Device) -> list[Finding]:
         if times is not None:
             numbers["times"] = Number(times)
         gate: Gate | None = "scale" if judged else None
-        findings.append(Finding("still" if still else "range", severity, fact.signals.name, name, numbers, gate))
-    return findings
+        yield Finding("still" if still else "range", severity, fact.signals.name, name, numbers, gate)
 
 
 def _resolution(fact: LogFacts, plant: Device) -> Finding:

@@ -11,7 +11,7 @@ from ..models.base import DynamicModel, HasOutcomeDraws
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90
 from ..scoring.wells import NoWells, Wells
-from ..signals.findings import Finding, Number, Severity
+from ..signals.findings import SEVERITIES, Finding, Number, Severity
 from ..store.columns import FACT_COLUMNS, STABLE
 from .characteristics import (
     COVERAGE,
@@ -26,7 +26,7 @@ from .characteristics import (
 )
 from .data_quality import data_checks
 from .events import RestFacts, rest_facts, ring_down
-from .grades import THRESHOLDS, Check, graded, of_finding, overall
+from .grades import THRESHOLDS, Check, graded, of_finding
 from .model_quality import model_checks
 from .run_data import RunData, wells_of_run
 
@@ -167,7 +167,10 @@ class Datasheet:
     @property
     def grades(self) -> dict[str, Severity]:
         """The assessment of the data and on the model: the worst grade of the checks of each."""
-        return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
+        return {
+            about: max((c.grade for c in self.checks if c.about == about), key=SEVERITIES.index, default="good")
+            for about in ("data", "model")
+        }
 
     def elements(self, data: RunData) -> list[dict[str, Any]]:
         """Forces of the elements of the judged model along the training logs, the largest first; 0 of what is absent.
@@ -211,7 +214,6 @@ def make_datasheet(data: RunData) -> Datasheet:
     wells = wells_of_run(data)
     records = [(g.motion.t, g.motion.q, g.motion.v) for g in data.logs]
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
-    rests = rest_facts(records, wells, hum, plant=data.device)
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
@@ -221,15 +223,13 @@ def make_datasheet(data: RunData) -> Datasheet:
         drawn = draws.get(source, [])
         values, limits, in_draws = _by_model(data, curves[source], drawn)
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
-        believed = believed_wells(wells, source, stable, plant=data.device)
-        if believed is not wells:
-            wells = believed
-            rests = rest_facts(records, believed, hum, plant=data.device)
+        wells = believed_wells(wells, source, stable, plant=data.device)
         rings = simulated_ring_downs(data.models[source], values, curves[source], len(data.device.inputs))
         limits |= intervals(rings, drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device))
         values |= rings
+    rests = rest_facts(records, wells, hum, plant=data.device)
     events = _in_free_run(data, source, wells)
-    facts = _facts(data, values, limits, in_draws, rests, wells, events)
+    facts = tuple(_facts(data, values, limits, in_draws, rests, wells, events))
     main_model = data.model_names[0]
     checks = (
         *data_checks(data, wells),
@@ -379,7 +379,7 @@ def _facts(
     rests: RestFacts,
     wells: Wells | NoWells,
     in_free_run: Mapping[str, float],
-) -> tuple[DatasheetFact, ...]:
+) -> Iterator[DatasheetFact]:
     # One rest measured over several modelled ones is the mean of all, and none of them.
     several = values.get("well_left") is not None or any(key.startswith(STABLE) for key in values)
     measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
@@ -393,28 +393,24 @@ def _facts(
         "{U}": data.device.energy_unit,
         "{k}": stiffness,
     }
-    facts = []
     for key, title, unit in _listed(values):
         samples = measured.get(key, np.empty(0))
         if values.get(key) is None and not samples.size:
             continue
         low, high = limits.get(key, (None, None))
-        facts.append(
-            DatasheetFact(
-                key,
-                title,
-                units.get(unit, unit),
-                values.get(key),
-                low,
-                high,
-                float(np.mean(samples)) if samples.size else None,
-                float(np.std(samples, ddof=1)) if samples.size > 1 else None,
-                int(samples.size),
-                in_free_run.get(key) if samples.size else None,
-                in_draws.get(key),
-            )
+        yield DatasheetFact(
+            key,
+            title,
+            units.get(unit, unit),
+            values.get(key),
+            low,
+            high,
+            float(np.mean(samples)) if samples.size else None,
+            float(np.std(samples, ddof=1)) if samples.size > 1 else None,
+            int(samples.size),
+            in_free_run.get(key) if samples.size else None,
+            in_draws.get(key),
         )
-    return tuple(facts)
 
 
 def _listed(values: Mapping[str, float | None]) -> Iterator[tuple[str, str, str]]:

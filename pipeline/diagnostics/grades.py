@@ -1,11 +1,11 @@
 """Grades: what is judged, where it begins to be fair and poor, and why."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal
 
-from ..signals.findings import SEVERITIES, Finding, Number, Severity
+from ..signals.findings import Finding, Number, Severity
 from .sentences import sentences
 
 
@@ -76,11 +76,6 @@ def of_finding(about: Literal["data", "model"], finding: Finding) -> Check:
     return Check(
         about, finding.code, finding.severity, statement, advice, finding.log, finding.subject, finding.numbers
     )
-
-
-def overall(checks: Iterable[Check]) -> Severity:
-    """The worst grade of all."""
-    return max((check.grade for check in checks), key=SEVERITIES.index, default="good")
 
 
 def graded(

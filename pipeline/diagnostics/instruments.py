@@ -160,15 +160,12 @@ class InstrumentTest:
         self._limits = np.array([quantity.limit for quantity in self.quantities])
         self._training = [self._linearised(parts, np.zeros(len(self._limits))) for parts in self._logs]
 
-    def of_training(self, number: int) -> Reading:
-        """Errors of one of several training logs, compared with the others.
+    @cached_property
+    def of_training(self) -> list[Reading]:
+        """Errors of each of several training logs, compared with the others.
 
         The model was fitted to all of them, so unlike residuals show its own errors, which then hide the instruments.
         """
-        return self._fitted[number]
-
-    @cached_property
-    def _fitted(self) -> list[Reading]:
         count = len(self._logs)
         others = [self._training[:number] + self._training[number + 1 :] for number in range(count)]
         nothing = np.zeros(len(self._limits))
@@ -184,7 +181,7 @@ class InstrumentTest:
         new one is compared with that of all: factors 1 − 1/n and 1 + 1/n.
         """
         count = len(self._logs)
-        measured = [reading for reading in self._fitted if reading.status == "measured"] if count > 1 else []
+        measured = [reading for reading in self.of_training if reading.status == "measured"] if count > 1 else []
         if not measured:
             return np.zeros(len(self._limits))
         excess = [reading.estimate**2 - reading.standard_error**2 for reading in measured]
@@ -346,43 +343,35 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
     shared = [np.hstack([each.by_corrections, each.by_parameters]) for each in reference]
     widths = np.ones(shared[0].shape[1])
     widths[:count] = FARTHEST
-    alone = _least_squares(residuals, shared, widths, [None] * len(reference))
+    _, _, errors_alone, noise_alone = _least_squares(residuals, shared, widths, [None] * len(reference))
     residuals.append(log.residual)
     designs = [np.hstack([np.zeros((len(each), count)), each]) for each in shared]
     designs.append(np.hstack([log.by_corrections, log.by_corrections, log.by_parameters]))
     widths = np.append(np.full(count, FARTHEST), widths)
-    both = _least_squares(residuals, designs, widths, [*alone.noise, None])
-    starts = np.cumsum([0, *(len(error) for error in both.errors[:-1])])
+    solution, covariance, errors, noise = _least_squares(residuals, designs, widths, [*noise_alone, None])
+    starts = np.cumsum([0, *(len(error) for error in errors[:-1])])
     return _Fitted(
-        both.solution[:count],
-        np.sqrt(np.diag(both.covariance[:count, :count])),
-        rms(both.errors[-1]) / log.reach,
-        *_compared(alone.errors, both.errors[-1]),
-        np.concatenate([error / std for error, std in zip(both.errors, both.noise, strict=True)]),
-        np.concatenate([design / std for design, std in zip(designs, both.noise, strict=True)]),
+        solution[:count],
+        np.sqrt(np.diag(covariance[:count, :count])),
+        rms(errors[-1]) / log.reach,
+        *_compared(errors_alone, errors[-1]),
+        np.concatenate([error / std for error, std in zip(errors, noise, strict=True)]),
+        np.concatenate([design / std for design, std in zip(designs, noise, strict=True)]),
         Prior(np.diag(1.0 / widths), np.zeros(len(widths))),
         [
             start + rows
-            for start, error in zip(starts, both.errors, strict=True)
+            for start, error in zip(starts, errors, strict=True)
             for rows in np.array_split(np.arange(len(error)), GROUPS)
         ],
     )
 
 
-@dataclass(frozen=True)
-class _Solved:
-    """Least squares over logs: solution (P,) and its covariance (P, P), errors (N,) of each log, noise of each."""
-
-    solution: FloatArray
-    covariance: FloatArray
-    errors: list[FloatArray]
-    noise: list[float]
-
-
 def _least_squares(
     residuals: Sequence[FloatArray], designs: Sequence[FloatArray], widths: FloatArray, known: Sequence[float | None]
-) -> _Solved:
+) -> tuple[FloatArray, FloatArray, list[FloatArray], list[float]]:
     """Least squares of r + D x = e over logs with the prior x ~ N(0, widths²), in two passes.
+
+    Returned are x (P,) and its covariance (P, P), e (N,) of each log, and the noise of each.
 
     Where the noise of a log is not known it is first that of r, then that of e. Errors that last for τ samples count
     as noise of √τ times their RMS.
@@ -410,7 +399,7 @@ def _least_squares(
             rms(error) * np.sqrt(whiteness(error).integrated_correlation_time) if std is None else std
             for std, error in zip(known, errors, strict=True)
         ]
-    return _Solved(solution, scipy.linalg.cho_solve(factor, np.eye(len(widths))), errors, noise)
+    return solution, scipy.linalg.cho_solve(factor, np.eye(len(widths))), errors, noise
 
 
 def _compared(reference: Sequence[FloatArray], error: FloatArray) -> tuple[float, float]:

@@ -251,6 +251,6 @@ def _mean_accelerations(terms: WeakTerms, design: FloatArray, rows: IntArray) ->
     result = np.zeros(count)
     for i in range(count):
         on = np.abs(terms.inputs[terms.rows, i, 0]) > _ON
-        powers = terms.q[on, None] ** np.arange(GAIN_TERMS)
-        result[i] = float(np.mean(powers @ weights[i])) if on.any() else 0.0
+        if on.any():
+            result[i] = float(np.mean(terms.q[on, None] ** np.arange(GAIN_TERMS) @ weights[i]))
     return result * terms.size

@@ -1,6 +1,6 @@
 """The assessment of the main model: errors and their causes, wells, rivals, generalisation, trust."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -133,7 +133,7 @@ WORST = 0.15
 
 def model_checks(
     data: RunData, model: str, rest_errors: tuple[float, float] | None, wells: Wells | NoWells
-) -> list[Check]:
+) -> Iterator[Check]:
     """The main model: free-run error, wells, generalisation, and by how much its two rests err.
 
     Parameters
@@ -152,31 +152,29 @@ def model_checks(
         for role in ("train", "validation")
     }
     judged, where = (by_role["validation"], "validation") if by_role["validation"] else (by_role["train"], "train")
-    checks = []
     if where == "train":
-        checks.append(of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s")))
-    checks += _ended_early(model, data.descriptions.get(model, {}), judged)
+        yield of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s"))
+    yield from _ended_early(model, data.descriptions.get(model, {}), judged)
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
-        checks.append(graded("model", "nrmse", max(errors), log=f"worst {ROLE_WORDS[where]} log", subject=model))
+        yield graded("model", "nrmse", max(errors), log=f"worst {ROLE_WORDS[where]} log", subject=model)
     if isinstance(wells, NoWells):  # what the scores say of wells is of rests that are none
         judged = [{**s, "switch_accuracy": None, "outcomes": None} for s in judged]
     right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]
     if right:
-        checks.append(graded("model", "switch_accuracy", min(right)))
-    checks += [
-        *_constant_checks(data, judged), *_rival_checks(data, judged),
-        *(of_finding("data", finding) for finding in instrument_findings(data, model)), *_trust_checks(judged),
-    ]  # fmt: skip
+        yield graded("model", "switch_accuracy", min(right))
+    yield from _constant_checks(data, judged)
+    yield from _rival_checks(data, judged)
+    yield from (of_finding("data", finding) for finding in instrument_findings(data, model))
+    yield from _trust_checks(judged)
     train = [s["nrmse"] for s in by_role["train"] if s["nrmse"]]
     # A still smaller error on the training data is no fault if the error is good.
     if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
         worst = max((s for s in judged if s["nrmse"] is not None), key=lambda score: score["nrmse"])
-        checks += [of_finding("model", finding) for finding in causes(data, worst, max(errors) / max(train), wells)]
+        yield from (of_finding("model", finding) for finding in causes(data, worst, max(errors) / max(train), wells))
     if rest_errors is not None and isinstance(wells, Wells):
         off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
-        checks.append(graded("model", "wells", off))
-    return checks
+        yield graded("model", "wells", off)
 
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
@@ -250,31 +248,27 @@ def _number(value: float | None, *, lacking: float = np.inf) -> float:
     return lacking if value is None else float(value)
 
 
-def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
     """A fit that had not converged, and free runs that diverged."""
-    checks = []
     if description.get("converged") is False:
-        checks.append(of_finding("model", Finding("converged", "fair", subject=model)))
+        yield of_finding("model", Finding("converged", "fair", subject=model))
     diverged = [s for s in judged if s["status"] != "ok"]
     if diverged:
         times = {str(s["log"]): Number(float(s["diverged_at_s"]), "s") for s in diverged}
-        checks.append(of_finding("model", Finding("divergence", "poor", subject=model, numbers=times)))
-    return checks
+        yield of_finding("model", Finding("divergence", "poor", subject=model, numbers=times))
 
 
-def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
     """Ambiguous switching outcomes, and states outside the training data."""
-    checks = []
     outcomes = sum(s.get("outcomes") or 0 for s in judged)
     if outcomes:
         open_ones = sum(s.get("ambiguous_outcomes") or 0 for s in judged)
         counts = {"open": Number(open_ones), "outcomes": Number(outcomes)}
-        checks.append(graded("model", "ambiguous", open_ones / outcomes, numbers=counts))
+        yield graded("model", "ambiguous", open_ones / outcomes, numbers=counts)
     outside = [s for s in judged if s.get("outside_training") is not None]
     if outside:
         most = max(outside, key=lambda score: score["outside_training"])
         title = log_title(most["role"], most["log"])
         check = graded("model", "outside", float(most["outside_training"]), log=title)
         right = all(s["nrmse"] is not None and THRESHOLDS["nrmse"].grade(s["nrmse"]) == "good" for s in judged)
-        checks.append(replace(check, grade="fair") if right and check.grade == "poor" else check)
-    return checks
+        yield replace(check, grade="fair") if right and check.grade == "poor" else check

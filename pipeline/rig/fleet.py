@@ -198,7 +198,7 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameter
         joint = sized(drawn, experiment.size)
         bench = random_bench(rng, rate=experiment.rate, charging=experiment.charging_time_s)
         bench = replace(bench, laser=replace(bench.laser, rail=experiment.size * bench.laser.rail))
-        logs = _logs(joint, bench, experiment, sequence, rng)
+        logs = list(_logs(joint, bench, experiment, sequence, rng))
         if experiment.kind in _DRAWINGS or all(_worth_keeping(log.record, bench) for log in logs):
             break
     else:
@@ -207,7 +207,7 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameter
         return joint, bench, logs
     joint, bench = aged(joint, bench, experiment.age_days, experiment.drift)
     of_the_day = np.random.default_rng([int(rng.integers(2**32)), round(1e6 * experiment.age_days)])
-    return joint, bench, _logs(joint, bench, experiment, sequence, of_the_day)
+    return joint, bench, list(_logs(joint, bench, experiment, sequence, of_the_day))
 
 
 def _planned(experiment: Experiment) -> list[tuple[Role, str]]:
@@ -218,9 +218,8 @@ def _planned(experiment: Experiment) -> list[tuple[Role, str]]:
 
 def _logs(
     joint: RigParameters, bench: Bench, experiment: Experiment, sequence: Sequence | None, rng: np.random.Generator
-) -> list[SimulatedLog]:
+) -> Iterator[SimulatedLog]:
     """All logs of an experiment; those of training play the sequence, if there is one."""
-    logs = []
     for role, stem in _planned(experiment):
         if sequence is not None and role == "train":
             excitation = "played"
@@ -230,8 +229,7 @@ def _logs(
             excitation = experiment.excitation or _EXCITATIONS[role]
             t = bench.clock(experiment.duration)
             u = command(random_excitation(rng, duration=experiment.duration, excitation=excitation), t)
-        logs.append(SimulatedLog(role, stem, excitation, record(joint, bench, t, u, rng)))
-    return logs
+        yield SimulatedLog(role, stem, excitation, record(joint, bench, t, u, rng))
 
 
 def _worth_keeping(measured: BenchRecord, bench: Bench) -> bool:

@@ -3,7 +3,7 @@
 MAT files are as ControlDesk exports them: one struct with ``X`` (time axes) and ``Y`` (channels), v5.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -215,13 +215,11 @@ def inject_faults(log: Readings, kinds: tuple[str, ...], rng: np.random.Generato
     return damaged, sorted(faults, key=lambda fault: fault.start)
 
 
-def _places(log: Readings, lengths: tuple[float, float], rng: np.random.Generator) -> list[tuple[int, int]]:
+def _places(log: Readings, lengths: tuple[float, float], rng: np.random.Generator) -> Iterator[tuple[int, int]]:
     """Ranges of samples [first, last), one in each third of the log, at least one sample long."""
     dt = float(log.t[1] - log.t[0])
     third = log.t.size // _COUNT
-    places = []
     for i in range(_COUNT):
         count = max(1, round(float(rng.uniform(*lengths)) / dt))
         first = i * third + int(rng.integers(1, max(2, third - count - 1)))
-        places.append((first, first + count))
-    return places
+        yield first, first + count

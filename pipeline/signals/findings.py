@@ -5,7 +5,7 @@ displacement at its extremes 0.4 % of the samples, masked rows 1 %, no hum above
 no measurement.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Literal
@@ -351,19 +351,17 @@ def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[st
     return tuple(remarks)
 
 
-def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
+def _stays(quality: SignalQuality, clock: Clock) -> Iterator[str]:
     """Remarks on times in which a signal stands still."""
-    remarks = []
     for rail, share, value in (
         ("upper", quality.high_rail, quality.usual[1]),
         ("lower", quality.low_rail, quality.usual[0]),
     ):
         if share > 0.0:
-            remarks.append(f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?")
+            yield f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?"
     long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
     if clock == "s" and long and not (quality.stepped or quality.rests):
-        remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {stamped(quality.frozen_at)} s on")
-    return remarks
+        yield f"unchanged for {quality.longest_frozen:.3g} s from {stamped(quality.frozen_at)} s on"
 
 
 def counted(number: int, thing: str) -> str:

@@ -74,7 +74,7 @@ def instrument_rows(
     for log in logs:
         if log in trained and len(trained) == 1:
             continue
-        reading = instruments.of_training(trained.index(log)) if log in trained else instruments.of(parts[log])
+        reading = instruments.of_training[trained.index(log)] if log in trained else instruments.of(parts[log])
         values = _values(stated[log].then(reading.corrections))
         measures = zip(instruments.quantities, reading.estimate, reading.standard_error, values, strict=True)
         for quantity, estimate, error, value in measures:

@@ -101,7 +101,7 @@ def test_exchanged_inputs_and_a_mirrored_q_are_named(instruments: InstrumentTest
 def test_of_two_training_logs_each_is_the_reference_of_the_other(model: HybridModel, logs: list[Log]) -> None:
     wrong = corrected(logs[1], Corrections((0.97, 1.0)))
     instruments = InstrumentTest(model, [[logs[0]], [wrong]])
-    first, second = (instruments.of_training(number).estimate[0] for number in (0, 1))
+    first, second = (instruments.of_training[number].estimate[0] for number in (0, 1))
     assert second == pytest.approx(-0.03, rel=0.1)
     assert first == pytest.approx(0.03, rel=0.1)
 
@@ -119,7 +119,7 @@ def test_small_errors_of_a_model_on_one_training_log_hide_no_instrument(model: H
     """They are sure, as nothing errs in the other log, but below what an instrument causes at its limit."""
     bent = replace(logs[1], q=logs[1].q + 30e-6 * np.sin(10.0 * np.pi * logs[1].t))
     instruments = InstrumentTest(model, [[logs[0]], [corrected(bent, Corrections((0.97, 1.0)))]])
-    first, second = (instruments.of_training(number) for number in (0, 1))
+    first, second = (instruments.of_training[number] for number in (0, 1))
     assert first.unlike < -1.0
     assert second.unlike > 1.0
     assert first.estimate[0] == pytest.approx(0.03, rel=0.1)
