@@ -147,8 +147,7 @@ def ensemble_of(model: HybridModel, draws: int, converters: Converters) -> Ensem
     rng = np.random.default_rng(SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
     lags = np.array(converters.lags) * np.exp(converters.spread * _spread(rng, draws, 2))
-    gains = 1.0 + converters.probe * _spread(rng, draws, 1)[:, 0]
-    return ensemble_at(model, thetas, lags, gains, converters.highest)
+    return ensemble_at(model, thetas, lags, 1.0 + converters.probe * _spread(rng, draws, 1)[:, 0], converters.highest)
 
 
 def ensemble_at(

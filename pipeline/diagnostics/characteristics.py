@@ -48,8 +48,7 @@ class Curves:
     @property
     def energy(self) -> FloatArray:
         """U [J] = ∫F dq, zero at its lowest point, shape (n,)."""
-        steps = np.diff(self.q) * (self.force[1:] + self.force[:-1]) / 2.0
-        total = np.concatenate(([0.0], np.cumsum(steps)))
+        total = np.concatenate(([0.0], np.cumsum(np.diff(self.q) * (self.force[1:] + self.force[:-1]) / 2.0)))
         return np.asarray(total - total.min())
 
 

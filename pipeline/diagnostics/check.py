@@ -57,21 +57,15 @@ RESOLUTION = 0.01
 """Step of the converter, in ranges of q: beyond, velocities come in steps of a few per cent."""
 
 
-def input_findings(fact: LogFacts, plant: Device) -> list[Finding]:
+def input_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """The findings on the inputs of a log."""
-    findings = [
-        *(
-            _unseen_force(fact, i) if force is None else _force(fact, i, force, plant)
-            for i, force in enumerate(fact.input_forces)
-        ),
-        *(_noise(fact, i, plant) for i in range(len(fact.input_forces))),
-        *_correlated(fact, plant),
-        *_input_actions(fact, plant),
-    ]
+    for i, force in enumerate(fact.input_forces):
+        yield _unseen_force(fact, i) if force is None else _force(fact, i, force, plant)
+    yield from (_noise(fact, i, plant) for i in range(len(fact.input_forces)))
+    yield from (*_correlated(fact, plant), *_input_actions(fact, plant))
     if plant.joint:
-        findings += [*_late(fact, plant), _field(fact, plant), *_rest_levels(fact, plant)]
-        findings += [*_scale(fact, plant), *_sides(fact)]
-    return findings
+        yield from (*_late(fact, plant), _field(fact, plant), *_rest_levels(fact, plant))
+        yield from (*_scale(fact, plant), *_sides(fact))
 
 
 def _unseen_force(fact: LogFacts, i: int) -> Finding:
@@ -112,8 +106,11 @@ def _late(fact: LogFacts, plant: Device) -> list[Finding]:
     most = LATE * fact.sample_interval
     if plant.angle or abs(fact.late) < most:
         return []
-    numbers = {"late": Number(fact.late, "s"), "most": Number(most, "s")}
-    return [Finding("late_answer", "fair", fact.signals.name, "q", numbers)]
+    return [
+        Finding(
+            "late_answer", "fair", fact.signals.name, "q", {"late": Number(fact.late, "s"), "most": Number(most, "s")}
+        )
+    ]
 
 
 def _scale(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -156,8 +153,12 @@ def _sides(fact: LogFacts) -> list[Finding]:
     ratio = couplings[0] / couplings[1]
     error = np.linalg.norm([force.error / force.value for force in fact.input_forces if force is not None])
     alike = abs(np.log(ratio)) <= np.log(SIDES) + SURE * error
-    numbers = {"ratio": Number(ratio), "most": Number(SIDES)}
-    return [Finding("coupling_ratio", "good" if alike else "fair", fact.signals.name, "", numbers)]
+    return [
+        Finding(
+            "coupling_ratio", "good" if alike else "fair", fact.signals.name, "",
+            {"ratio": Number(ratio), "most": Number(SIDES)},
+        )
+    ]  # fmt: skip
 
 
 def _correlated(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -168,8 +169,12 @@ def _correlated(fact: LogFacts, plant: Device) -> list[Finding]:
     correlation = float(np.asarray(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T))[0, 1])
     if abs(correlation) < CORRELATED:
         return []
-    numbers = {"correlation": Number(correlation), "most": Number(CORRELATED)}
-    return [Finding("correlated", "fair", fact.signals.name, "", numbers)]
+    return [
+        Finding(
+            "correlated", "fair", fact.signals.name, "",
+            {"correlation": Number(correlation), "most": Number(CORRELATED)},
+        )
+    ]  # fmt: skip
 
 
 def _field(fact: LogFacts, plant: Device) -> Finding:
@@ -234,19 +239,17 @@ ROUNDING = 1e-9
 """Range of q over its largest value up to which it is constant but for the rounding of its unit."""
 
 
-def motion_findings(fact: LogFacts, plant: Device) -> list[Finding]:
+def motion_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """The findings on the motion of a log."""
     rate = {"rate": Number(1.0 / fact.signals.raw_step, "Hz")}
-    findings = [
-        *_ranges(fact, plant), _resolution(fact, plant), Finding("sampling_rate", "good", fact.signals.name, "", rate),
-        *_held(fact), *_wrapped(fact, plant), _rests(fact, plant),
-    ]  # fmt: skip
+    yield from (*_ranges(fact, plant), _resolution(fact, plant))
+    yield Finding("sampling_rate", "good", fact.signals.name, "", rate)
+    yield from (*_held(fact), *_wrapped(fact, plant), _rests(fact, plant))
     if fact.drift is not None:
         unit = plant.displacement.symbol
         moved = abs(fact.drift) * float(np.ptp(fact.signals.t))
         numbers = {"drift": Number(fact.drift, f"{unit}/s"), "moved": Number(moved, unit)}
-        findings.append(Finding("drift", "fair", fact.signals.name, "q", numbers))
-    return findings
+        yield Finding("drift", "fair", fact.signals.name, "q", numbers)
 
 
 def starts(facts: Sequence[LogFacts]) -> list[Finding]:
@@ -342,10 +345,13 @@ def check_logs(logs: Sequence[LogSignals], plant: Device, sample_interval: float
     facts = [log_facts(log, sample_interval, plant) for log in logs]
     findings = [finding for fact in facts for finding in (*motion_findings(fact, plant), *input_findings(fact, plant))]
     seen = {finding.subject for finding in findings if finding.code in ("side", "push")}  # in some log
-    for place, finding in enumerate(findings):
-        if finding.code in ("idle_input", "never_on") and finding.subject in seen:
-            findings[place] = replace(finding, severity="unseen")
-    return [*findings, *starts(facts)]
+    judged = (
+        replace(finding, severity="unseen")
+        if finding.code in ("idle_input", "never_on") and finding.subject in seen
+        else finding
+        for finding in findings
+    )
+    return [*judged, *starts(facts)]
 
 
 def refusing(findings: Sequence[Finding]) -> list[Finding]:

@@ -108,8 +108,7 @@ def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
         ends = np.array([rows.stop for rows in moving])
         stays = np.concatenate(([LEVEL_SAMPLES], begins[1:] - ends[:-1], [LEVEL_SAMPLES])) >= LEVEL_SAMPLES
         for begin, end, before, after in zip(begins, ends, stays[:-1], stays[1:], strict=False):
-            short = before and after and end - begin <= STEP_SAMPLES
-            if short and abs(column[end] - column[begin]) >= STEP * size:
+            if before and after and end - begin <= STEP_SAMPLES and abs(column[end] - column[begin]) >= STEP * size:
                 times.append(float(t[begin + 1]))
     apart = np.unique(times)
     return apart if apart.size <= MOST_STEPS else np.empty(0)

@@ -77,14 +77,6 @@ class ObservedModel(Protocol):
 
 
 @dataclass(frozen=True)
-class Instrument:
-    """An instrument's error: its name, and the limit of practical interest [1, m, rad or s]."""
-
-    name: str
-    limit: float
-
-
-@dataclass(frozen=True)
 class Linearised:
     """A log near its present corrections: r of shape (N,), J of shape (N, K) per limit, and A of shape (N, R)."""
 
@@ -129,13 +121,12 @@ class Reading:
     unlike: float
 
 
-def quantities(parts: Sequence[Log]) -> tuple[Instrument, ...]:
-    """The errors that are measured of a log, with limits for its range of q and its sample interval."""
+def quantities(parts: Sequence[Log]) -> dict[str, float]:
+    """Limits of practical interest [1, m, rad or s] by error that is measured, for a log's range of q and interval."""
     span = float(np.ptp(np.concatenate([part.known_q for part in parts])))
     scales = {"zero_q": span, "delay": parts[0].interval}
-    inputs = [Instrument(f"gain_v{k}", LIMITS["gain"]) for k in range(1, parts[0].v.shape[1] + 1)]
-    others = (Instrument(name, limit * scales.get(name, 1.0)) for name, limit in LIMITS.items() if name != "gain")
-    return (*inputs, *others)
+    inputs = {f"gain_v{k}": LIMITS["gain"] for k in range(1, parts[0].v.shape[1] + 1)}
+    return inputs | {name: limit * scales.get(name, 1.0) for name, limit in LIMITS.items() if name != "gain"}
 
 
 class InstrumentTest:
@@ -157,7 +148,7 @@ class InstrumentTest:
         self._model = model
         self._logs = [within(parts, MOST_SAMPLES) for parts in training]
         self.quantities = quantities([part for parts in training for part in parts])
-        self._limits = np.array([quantity.limit for quantity in self.quantities])
+        self._limits = np.array([*self.quantities.values()])
         self._training = [self._linearised(parts, np.zeros(len(self._limits))) for parts in self._logs]
 
     @cached_property

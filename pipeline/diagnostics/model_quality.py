@@ -173,8 +173,7 @@ def model_checks(
         worst = max((s for s in judged if s["nrmse"] is not None), key=lambda score: score["nrmse"])
         yield from (of_finding("model", finding) for finding in causes(data, worst, max(errors) / max(train), wells))
     if rest_errors is not None and isinstance(wells, Wells):
-        off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
-        yield graded("model", "wells", off)
+        yield graded("model", "wells", max(abs(error) for error in rest_errors) / (wells.right - wells.left))
 
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
@@ -188,8 +187,7 @@ def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list
         return []
     _, spread, own = max(checks, key=lambda check: check[0])
     numbers = {"constant": Number(spread), "own": Number(own["nrmse"])}
-    finding = Finding("constant", "poor", log_title(own["role"], own["log"]), own["model"], numbers)
-    return [of_finding("model", finding)]
+    return [of_finding("model", Finding("constant", "poor", log_title(own["role"], own["log"]), own["model"], numbers))]
 
 
 def _spread(data: RunData, score: Mapping[str, Any]) -> float:
@@ -268,7 +266,6 @@ def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
     outside = [s for s in judged if s.get("outside_training") is not None]
     if outside:
         most = max(outside, key=lambda score: score["outside_training"])
-        title = log_title(most["role"], most["log"])
-        check = graded("model", "outside", float(most["outside_training"]), log=title)
+        check = graded("model", "outside", float(most["outside_training"]), log=log_title(most["role"], most["log"]))
         right = all(s["nrmse"] is not None and THRESHOLDS["nrmse"].grade(s["nrmse"]) == "good" for s in judged)
         yield replace(check, grade="fair") if right and check.grade == "poor" else check

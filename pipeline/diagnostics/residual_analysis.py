@@ -101,8 +101,7 @@ def _correlation(x: FloatArray, y: FloatArray, count: int) -> FloatArray:
 
     a = x - x.mean()
     b = y - y.mean()
-    scale = float(np.sqrt(np.sum(a**2) * np.sum(b**2)))
-    whole: FloatArray = correlate(b, a, method="fft") / (scale or np.inf)
+    whole: FloatArray = correlate(b, a, method="fft") / (float(np.sqrt(np.sum(a**2) * np.sum(b**2))) or np.inf)
     return whole[len(x) - 1 - count : len(x) + count]
 
 

@@ -108,7 +108,10 @@ def weak_terms(log: LogSignals, acting: FloatArray, sample_interval: float) -> W
     """
     half = _half_width(log, sample_interval)
     z, measured, size = _scaled(log)
-    rows = _usable(measured, half)
+    # Middles of bumps, a sample interval apart, that meet only measured samples.
+    missing = np.concatenate(([0], np.cumsum(~measured)))
+    middles = np.arange(half, len(measured) - half, half // HALF_WIDTH)
+    rows = middles[missing[middles + half + 1] == missing[middles - half]]
     if rows.size < BLOCKS * (FORCE_ORDER + 3 + GAIN_TERMS * log.v.shape[1]):
         return None
     bump, slope, curvature = _bump(half, log.interval)
@@ -186,13 +189,6 @@ def _input_terms(acting: FloatArray, z: FloatArray, bump: FloatArray) -> FloatAr
         for k in range(GAIN_TERMS):
             inputs[:, i, k] = _average(e[:, i] * z**k, bump)
     return inputs
-
-
-def _usable(measured: BoolArray, half: int) -> IntArray:
-    """Middles of bumps, a sample interval apart, that meet only measured samples."""
-    missing = np.concatenate(([0], np.cumsum(~measured)))
-    middles = np.arange(half, len(measured) - half, half // HALF_WIDTH)
-    return np.asarray(middles[missing[middles + half + 1] == missing[middles - half]])
 
 
 def _bump(half: int, h: float) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -385,9 +385,8 @@ def run_loop(
         raise InputError(f"the controller failed: {type(error).__name__}: {error}") from error
     if taken < 0:
         raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
-    probes = [bench.probes[side].read(t, out[:, 1 + side], rng) for side in (0, 1)]
-    shown = (t, out[:, 0], probes[0], probes[1], target, out[:, 3], out[:, 4], out[:, 5])
-    return ClosedLoop(*shown, *refused.tolist())
+    left, right = (bench.probes[side].read(t, out[:, 1 + side], rng) for side in (0, 1))
+    return ClosedLoop(t, out[:, 0], left, right, target, out[:, 3], out[:, 4], out[:, 5], *refused.tolist())
 
 
 def _surroundings(

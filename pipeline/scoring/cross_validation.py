@@ -130,8 +130,7 @@ def fold_score(
     for x in held_out:
         run = model.simulate(x.t, x.drive_of(fine=model.fine_voltages), float(x.q[0]), float(x.qdot[0]))
         for signal in ranges:
-            error = free_run_error(getattr(x, signal), getattr(run, signal), ranges[signal])
-            squares[signal] += error**2 * len(x.t)
+            squares[signal] += free_run_error(getattr(x, signal), getattr(run, signal), ranges[signal]) ** 2 * len(x.t)
         if isinstance(wells, Wells):
             agreeing += float(np.sum(in_same_well(x.q, run.q, wells)))
         diverged += not np.all(np.isfinite(run.q))

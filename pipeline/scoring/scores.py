@@ -101,13 +101,13 @@ def score_run(
             )
         if name == "q" and isinstance(wells, Wells):
             same = in_same_well(measured, calculated, wells)
-            switches = switch_accuracy(measured, calculated, v, interval, wells, plant=plant)
+            correct, pulses = switch_accuracy(measured, calculated, v, interval, wells, plant=plant)
             score = replace(
                 score,
                 well_agreement=float(np.nanmean(same)) if np.isfinite(same).any() else None,
                 well_agreement_interval=_agreement_interval(same, block, rng),
-                switch_accuracy=switches.share,
-                switch_accuracy_interval=share_interval(switches.correct, switches.pulses),
+                switch_accuracy=correct / pulses if pulses else None,
+                switch_accuracy_interval=share_interval(correct, pulses),
             )
         scores.append(score)
     return tuple(scores)
@@ -295,22 +295,6 @@ SETTLED = 0.1  # of the step in q
 
 
 @dataclass(frozen=True)
-class StepResponse:
-    """Rise and settling times of one switch.
-
-    Attributes
-    ----------
-    rise_s : float or None
-        From 10 to 90 % of the way to the final value [s]; None if the way is not completed.
-    settling_s : float or None
-        From the voltage step until q stays within ±10 % of the step [s]; None if it does not for the last 0.4 s.
-    """
-
-    rise_s: float | None
-    settling_s: float | None
-
-
-@dataclass(frozen=True)
 class ResponseErrors:
     """Median absolute errors of the simulated times over the switches of a record.
 
@@ -343,7 +327,7 @@ def voltage_steps(v: FloatArray, interval: float, plant: Device) -> IntArray:
     return np.asarray(rises - 1, dtype=np.int64)
 
 
-def step_response(q: FloatArray, interval: float) -> StepResponse:
+def step_response(q: FloatArray, interval: float) -> tuple[float | None, float | None]:
     """Rise and settling time of q from the first row, a voltage step, to the last, just before the next.
 
     The final value is the mean of the last 0.4 s, one period of the ring-down.
@@ -358,12 +342,12 @@ def step_response(q: FloatArray, interval: float) -> StepResponse:
     window = samples_of(LONGEST_WINDOW, interval)
     step = float(np.mean(q[-window:])) - q[0]
     if step == 0.0:
-        return StepResponse(None, None)
+        return None, None
     way = (q - q[0]) / step
     ten, ninety = (np.flatnonzero(way >= share) for share in (0.1, 0.9))
     rise = float(ninety[0] - ten[0]) * interval if ninety.size else None
     settled = int(settling_index(way - 1.0, SETTLED))
-    return StepResponse(rise, settled * interval if settled <= q.size - window else None)
+    return rise, settled * interval if settled <= q.size - window else None
 
 
 def response_errors(
@@ -396,7 +380,7 @@ def response_errors(
     plant : Device
         Its inputs, and whether it is the joint.
     """
-    pairs: list[tuple[StepResponse, StepResponse]] = []
+    pairs = []
     switches = 0
     shortest = samples_of(SHORTEST_RESPONSE, interval)
     for begin, end in itertools.pairwise([*voltage_steps(v, interval, plant=plant).tolist(), len(v)]):
@@ -407,8 +391,7 @@ def response_errors(
         switches += 1
         if np.all(np.isfinite(calculated[rows])) and _switches(calculated[rows], wells, interval):
             pairs.append((step_response(measured[rows], interval), step_response(calculated[rows], interval)))
-    rise = _errors([(a.rise_s, b.rise_s) for a, b in pairs])
-    settling = _errors([(a.settling_s, b.settling_s) for a, b in pairs])
+    rise, settling = (_errors([(a[time], b[time]) for a, b in pairs]) for time in (0, 1))
     bands = median_interval(rise, rng), median_interval(settling, rng)
     return ResponseErrors(switches, len(pairs), _median(rise), _median(settling), *bands)
 

@@ -49,6 +49,29 @@ def column(size: int, parts: Iterable[NDArray[Entry]], dtype: type[Entry]) -> ND
         return np.asarray(np.memmap(file, dtype, "r", shape=(size,)))
 
 
+class Stream:
+    """Columns that are made in ascending order, any number of rows at a time.
+
+    Parameters
+    ----------
+    pieces : iterator of FloatArray, shape (k, n)
+        The columns, piece after piece.
+    """
+
+    def __init__(self, pieces: Iterator[FloatArray]) -> None:
+        self._pieces = pieces
+        self._ready: list[FloatArray] = []
+
+    def read(self, count: int) -> FloatArray:
+        """The next `count` rows, shape (k, count)."""
+        parts = self._ready or [next(self._pieces)]
+        while sum(part.shape[1] for part in parts) < count:
+            parts.append(next(self._pieces))
+        values = np.concatenate(parts, axis=1)
+        self._ready = [values[:, count:].copy()]
+        return values[:, :count]
+
+
 def differences(samples: FloatArray, order: int = 1, spacing: int = 1) -> FloatArray:
     """Differences of some order between samples so far apart, of the whole or of blocks spread over a long column."""
     parts = [samples]

@@ -153,8 +153,11 @@ class Log:
 
         Where all are so short, the rows are those of the log from its first valid sample on.
         """
-        with_samples = [rows for rows in runs_of(self.recorded) if self.valid[rows].any()]
-        from_valid = [slice(rows.start + int(np.argmax(self.valid[rows])), rows.stop) for rows in with_samples]
+        from_valid = [
+            slice(rows.start + int(np.argmax(self.valid[rows])), rows.stop)
+            for rows in runs_of(self.recorded)
+            if self.valid[rows].any()
+        ]
         long_enough = [rows for rows in from_valid if rows.stop - rows.start >= SHORTEST]
         return long_enough or [slice(int(np.argmax(self.valid)), len(self.valid))]
 

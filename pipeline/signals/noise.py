@@ -262,9 +262,8 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
     power = _spectrum(samples, size)
     offset = np.abs(np.fft.rfftfreq(size, step) - frequency)
     line = offset <= 0.2 + 2.0 * (1.0 / (size * step))  # and the width of two bins
-    beside = (offset <= _HUM_BAND) & ~line
     # The mean of the logarithms' exponential is taken low by a few other lines; the median is not.
-    floor = float(np.median(power[beside])) * int(line.sum())
+    floor = float(np.median(power[(offset <= _HUM_BAND) & ~line])) * int(line.sum())
     total = float(power[line].sum())
     amplitude = float(np.sqrt(2.0 * max(total - floor, 0.0)))
     return Hum(frequency, 10.0 * float(np.log10(total / floor)), amplitude) if floor > 0.0 else None

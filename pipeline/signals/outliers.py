@@ -58,8 +58,7 @@ def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArra
     for signal in inputs:
         least = 2.0 * REACH * noise_level(select(signal[1], finite(signal[1])))
         count = int(np.count_nonzero(_changed(signal, times, step, least)))
-        chance = float(np.mean(_changed(signal, anywhere, step, least)))
-        if count and bdtrc(count - 1, times.size, chance) < CHANCE:
+        if count and bdtrc(count - 1, times.size, float(np.mean(_changed(signal, anywhere, step, least)))) < CHANCE:
             return True
     return False
 

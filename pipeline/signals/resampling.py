@@ -37,7 +37,7 @@ from functools import cache
 import numpy as np
 
 from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of
-from .columns import CHUNK, ROUNDING, chunks, column
+from .columns import CHUNK, ROUNDING, Stream, chunks, column
 
 REACH = 2.0
 """Half width of the kernel in output intervals."""
@@ -221,9 +221,8 @@ class _Slopes:
     def __init__(self, time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float) -> None:
         self._segment = (time, columns, interval)
         self._grid = t_out
-        self._open: Iterator[FloatArray] | None = None
+        self._open: Stream | None = None
         self._next = -1
-        self._ready: FloatArray = np.empty((len(columns), 0))
 
     def at(self, first: int, last: int, *, ends: bool) -> FloatArray:
         """The slopes at the points `first` … `last` − 1, shape (k, last − first).
@@ -233,12 +232,8 @@ class _Slopes:
         """
         if self._open is None or first != self._next:
             # The sums at a point do not depend on how far the run goes on: bins beyond it do not reach it.
-            stop = last if ends else self._grid.size
-            self._open = self._pieces(self._grid[first:stop])
-            self._ready = self._ready[:, :0]
-        while self._ready.shape[1] < last - first:
-            self._ready = np.concatenate((self._ready, next(self._open)), axis=1)
-        slopes, self._ready = self._ready[:, : last - first], self._ready[:, last - first :]
+            self._open = Stream(self._pieces(self._grid[first : last if ends else None]))
+        slopes = self._open.read(last - first)
         self._next = last
         if ends:
             self._open = None

@@ -195,39 +195,8 @@ def _cut(bounds: IntArray, stamps: FloatArray, ends: FloatArray) -> IntArray:
     return np.stack((edges[:-1], edges[1:]), axis=1)
 
 
-class Stream:
-    """The values of a group of columns at all points of a grid, in ascending order, any number at a time.
-
-    Parameters
-    ----------
-    group : Segments
-        Columns with k members.
-    grid : FloatArray, shape (M,)
-        Uniform times [s] inside the group's time span.
-    interval : float
-        Their step [s].
-    decimate : bool
-        Low-pass and decimate, or interpolate.
-    """
-
-    def __init__(self, group: Segments, grid: FloatArray, interval: float, *, decimate: bool) -> None:
-        self._pieces = _resampled(group, grid, interval, decimate)
-        self._ready: FloatArray = np.empty((len(group.columns), 0))
-
-    def read(self, count: int) -> FloatArray:
-        """The values at the next `count` points, shape (k, count)."""
-        parts = [self._ready]
-        held = self._ready.shape[1]
-        while held < count:
-            parts.append(next(self._pieces))
-            held += parts[-1].shape[1]
-        values = np.concatenate(parts, axis=1)
-        self._ready = values[:, count:].copy()
-        return values[:, :count]
-
-
-def _resampled(group: Segments, grid: FloatArray, interval: float, decimate: bool) -> Iterator[FloatArray]:
-    """Values at all grid points, shape (k, m), piece after piece."""
+def resampled(group: Segments, grid: FloatArray, interval: float, *, decimate: bool) -> Iterator[FloatArray]:
+    """Values of a group of columns at all points of a grid, shape (k, m), piece after piece."""
     position = 0
     for (low, high), (first, last, end) in _shares_of_grid(group, grid, interval):
         if position < first:
