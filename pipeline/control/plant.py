@@ -187,10 +187,9 @@ class LinearModel:
     @property
     def ringing(self) -> tuple[float, float] | None:
         """Frequency [Hz] and damping ratio of the slowest oscillation; None if there is none."""
-        waves = [p for p in self.poles if p.imag > 1.0]
-        if not waves:
+        slowest = min((p for p in self.poles if p.imag > 1.0), key=abs, default=None)
+        if slowest is None:
             return None
-        slowest = min(waves, key=abs)
         return float(slowest.imag / (2.0 * np.pi)), float(-slowest.real / abs(slowest))
 
     def state_space(self, *, squared: bool = False) -> Any:
@@ -289,11 +288,10 @@ def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:
     u = v**2
     places = list[FloatArray]()
     c = plant.constants
-    length = float(c.k[INDEX["l"]])
     low, high = _window(plant)
     for q in np.linspace(low, high, 25):
         relaxed, _ = rest_state(q, u, c.k, c.p, c.basis, c.weights, 0.0)
-        for shape in (relaxed, still(q, float(c.k[INDEX["slope_ratio"]]) * q / length, 0.0)):
+        for shape in (relaxed, still(q, float(c.k[INDEX["slope_ratio"]]) * q / float(c.k[INDEX["l"]]), 0.0)):
             x = newton(plant, shape, u)
             if x is not None and low <= x[0] <= high and not any(abs(x[0] - y[0]) < _SAME for y in places):
                 places.append(x)
@@ -333,9 +331,8 @@ _TOLERANCE = 1e-3
 
 def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArray | None:
     """The equilibrium near a state under the squared voltages `u`, shape (2,) [V²]; None if Newton's method fails."""
-    c = plant.constants
     steps = np.array([1e-7, 1e-6, 1e-6])  # m, 1, 1
-    root = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], c)), near[SHAPE], steps)
+    root = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], plant.constants)), near[SHAPE], steps)
     return None if root is None or abs(root[0]) > plant.wall else still(*root)
 
 
@@ -359,13 +356,12 @@ def held(
     u : float
         [V²].
     """
-    c = plant.constants
     q = float(near[0])
 
     def left(at: FloatArray) -> FloatArray:
         """Forces that are left at a slope, an interior shape and a squared voltage [kV²]: zero at rest."""
         u = base + 1e6 * at[2] * direction
-        return np.asarray(forces(still(q, at[0], at[1]), u[0], u[1], c))
+        return np.asarray(forces(still(q, at[0], at[1]), u[0], u[1], plant.constants))
 
     root = _root(left, np.array([near[2], near[4], 0.0]), np.array([1e-6, 1e-6, 1e-3]))
     return None if root is None else (still(q, root[0], root[1]), 1e6 * float(root[2]))
@@ -409,13 +405,10 @@ def held_at(plant: ControlledJoint, q: float, saddle: FloatArray) -> tuple[Float
     """
     c = plant.constants
     relaxed, _ = rest_state(q, np.zeros(2), c.k, c.p, c.basis, c.weights, 0.0)
-    best: tuple[FloatArray, FloatArray] | None = None
-    for start in (relaxed, still(q, float(saddle[2]), float(saddle[4]))):
-        for side in (0, 1):
-            answer = held(plant, start, np.zeros(2), np.eye(2)[side])
-            if answer is None or answer[1] < 0.0:
-                continue
-            u = answer[1] * np.eye(2)[side]
-            if best is None or u.sum() < best[1].sum():
-                best = answer[0], u
-    return (relaxed, np.zeros(2)) if best is None else best
+    equilibria_held = [
+        (answer[0], answer[1] * side)
+        for start in (relaxed, still(q, float(saddle[2]), float(saddle[4])))
+        for side in np.eye(2)
+        if (answer := held(plant, start, np.zeros(2), side)) is not None and answer[1] >= 0.0
+    ]
+    return min(equilibria_held, key=lambda each: float(each[1].sum()), default=(relaxed, np.zeros(2)))

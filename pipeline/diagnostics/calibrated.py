@@ -43,9 +43,8 @@ def calibrated(model: DynamicModel | None) -> list[Calibrated]:
 
     Each is that of the device, whose size is another than the set's joint's.
     """
-    if not isinstance(model, HybridModel):
-        return []
-    return sorted((_one(model, i) for i in range(len(DEVIATIONS))), key=lambda quantity: quantity.nominal is None)
+    quantities = [_one(model, i) for i in range(len(DEVIATIONS))] if isinstance(model, HybridModel) else []
+    return sorted(quantities, key=lambda quantity: quantity.nominal is None)
 
 
 def _one(model: HybridModel, i: int) -> Calibrated:

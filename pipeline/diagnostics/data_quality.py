@@ -117,20 +117,20 @@ def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
 
 def _signal_numbers(data: RunData) -> tuple[float, float, float]:
     """Range of q, its largest noise and rail share over the logs."""
-    spans = []
-    noises = []
-    rails = []
-    for log in data.logs:
-        t = log.record["t"]
-        quality = examine_signal(t, log.record["q"], sample_interval(t))
-        spans.append(quality.largest - quality.smallest)
-        rails.append(quality.low_rail + quality.high_rail)
-        # The differentiator works on the noise at the log's own rate; the record has what the filter left of it.
-        notes = log.kinematics_notes
-        of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
-        stated = [s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std")]
-        noises.append(min(max(stated, default=quality.noise), _noise_of_residual(data, log)))
+    spans, noises, rails = zip(*(_numbers_of_log(data, log) for log in data.logs), strict=True)
     return max(spans) or 1.0, max(noises), max(rails)
+
+
+def _numbers_of_log(data: RunData, log: LogData) -> tuple[float, float, float]:
+    """Range of q, its noise and rail share of one log."""
+    t = log.record["t"]
+    quality = examine_signal(t, log.record["q"], sample_interval(t))
+    # The differentiator works on the noise at the log's own rate; the record has what the filter left of it.
+    notes = log.kinematics_notes
+    of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
+    stated = [s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std")]
+    noise = min(max(stated, default=quality.noise), _noise_of_residual(data, log))
+    return quality.largest - quality.smallest, noise, quality.low_rail + quality.high_rail
 
 
 def _noise_of_residual(data: RunData, log: LogData) -> float:

@@ -104,8 +104,7 @@ def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
     for column in v.T:
         size = float(np.ptp(column))
         moving = runs_of(np.abs(np.diff(column)) > LEVEL_MOVES * size)
-        begins = np.array([rows.start for rows in moving])
-        ends = np.array([rows.stop for rows in moving])
+        begins, ends = np.array([(rows.start, rows.stop) for rows in moving], dtype=np.int64).reshape(-1, 2).T
         stays = np.concatenate(([LEVEL_SAMPLES], begins[1:] - ends[:-1], [LEVEL_SAMPLES])) >= LEVEL_SAMPLES
         for begin, end, before, after in zip(begins, ends, stays[:-1], stays[1:], strict=False):
             if before and after and end - begin <= STEP_SAMPLES and abs(column[end] - column[begin]) >= STEP * size:

@@ -246,14 +246,12 @@ class InstrumentTest:
         if parts[0].v.shape[1] > 1:
             trials["inputs"] = [exchanged(each) for each in parts]
             trials["both"] = [exchanged(each) for each in trials["sign"]]
-        left = {name: self._left(trial) for name, trial in trials.items()}
+        nothing = np.zeros(len(self._limits))
+        residuals = {name: self._residual(trial, nothing) for name, trial in trials.items()}
+        left = {name: np.inf if residual is None else rms(residual) for name, residual in residuals.items()}
         best = min(left, key=lambda name: left[name])
         chosen = best if left[best] < EXPLAINED * left["none"] else "none"
         return chosen, trials[chosen]
-
-    def _left(self, parts: Sequence[Log]) -> float:
-        residual = self._residual(parts, np.zeros(len(self._limits)))
-        return np.inf if residual is None else rms(residual)
 
     def _linearised(self, parts: Sequence[Log], delta: FloatArray) -> Linearised | None:
         """A log near δ [limits]; None where a run fails."""
@@ -264,9 +262,8 @@ class InstrumentTest:
         problem, gain, scale = self._problem(parts, delta)
         residual, by_theta = (scale * each for each in problem.jacobian(self._model.theta, gain))
         by_parameters = by_theta @ self._model.spread
-        if not (np.isfinite(residual).all() and np.isfinite(by_parameters).all()):
-            return None
-        return Linearised(residual, 0.5 * (np.array(ahead) - np.array(behind)).T, by_parameters)
+        finite = np.isfinite(residual).all() and np.isfinite(by_parameters).all()
+        return Linearised(residual, 0.5 * (np.array(ahead) - np.array(behind)).T, by_parameters) if finite else None
 
     def _residual(self, parts: Sequence[Log], delta: FloatArray) -> FloatArray | None:
         problem, gain, scale = self._problem(parts, delta)
@@ -404,13 +401,12 @@ def _compared(reference: Sequence[FloatArray], error: FloatArray) -> tuple[float
     errors = [*reference, error]
     noise = [noise_std(each) ** 2 for each in errors]
     unseen = [white * np.sqrt(2.0 * GROUPS / len(each)) for each, white in zip(errors, noise, strict=True)]
-    levels = []
-    doubts = []
-    for each, white, doubt in zip(errors, noise, unseen, strict=True):
-        own = np.array([rms(group) ** 2 - white for group in np.array_split(each, GROUPS)])
-        squares = np.maximum(own, SIGNIFICANCE * max(unseen))
-        levels.append(np.log(squares))
-        doubts.append((doubt / squares) ** 2)
+    squares = [
+        np.maximum([rms(group) ** 2 - white for group in np.array_split(each, GROUPS)], SIGNIFICANCE * max(unseen))
+        for each, white in zip(errors, noise, strict=True)
+    ]
+    levels = [np.log(each) for each in squares]
+    doubts = [(doubt / each) ** 2 for doubt, each in zip(unseen, squares, strict=True)]
     both = ((levels[-1], doubts[-1]), (np.concatenate(levels[:-1]), np.concatenate(doubts[:-1])))
     shares = [(level.var(ddof=1) + doubt.mean()) / level.size for level, doubt in both]
     difference = float(levels[-1].mean() - np.mean(levels[:-1]))

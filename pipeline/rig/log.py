@@ -204,10 +204,9 @@ def inject_faults(log: Readings, kinds: tuple[str, ...], rng: np.random.Generato
             q[first:last] = np.nan if kind == "nan" else rail
             faults.append(Fault(kind, float(log.t[first]), float(log.t[last - 1])))
     damaged = Readings(log.t, q, log.v1, log.v2)
-    intact = log.t
     for first, last in _places(log, _GAP, rng) if "gaps" in kinds else []:
-        faults.append(Fault("gaps", float(intact[first - 1]), float(intact[last])))
-        damaged = damaged.at((damaged.t < intact[first]) | (damaged.t >= intact[last]))
+        faults.append(Fault("gaps", float(log.t[first - 1]), float(log.t[last])))
+        damaged = damaged.at((damaged.t < log.t[first]) | (damaged.t >= log.t[last]))
     for _ in range(_COUNT if "repeats" in kinds else 0):
         at = int(rng.integers(1, damaged.t.size))
         faults.append(Fault("repeats", float(damaged.t[at]), float(damaged.t[at])))

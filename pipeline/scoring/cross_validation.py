@@ -287,12 +287,18 @@ def amount_study(
         Places of the segments.
     """
     total = sum(len(x.t) for x in training)
-    points = []
-    for amount in amounts:
-        starts = [0] if amount >= total else [int(s) for s in rng.integers(total, size=repeats)]
-        segments = [_segment(training, start, min(amount, total)) for start in starts]
-        points.append(_point(float(min(amount, total)), segments, held_out, identify))
-    return tuple(points)
+    return tuple(
+        _point(
+            float(min(amount, total)),
+            [
+                _segment(training, start, min(amount, total))
+                for start in ([0] if amount >= total else rng.integers(total, size=repeats).tolist())
+            ],
+            held_out,
+            identify,
+        )
+        for amount in amounts
+    )
 
 
 def noise_study(

@@ -273,9 +273,11 @@ def codes_in(
                 part = part[~at_code]
         low, high = min(low, part.min(initial=np.inf)), max(high, part.max(initial=-np.inf))
     span = high - low
-    far = {code: n for code, n in counts.items() if n and (declared is not None or not of_time)}
-    if declared is None:
-        far = {code: n for code, n in far.items() if span > 0.0 and max(low - code, code - high) > span}
+    far = {
+        code: n
+        for code, n in counts.items()
+        if n and (declared is not None or (not of_time and span > 0.0 and max(low - code, code - high) > span))
+    }
     return far | ({float(largest): huge} if huge else {})
 
 

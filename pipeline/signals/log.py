@@ -199,14 +199,8 @@ class Log:
         if not begins_in_motion or len(whole.valid) < 10 * EDGE or not whole.valid[EDGE:].any():
             return whole
         later = whole.part(EDGE + int(np.argmax(whole.valid[EDGE:])), len(whole.valid))
-        return whole if _farther(whole, later) else later
-
-
-def _farther(whole: Log, later: Log) -> bool:
-    """True if a log goes farther than its later part by more than `_FARTHER` of its range."""
-    low = whole.known_q.min()
-    high = whole.known_q.max()
-    return bool(max(later.known_q.min() - low, high - later.known_q.max()) > _FARTHER * (high - low))
+        missed = max(later.known_q.min() - whole.known_q.min(), whole.known_q.max() - later.known_q.max())
+        return whole if missed > _FARTHER * float(np.ptp(whole.known_q)) else later
 
 
 def operating_range(logs: Sequence[Log]) -> tuple[float, float]:

@@ -151,9 +151,7 @@ def held_samples(samples: FloatArray, resolution: float | None) -> int:
     values = samples[: 16 * CHUNK]
     values = values[np.isfinite(values)]
     changes = np.flatnonzero(np.abs(np.diff(values)) > 1.5 * (resolution or 0.0))
-    if changes.size < _FEWEST:
-        return 1
-    return int(np.quantile(np.diff(changes), _SELDOM))
+    return 1 if changes.size < _FEWEST else int(np.quantile(np.diff(changes), _SELDOM))
 
 
 LEAST_PER_PERIOD = 5.0

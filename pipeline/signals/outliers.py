@@ -198,11 +198,14 @@ def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list
     if len(lost.bursts):
         levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in lost.levels[:2])
         more = f" and {len(lost.levels) - 2} more levels" if len(lost.levels) > 2 else ""
-        what = f"{_several(lost.bursts, 'burst')} at {levels}{more}, which no motion reaches"
-        remarks.append(f"{what}, the first at {lost.first[0]:.6g} s")
+        remarks.append(
+            f"{_several(lost.bursts, 'burst')} at {levels}{more}, which no motion reaches, the first at "
+            f"{lost.first[0]:.6g} s"
+        )
     if len(lost.held):
-        what = f"{_several(lost.held, 'segment')} in which the last value was held"
-        remarks.append(f"{what}, the first at {lost.first[1]:.6g} s")
+        remarks.append(
+            f"{_several(lost.held, 'segment')} in which the last value was held, the first at {lost.first[1]:.6g} s"
+        )
     if count := len(lost.cuts):
         remarks.append(
             f"{count} jump{'s' * (count > 1)} from one sample to the next, the first at {lost.cuts[0, 1]:.6g} s: rows "
@@ -294,9 +297,8 @@ def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, sign:
     for rows in chunks(samples.size):
         part = sign * samples[rows]
         top = np.sort(np.concatenate((top, part[part < bottom])))[-jumps - 1 :]
-    if top.size <= jumps or bottom - top[0] < 0.5 * (top[0] - smallest):
-        return np.inf
-    return float(0.5 * (bottom + top[0]))
+    apart = top.size > jumps and bottom - top[0] >= 0.5 * (top[0] - smallest)
+    return float(0.5 * (bottom + top[0])) if apart else np.inf
 
 
 @dataclass(frozen=True)

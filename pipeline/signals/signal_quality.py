@@ -132,9 +132,9 @@ def _is_exact(
     if longest < IN_A_ROW:
         return False
     equal = float(np.mean(np.diff(others) == 0.0)) if others.size > 1 else 0.0
-    if below_resolution(noise, digit) or equal > 0.5:
-        return _cut_off(values, runs, level, 0.5 * (digit or 0.0), noisy=False)
-    return int(np.diff(runs, axis=1).sum()) * equal ** (longest - 1) < CHANCE
+    by_steps = below_resolution(noise, digit) or equal > 0.5
+    by_chance = int(np.diff(runs, axis=1).sum()) * equal ** (longest - 1)
+    return _cut_off(values, runs, level, 0.5 * (digit or 0.0), noisy=False) if by_steps else by_chance < CHANCE
 
 
 def _cut_off(values: FloatArray, runs: IntArray, level: float, width: float, *, noisy: bool) -> bool:

@@ -28,7 +28,9 @@ def scale(unit: str, largest: float) -> tuple[str, float]:
     largest : float
         Largest magnitude to be shown, in SI.
     """
-    unit, factor = _in_degrees(unit)
+    angle = _ANGLE.match(unit)
+    factor = 1.0 if angle is None else (180.0 / math.pi) ** (2 if angle[1] else 1)
+    unit = unit if angle is None else f"°{unit.removeprefix('rad')}"  # such as °/(s²·V) or °²/Hz
     head = next((p for p in sorted(_PREFIXED, key=len, reverse=True) if _starts(unit, p)), None)
     magnitude = abs(largest) * factor
     if head is None or magnitude == 0.0 or not math.isfinite(magnitude):
@@ -37,14 +39,6 @@ def scale(unit: str, largest: float) -> tuple[str, float]:
     power = 3 * math.floor(math.log10(magnitude / 0.5) / 3.0)
     power = min(9, max(-12, power))
     return _PREFIXES[power] + unit, factor * 10.0**-power
-
-
-def _in_degrees(unit: str) -> tuple[str, float]:
-    """The unit with degrees for radians, such as ``°/(s²·V)`` or ``°²/Hz``, and the factor from SI to it."""
-    angle = _ANGLE.match(unit)
-    if angle is None:
-        return unit, 1.0
-    return f"°{unit.removeprefix('rad')}", (180.0 / math.pi) ** (2 if angle[1] else 1)
 
 
 def axis_scale(unit: str, largest: float) -> tuple[str, float]:
