@@ -25,7 +25,6 @@ from numpy.typing import NDArray
 from ..errors import disk_failure
 from ..system.isolation import Send, limit
 from ..system.package import module_at
-from .recording import for_any_variable, missing_channel
 from .source import (
     CsvOptions,
     Entry,
@@ -33,7 +32,9 @@ from .source import (
     Source,
     UnreadableChannelError,
     UnreadableLogError,
+    for_any_variable,
     left_out,
+    missing_channel,
     read_start,
     with_starts,
 )
@@ -110,9 +111,16 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
     wanted = [(name, entry) for name, entry in wanted if not {entry.name, entry.time} & failed.keys()]
     return {
         "format": source.format,
-        "notes": [*source.notes, *left_out({name: f"{error}" for name, error in failed.items()})],
+        "notes": [
+            *source.notes,
+            *source.counted.notes(needed.keys() - failed.keys()),
+            *left_out({name: f"{error}" for name, error in failed.items()}),
+        ],
         "warnings": source.warnings,
-        **_stated(source),
+        "rates": source.rates,
+        "frequencies": source.frequencies,
+        "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
+        "heading": source.heading[:_LONGEST_TEXT],
         "listed": [entry.name for entry in entries if entry.name not in failed],
         "channels": [
             {
@@ -124,16 +132,6 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
             }
             for name, entry in wanted
         ],
-    }
-
-
-def _stated(source: Source) -> dict[str, Any]:
-    """Metadata of the log: rates, descriptions, heading."""
-    return {
-        "rates": source.rates,
-        "frequencies": source.frequencies,
-        "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
-        "heading": source.heading[:_LONGEST_TEXT],
     }
 
 
@@ -199,15 +197,12 @@ class _Spool:
         else:
             places.append([self._position, len(samples)])
         while content:
-            content = content[self._append(content) :]
-
-    def _append(self, content: memoryview) -> int:
-        try:
-            written = self._file.write(content)
-        except OSError as error:
-            raise _NoSpaceError from error
-        self._position += written
-        return written
+            try:
+                written = self._file.write(content)
+            except OSError as error:
+                raise _NoSpaceError from error
+            self._position += written
+            content = content[written:]
 
     def _beyond(self, what: str) -> str:
         size = self._path.stat().st_size / 1e6

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pyarrow import csv
 
 from ..store.arrow_columns import doubles
+from .attributes import note_on_rate
 from .csv_cells import (
     MISSING,
     NUMBER,
@@ -35,7 +36,6 @@ from .source import (
     Source,
     UnreadableLogError,
     left_out,
-    note_on_rate,
     read_start,
     unique_names,
 )

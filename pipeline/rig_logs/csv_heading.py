@@ -5,9 +5,9 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 
 from ..units.units import PLAIN
-from .attributes import number_with_unit, scales_among
+from .attributes import number_with_unit, possible_rate, scales_among, stated_rate
 from .csv_cells import COMMENT, NUMBER, is_stamp, split_row
-from .source import UnreadableLogError, possible_rate, stated_rate, unique_names
+from .source import UnreadableLogError, unique_names
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
 _UNIT_BEHIND = re.compile(r"^(?P<name>.*\S)(?:\s+in\s+|\s+/\s*|,\s+|\s*(?=[<{]))[<{]?(?P<unit>[^\s<>{}]+)[>}]?$")

@@ -16,11 +16,10 @@ from ..signals.signal_quality import BOTH_SIGNS, takes_both_signs
 from ..signals.timebase import seldom
 from ..system.names import check_log_name, check_name, log_name, slug, true_name
 from ..units.units import DISPLACEMENT, FILL_IN, SECONDS, to_si
-from .attributes import monitor_ratio
+from .attributes import monitor_ratio, rates_beside
 from .channel_roles import Role, Suggestion, suggested_unit
 from .inspection import NO_CHANNEL, InspectedChannel, Inspection
-from .recording import as_other_logs
-from .source import rates_beside
+from .source import as_other_logs
 
 Purpose = Literal["train", "validation", "test", ""]
 

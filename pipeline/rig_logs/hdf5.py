@@ -259,7 +259,6 @@ class Hdf5Source(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels, in slices along the stored chunks."""
-        counted = self.counted
         for name in names:
             dataset, column, missing = self._places[name]
             axis = int(np.argmax(dataset.shape))
@@ -275,13 +274,12 @@ class Hdf5Source(Source):
                     part = flat(dataset.fields(column[0]), first, last, dataset.shape)[(..., *column[1:])]
                 else:
                     part = dataset[first:last, column] if axis == 0 else dataset[column, first:last]
-                samples = counted(name, part)
+                samples = self.counted(name, part)
                 if missing is not None:
                     samples = np.where(np.isin(part, missing), np.nan, samples)
                 if written is not None:
                     samples = np.where(written[np.arange(first, last) // dataset.chunks[axis]], samples, np.nan)
                 yield name, samples
-        self.notes += counted.notes(names)
 
     def _list(self, name: str, dataset: Any) -> bool:
         """List its channels, or the sample rate that it states; False for numbers that are neither."""

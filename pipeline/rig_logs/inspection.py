@@ -17,10 +17,10 @@ from ..signals.timebase import TimeQuality, examine
 from ..system.names import shell_word
 from ..units.quantity import stamped
 from ..units.units import SECONDS
+from .attributes import note_on_rate, stated_rate
 from .channel_roles import Suggestion, is_called, suggest, suggested_unit
-from .guarded import read_recording
-from .recording import RecordedChannel, Recording
-from .source import CsvOptions, note_on_rate, stated_rate
+from .guarded import RecordedChannel, Recording, read_recording
+from .source import CsvOptions
 
 _UNEVEN = 0.5
 _MOSTLY = 0.95

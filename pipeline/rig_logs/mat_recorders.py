@@ -9,11 +9,13 @@ dimensions, label, …). ``values`` has a row for each time; signals of several 
 is a vector.
 """
 
+import math
 import warnings
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol, TypeGuard
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,10 +43,7 @@ class MatArray:
     @property
     def size(self) -> int:
         """Number of elements."""
-        size = 1
-        for dim in self.dims:
-            size *= dim
-        return size
+        return math.prod(self.dims)
 
     @property
     def is_vector(self) -> bool:
@@ -69,17 +68,14 @@ class MatObject:
     kind: str
 
 
-class MatStruct(Protocol):
-    """A struct array."""
+@dataclass(frozen=True)
+class MatStruct(ABC):
+    """A struct array: the names of its fields, and the number of its elements."""
 
-    @property
-    def fields(self) -> tuple[str, ...]:
-        """Names of the fields."""
+    fields: tuple[str, ...]
+    count: int
 
-    @property
-    def count(self) -> int:
-        """Number of elements."""
-
+    @abstractmethod
     def get(self, index: int, name: str) -> "MatValue":
         """Field `name` of element `index`; None where there is no such field."""
 
@@ -97,11 +93,6 @@ class MatChannel:
     step: int = PART
 
 
-def is_struct(value: MatValue) -> TypeGuard[MatStruct]:
-    """True if a value is a struct array."""
-    return value is not None and not isinstance(value, str | MatArray | MatObject)
-
-
 def text_of(value: MatValue) -> str:
     """A text, or "" for anything else."""
     return value if isinstance(value, str) else ""
@@ -117,9 +108,9 @@ def bare(name: str) -> str:
     return "/".join(part.strip('"') for part in name.strip().split("/")) if '"' in name else name.strip()
 
 
-def is_recorder(value: MatValue) -> bool:
+def is_recorder(value: MatValue) -> TypeGuard[MatStruct]:
     """True if a variable is a recording."""
-    return is_struct(value) and value.count == 1 and {"X", "Y"} <= set(value.fields)
+    return isinstance(value, MatStruct) and value.count == 1 and {"X", "Y"} <= set(value.fields)
 
 
 def recorder_channels(record: MatStruct, notes: list[str]) -> list[MatChannel]:
@@ -132,7 +123,7 @@ def recorder_channels(record: MatStruct, notes: list[str]) -> list[MatChannel]:
     """
     axes, recorded = _time_axes(record, notes)
     channels = record.get(0, "Y")
-    if not is_struct(channels):
+    if not isinstance(channels, MatStruct):
         raise UnreadableLogError("the ControlDesk struct has no channels Y")
     arrays = {i: data for i in range(channels.count) if isinstance(data := channels.get(i, "Data"), MatArray)}
     others = [text_of(channels.get(i, "Name")) or f"Y({i + 1})" for i in range(channels.count) if i not in arrays]
@@ -161,7 +152,7 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
     axes = record.get(0, "X")
     lengths: list[tuple[str, int]] = []
     channels = []
-    if is_struct(axes):
+    if isinstance(axes, MatStruct):
         names = []
         for i in range(axes.count):
             raster = text_of(axes.get(i, "Raster")) or str(i + 1)
@@ -191,7 +182,7 @@ def _scaled(read: Reader, factor: float) -> Reader:
 def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int]], list[MatChannel]]:
     capture = record.get(0, "Capture")
     channels = record.get(0, "Y")
-    if not (is_struct(capture) and is_struct(channels)):
+    if not (isinstance(capture, MatStruct) and isinstance(channels, MatStruct)):
         return [], []
     period = scalar_of(capture.get(0, "SamplingPeriod"))
     data = channels.get(0, "Data")
@@ -217,9 +208,9 @@ def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int
     return 0 if matches(0) > matches(1) else 1
 
 
-def is_simulink_log(value: MatValue) -> bool:
+def is_simulink_log(value: MatValue) -> TypeGuard[MatStruct]:
     """True if a variable is a structure with time and signals."""
-    return is_struct(value) and value.count == 1 and {"time", "signals"} <= set(value.fields)
+    return isinstance(value, MatStruct) and value.count == 1 and {"time", "signals"} <= set(value.fields)
 
 
 def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[MatChannel]:
@@ -234,7 +225,7 @@ def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[M
         channels.append(MatChannel(Entry(clock, "s", time.dtype, rows), time.read, time.step))
     else:
         notes.append(f"{variable} is a Simulink structure without time; set [ingest] sample_rate")
-    if not is_struct(signals):
+    if not isinstance(signals, MatStruct):
         return channels
     places = [f"{variable}.signals({i + 1}).values" for i in range(signals.count)]
     labels = [bare(text_of(signals.get(i, "label"))) or place for i, place in enumerate(places)]

@@ -67,7 +67,6 @@ class MdfSource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels in their physical units, NaN where the log marks them invalid."""
-        counted = self.counted
         for name in names:
             group, index = self._places[name]
             expected = int(self._mdf.groups[group].channel_group.cycles_nr)
@@ -75,11 +74,10 @@ class MdfSource(Source):
             for first, last in ranges(expected):
                 samples = self._samples(name, group, index, first, last - first)
                 held += len(samples)
-                yield name, counted(name, samples)
+                yield name, self.counted(name, samples)
                 self._let_go()
             if held != expected:
                 raise UnreadableLogError(f"channel {name!r} has {held} of {expected} samples: truncated")
-        self.notes += counted.notes(names)
 
     def _let_go(self) -> None:
         """Give back the pages of the log that were read; asammdf maps all of it."""
