@@ -284,6 +284,21 @@ def _is_matlab4(start: bytes) -> bool:
     return False
 
 
+_KNOWN_BY_MORE: tuple[tuple[Callable[[bytes], object], str], ...] = (
+    (lambda start: start[257:262] == b"ustar", "this is an archive; unpack it"),
+    (
+        _COMTRADE.match,
+        "this is the configuration of a COMTRADE record; export the record with its scale factors applied as CSV",
+    ),
+    (
+        lambda start: start.startswith(b"MATLAB"),
+        "it begins like a MAT file, and the rest is damaged or missing",
+    ),
+    (_is_matlab4, "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"),
+)
+"""Formats that are refused by more than the bytes with which they begin."""
+
+
 def module_for(start: bytes) -> str:
     """The module of `pipeline.rig_logs` that reads a file which begins so."""
     return next((form.module for form in FORMATS if form.begins(start)), "csv")
@@ -304,17 +319,8 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     for magic, what in _KNOWN_BUT_NOT_READ.items():
         if module == "csv" and start.startswith(magic):
             raise UnreadableLogError(f"this is {what}")
-    if module == "csv" and start[257:262] == b"ustar":
-        raise UnreadableLogError("this is an archive; unpack it")
-    if module == "csv" and _COMTRADE.match(start):
-        raise UnreadableLogError(
-            "this is the configuration of a COMTRADE record; export the record with its scale factors applied as CSV"
-        )
-    if module == "csv" and start.startswith(b"MATLAB"):
-        raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
-    if module == "csv" and _is_matlab4(start):
-        raise UnreadableLogError(
-            "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"
-        )
+    for is_such, what in _KNOWN_BY_MORE:
+        if module == "csv" and is_such(start):
+            raise UnreadableLogError(what)
     source: Source = module_at(f"rig_logs.{module}").open_log(path, csv, limits)
     return with_starts(source)

@@ -159,27 +159,24 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
             lost, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)
             remarks += tuple(dropout_remarks(lost, unit=channel.unit))
         remarks = () if own_time and channel.time is None else remarks
-        described = recording.descriptions.get(channel.name, "")
-        channels.append(_inspected(channel, position, quality, remarks, tuple(own), described))
+        channels.append(
+            InspectedChannel(
+                name=channel.name,
+                unit=channel.unit,
+                dtype=channel.dtype,
+                time_base=position,
+                quality=quality,
+                remarks=remarks,
+                codes=tuple(own),
+                every=sparse((channel.samples, channel.samples))[1],
+                description=recording.descriptions.get(channel.name, ""),
+            )
+        )
     size = path.stat().st_size
     return Inspection(
         path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, rates, tuple(notes),
         recording.heading,
     )  # fmt: skip
-
-
-def _inspected(
-    channel: RecordedChannel,
-    base: int | None,
-    quality: SignalQuality,
-    remarks: tuple[str, ...],
-    codes: tuple[float, ...],
-    description: str,
-) -> InspectedChannel:
-    every = sparse((channel.samples, channel.samples))[1]
-    return InspectedChannel(
-        channel.name, channel.unit, channel.dtype, base, quality, remarks, codes, every, description
-    )
 
 
 def _without_dropouts(signal: Signal, quality: SignalQuality, step: float) -> tuple[Dropouts, SignalQuality]:

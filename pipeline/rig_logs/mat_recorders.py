@@ -1,8 +1,7 @@
 """Contents of a MAT file, and layouts of recorders: ControlDesk's, Simulink's "Structure With Time", and tables.
 
 ControlDesk writes one struct (of any name) with a struct array ``X`` of time axes (Name, Type, Data, Unit,
-Raster), a struct array ``Y`` of channels (the same and Path, XIndex: which axis), and ``Description``; other
-versions add ``Capture``, whose SamplingPeriod × Downsampling is the time step where ``X`` holds no data.
+Raster), and a struct array ``Y`` of channels (the same and Path, XIndex: which axis).
 
 Scopes and "To Workspace" blocks write one struct (of any name) with ``time`` and a struct array ``signals`` (values,
 dimensions, label, …). ``values`` has a row for each time; signals of several elements have columns, and what is 1×1×N
@@ -172,26 +171,11 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
                 read = _scaled(data.read, factor)
                 channels.append(MatChannel(Entry(name, "s", data.dtype, data.size), read, data.step))
             lengths.append((name, 0 if factor is None else data.size))
-    return (lengths, channels) if channels else _time_from_capture(record, notes)
+    return lengths, channels
 
 
 def _scaled(read: Reader, factor: float) -> Reader:
     return read if factor == 1.0 else lambda first, last: read(first, last) * factor
-
-
-def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int]], list[MatChannel]]:
-    capture = record.get(0, "Capture")
-    channels = record.get(0, "Y")
-    if not (isinstance(capture, MatStruct) and isinstance(channels, MatStruct)):
-        return [], []
-    period = scalar_of(capture.get(0, "SamplingPeriod"))
-    data = channels.get(0, "Data")
-    if period is None or not isinstance(data, MatArray):
-        return [], []
-    step = period * (scalar_of(capture.get(0, "Downsampling")) or 1.0)
-    notes.append(f"time from SamplingPeriod × Downsampling = {step:g} s; the log has no time axis")
-    entry = Entry("time", "s", "float64", data.size)
-    return [("time", data.size)], [MatChannel(entry, lambda first, last: step * np.arange(first, last))]
 
 
 def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int]) -> int:
@@ -199,10 +183,9 @@ def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int
 
     def matches(first: int) -> int:
         """Number of signals that have the length of their axis if indices count from `first`."""
-        positions = [None if index is None else int(index) - first for index in indices]
         return sum(
-            p is not None and 0 <= p < len(lengths) and lengths[p] == size
-            for p, size in zip(positions, sizes, strict=True)
+            index is not None and 0 <= index - first < len(lengths) and lengths[int(index) - first] == size
+            for index, size in zip(indices, sizes, strict=True)
         )
 
     return 0 if matches(0) > matches(1) else 1
