@@ -99,7 +99,7 @@ class Recording:
         for channel in self.channels:
             if channel.name == name:
                 return channel
-        raise InputError(missing_channel(self.path, name, self.listed))
+        raise InputError(f"{self.path}: {missing_channel(name, self.listed)}")
 
     def unapplied(self, name: str) -> list[str]:
         """The notes on numbers beside a channel that look like its calibration."""

@@ -139,7 +139,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     bases: list[TimeQuality] = []
     examined: list[tuple[RecordedChannel, int | None, SignalQuality, Clock]] = []
     for channel in recording.channels:
-        time = column if channel.time is None and not own_time else channel.time
+        time = column if channel.time is None else channel.time
         position = _time_base(time, stamps, bases, notes) if time is not None else None
         if time is not None and position is not None and time.size == channel.samples.size:
             examined.append((channel, position, examine_signal(time, channel.samples, bases[position].step), clock))

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..units.units import SECONDS, time_unit
-from .hdf5 import open_hdf5, walk
+from .hdf5 import NUMBERS, open_hdf5, walk
 from .source import PART, Entry, UnreadableLogError, unique_names
 
 Reader = Callable[[int, int], NDArray[Any]]
@@ -234,7 +234,6 @@ def _signal(name: str, place: str, values: MatArray, clock: str | None) -> list[
 
 
 TABLES = ("table", "timetable")
-_NUMBERS = "fiub"
 _TIMES = "mM"
 
 
@@ -266,7 +265,7 @@ def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], 
     channels = [] if time is None else [_channel(time, frame.index.to_numpy(), "s", None)]
     texts = []
     for i, (column, values) in enumerate(columns.items()):
-        if values.dtype.kind not in _NUMBERS + _TIMES:
+        if values.dtype.kind not in NUMBERS:
             texts.append(f"{name}.{column}")
             continue
         unit = "s" if values.dtype.kind in _TIMES else units[i] if i < len(units) else ""

@@ -262,7 +262,7 @@ def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
 
 
 class UnreadableLogError(Exception):
-    """The file is damaged, truncated, or not what it claims to be; the text states in what way."""
+    """The log is damaged, not what it claims to be, or cannot be read as asked for; the text states in what way."""
 
 
 class UnreadableChannelError(UnreadableLogError):
@@ -300,16 +300,16 @@ _NUMBERED = re.compile(r"column \d+")
 """Names of columns without a header."""
 
 
-def missing_channel(path: Path, name: str, listed: tuple[str, ...]) -> str:
+def missing_channel(name: str, listed: Sequence[str]) -> str:
     """One line that states what is there instead of the channel `name`."""
     if not listed:
-        return f"{path}: no channel {name!r}; the log holds no numeric channel at all"
+        return f"no channel {name!r}; the log holds no numeric channel at all"
     folded = {entry.casefold(): entry for entry in listed}
     close = [folded[match] for match in difflib.get_close_matches(name.casefold(), list(folded), n=3, cutoff=0.5)]
     hint = f"did you mean {' or '.join(map(repr, close))}? " if close else ""
     shown = ", ".join(map(repr, listed[:_MOST_LISTED])) + (", …" if len(listed) > _MOST_LISTED else "")
     way_out = as_other_logs(name, listed)
-    return f"{path}: no channel {name!r}; {hint}it has {shown}" + (f"; {way_out}" if way_out else "")
+    return f"no channel {name!r}; {hint}it has {shown}" + (f"; {way_out}" if way_out else "")
 
 
 def for_any_variable(name: str) -> str:
