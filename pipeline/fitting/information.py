@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.linear_filters import first_order_lag
@@ -48,11 +49,6 @@ class ScaledRegressor:
     width: float
     scales: FloatArray
     inputs: InputAction = "squared"
-
-    @property
-    def count(self) -> int:
-        """Number of weights p = (2 + K) M."""
-        return len(self.scales) * len(self.centres)
 
     @classmethod
     def over(
@@ -229,12 +225,7 @@ def share_outside(q: FloatArray, qdot: FloatArray, trained_q: FloatArray, traine
     """
     edges = [np.linspace(x.min(), x.max(), CELLS + 1) for x in (trained_q, trained_qdot)]
     counts, _, _ = np.histogram2d(trained_q, trained_qdot, edges)
-    seen = np.zeros((CELLS + 4, CELLS + 4), dtype=bool)
-    for i in range(3):
-        for j in range(3):
-            seen[1 + i : 1 + i + CELLS, 1 + j : 1 + j + CELLS] |= counts > 0
-    at = []
-    for edge, x in zip(edges, (q, qdot), strict=True):
-        cell = np.floor((x - edge[0]) / (edge[1] - edge[0]))
-        at.append(np.clip(cell, -2, CELLS + 1).astype(np.int64) + 2)
-    return float(np.mean(~seen[at[0], at[1]]))
+    seen = sliding_window_view(np.pad(counts > 0, 3), (3, 3)).any(axis=(2, 3))  # with a margin of two cells
+    places = [np.floor((x - edge[0]) / (edge[1] - edge[0])) for edge, x in zip(edges, (q, qdot), strict=True)]
+    row, column = 2 + np.clip(places, -2, CELLS + 1).astype(np.int64)
+    return float(np.mean(~seen[row, column]))

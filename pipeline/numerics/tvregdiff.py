@@ -271,8 +271,7 @@ def tvregdiff(
         Fewer than two samples, a sample that is not finite, or a parameter out of range.
     """
     data = np.asarray(samples, dtype=np.float64)
-    _check(data, order, start)
-    _check_positive(dt=dt, alpha=alpha, epsilon=epsilon)
+    _check(data, order, start, dt=dt, alpha=alpha, epsilon=epsilon)
     columns = data[:, None] if data.ndim == 1 else data
     factors = None if weights is None else _checked_weights(weights, data.shape[0])
     derivative = np.empty_like(columns)
@@ -290,7 +289,7 @@ def tvregdiff(
         minimiser = minimise_variation(problem, tolerance=tolerance, max_iterations=max_iterations)
         solved.append(minimiser)
         integral[:, k] = columns[0, k] + minimiser.y
-        derivative[:, k] = _at_samples(minimiser, dt, order)
+        derivative[:, k] = _at_samples(minimiser.y, dt, order)
     slowest = max(solved, key=lambda channel: (channel.status != "converged", channel.iterations))
     return TvDerivative(
         derivative=derivative.reshape(data.shape),
@@ -303,7 +302,7 @@ def tvregdiff(
     )
 
 
-def _check(data: FloatArray, order: int, start: str) -> None:
+def _check(data: FloatArray, order: int, start: str, **positive: float) -> None:
     if data.ndim not in (1, 2) or data.shape[0] < 2 or data.size == 0:
         raise InputError(f"tvregdiff needs (N,) or (N, k) samples with N ≥ 2, got shape {data.shape}")
     if not np.isfinite(data).all():
@@ -312,6 +311,9 @@ def _check(data: FloatArray, order: int, start: str) -> None:
         raise InputError(f"tvregdiff has no order={order!r}, start={start!r}")
     if data.shape[0] <= order:
         raise InputError(f"tvregdiff of order {order} needs more than {order} samples")
+    for name, value in positive.items():
+        if not (math.isfinite(value) and value > 0.0):
+            raise InputError(f"tvregdiff needs a positive, finite {name}, got {value}")
 
 
 def _checked_weights(weights: ArrayLike, n: int) -> FloatArray:
@@ -321,15 +323,8 @@ def _checked_weights(weights: ArrayLike, n: int) -> FloatArray:
     return factors
 
 
-def _check_positive(**parameters: float) -> None:
-    for name, value in parameters.items():
-        if not (math.isfinite(value) and value > 0.0):
-            raise InputError(f"tvregdiff needs a positive, finite {name}, got {value}")
-
-
-def _at_samples(minimiser: Minimiser, dt: float, order: int) -> FloatArray:
-    """Derivative at the samples [signal/s]."""
-    y = minimiser.y
+def _at_samples(y: FloatArray, dt: float, order: int) -> FloatArray:
+    """Derivative of the regularised signal at the samples [signal/s]."""
     if order > 1:
         return finite_difference(y, dt, 1)
     return np.asarray(np.gradient(y, dt, edge_order=2 if y.size > 2 else 1))

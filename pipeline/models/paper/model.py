@@ -18,7 +18,7 @@ from pydantic import Field, model_validator
 
 from ...codegen.numba_writer import formula
 from ...fitting.information import coverage
-from ...fitting.posterior import curves_of_draws, posterior_draws, whiteness
+from ...fitting.posterior import posterior_draws, whiteness
 from ...fitting.regression import (
     InputAction,
     LinearFit,
@@ -319,7 +319,8 @@ class RbfPaperModel(ModelFile):
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """The curves of `count` draws of the weights, each of shape (count, n); the same at every call."""
         draws = posterior_draws(self.weights.ravel(), self.spread, count, SEED)
-        return curves_of_draws(draws.reshape(count, *self.weights.shape), lambda w: self._characteristics(w, q))
+        drawn = [self._characteristics(weights, q) for weights in draws.reshape(count, *self.weights.shape)]
+        return {name: np.array([each[name] for each in drawn]) for name in drawn[0]}
 
     def _characteristics(self, weights: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         values = basis_values(q, self.centres, self.width) @ weights.T
