@@ -225,7 +225,7 @@ def share_outside(q: FloatArray, qdot: FloatArray, trained_q: FloatArray, traine
     """
     edges = [np.linspace(x.min(), x.max(), CELLS + 1) for x in (trained_q, trained_qdot)]
     counts, _, _ = np.histogram2d(trained_q, trained_qdot, edges)
-    seen = sliding_window_view(np.pad(counts > 0, 3), (3, 3)).any(axis=(2, 3))  # with a margin of two cells
+    seen = np.any(sliding_window_view(np.pad(counts > 0, 3), (3, 3)), axis=(2, 3))  # with a margin of two cells
     places = [np.floor((x - edge[0]) / (edge[1] - edge[0])) for edge, x in zip(edges, (q, qdot), strict=True)]
     row, column = 2 + np.clip(places, -2, CELLS + 1).astype(np.int64)
     return float(np.mean(~seen[row, column]))

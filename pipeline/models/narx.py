@@ -38,6 +38,7 @@ from .model_file import (
     Span,
     Table,
     Unit,
+    read_part,
 )
 from .model_type import ModelType
 from .polynomial_dynamics import monomials
@@ -368,5 +369,5 @@ def _error(model: NarxModel, x: Log, span: float) -> float:
 
 NARX = ModelType(
     lambda data: identify_narx(data.segments, data.device, most=data.compare.candidates),
-    partial(NarxModel.read, name="narx", command="compare"),
+    partial(read_part, NarxModel, name="narx", command="compare"),
 )

@@ -317,9 +317,8 @@ def calibrate(
 
             def tick() -> None:
                 """One iteration begins."""
-                share = next(done) / total
                 if report is not None:
-                    report(name, min(1.0, share))
+                    report(name, min(1.0, next(done) / total))
 
             return search(windows, x0, limit, tolerance, tick)
 

@@ -198,10 +198,10 @@ def simulate(
     Cost: about 4 µs a step of the integrator.
     """
     count = t.size
-    solution = no_solution(t.size)
+    solution = no_solution(count)
     states, rates, steps = solution
-    load = np.zeros(count) if force is None else np.ascontiguousarray(force)
-    drive = Inputs(np.ascontiguousarray(t), np.ascontiguousarray(v), load)
+    load = np.zeros(count) if force is None else force
+    drive = Inputs(*map(np.ascontiguousarray, (t, v, load)))
     valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
     states[valid:], rates[valid:] = np.nan, np.nan
     qm = states[:, :RITZ]

@@ -327,9 +327,8 @@ def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> Float
     rate : FloatArray, shape (2,)
         Y_MW/η_MW [1/s].
     """
-    slowest = np.finfo(np.float64).tiny
     lagged = [
-        first_order_lag(np.ascontiguousarray(column), dt, 1.0 / max(float(r), slowest))[0]
+        first_order_lag(np.ascontiguousarray(column), dt, 1.0 / max(float(r), np.finfo(np.float64).tiny))[0]
         for column, r in zip(thickness.T, rate, strict=True)
     ]
     return thickness - np.column_stack(lagged)
@@ -411,9 +410,8 @@ def simulate_both(parameters: JointParameters, t: FloatArray, v: FloatArray, *, 
     # The first calls load compiled code; the times are those of the simulations.
     simulate(parameters, t[:2], v[:2], state)
     simulate_reduced(reduced, t[:2], v[:2], start, 0.0)
-    clock = [time.process_time()]
+    begin = time.process_time()
     full = simulate(parameters, t, v, state, tolerance=TOLERANCE)
-    clock.append(time.process_time())
+    between = time.process_time()
     short = simulate_reduced(reduced, t, v, start, 0.0)
-    clock.append(time.process_time())
-    return Motions(v, full, short, clock[1] - clock[0], clock[2] - clock[1])
+    return Motions(v, full, short, between - begin, time.process_time() - between)

@@ -25,7 +25,7 @@ from .kernels import CURVES
 from .model import HybridModel
 from .problem import DEVIATION_COUNT, POLES, CondensedJoint, CondensedProblem
 from .similarity import SAME, Similarity
-from .start import NoJoint, mass_factor, prior_root, shift_of, similar_joint, theta_places
+from .start import mass_factor, prior_root, shift_of, similar_joint, theta_places
 
 TUBE_MARGIN = 4.0
 """Times the 90 % quantile of errors on the training logs that tubes of other logs need: of fifty simulated joints of
@@ -211,7 +211,8 @@ def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _
     if search.siblings is not None:
         without = search.without_siblings.early.fit(plain, first.theta, FREE)
         errors = [search.held_out(plain, fit.theta).coupled if fit.levels else np.inf for fit in (alone, without)]
-        decision = {"siblings_held_out": dict(zip(("with", "without"), map(_finite, errors), strict=True))}
+        # A file holds no infinite number: 1 is the whole operating range.
+        decision = {"siblings_held_out": dict(zip(("with", "without"), np.minimum(errors, 1.0).tolist(), strict=True))}
         pairs = errors, [_free_error(fit) for fit in (alone, without)]
         if any(error > HARMFUL_RATIO * other for error, other in pairs):
             search, alone = search.without_siblings, without
@@ -239,11 +240,6 @@ def _whole_fit(first: _FirstFits, *, corrected: bool) -> tuple[_Fitted, _Fitted]
         if fit.reached_last:
             break
     return early, _Fitted(early.joint, fit)
-
-
-def _finite(error: float) -> float:
-    """An error for a file, which holds no infinite number: 1 is the whole operating range."""
-    return float(min(error, 1.0))
 
 
 class _HeldOut(NamedTuple):
@@ -402,8 +398,6 @@ def _fit(training: Training) -> HybridModel:
     if not (plant.squared and plant.displacement.symbol == "m" and len(plant.inputs) == 2):
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
     units = similar_joint(training.records, NOMINAL, mass)
-    if isinstance(units, NoJoint):
-        raise DataRefusedError(units.reason)
     return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 

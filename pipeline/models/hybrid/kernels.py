@@ -125,12 +125,9 @@ def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatA
     out[:] = 0.0
     if weights.shape[1] == 0 or not abs(q - basis[0]) < WIDTHS * basis[2]:
         return
-    first = basis[0]
-    distance = basis[1]
-    width = basis[2]
-    r, value, ratio, shrink = _first_bell((q, first, distance, width))
+    r, value, ratio, shrink = _first_bell((q, basis[0], basis[1], basis[2]))
     for i in range(weights.shape[1]):
-        slope, r_next, next_value, ratio, shrink = _next_bell((r, value, ratio, shrink, first, distance, width))
+        slope, r_next, next_value, ratio, shrink = _next_bell((r, value, ratio, shrink, basis[0], basis[1], basis[2]))
         for row in range(CURVES):
             out[row] += weights[row, i] * value
         for row in range(VALUES - CURVES):

@@ -243,11 +243,12 @@ class CondensedProblem:
         """See `ObservedProblem`."""
         if np.any(np.abs(theta[:DEVIATION_COUNT]) > FARTHEST):
             return None
-        parts = [
-            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.compared(gain)]
-            for log in self.logs
-        ]
-        error = np.concatenate(parts)
+        error = np.concatenate(
+            [
+                log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.compared(gain)]
+                for log in self.logs
+            ]
+        )
         return error if np.all(np.isfinite(error)) else None
 
     def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
@@ -263,25 +264,24 @@ class CondensedProblem:
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
         """See `ObservedProblem`; a column without finite derivatives is zero there."""
         parts = []
-        columns = []
         self._steps = 1
         for log in self.logs:
             self._steps = self._substeps(theta, log.dt)
-            errors, derivatives = log.sensitivities(self.joint, theta, gain, self._steps)
-            parts.append(errors)
-            columns.append(derivatives)
+            parts.append(log.sensitivities(self.joint, theta, gain, self._steps))
+        errors, columns = zip(*parts, strict=True)
         joined = columns[0] if len(columns) == 1 else np.concatenate(columns)
         if not np.isfinite(joined.sum()):
             joined[~np.isfinite(joined)] = 0.0
-        return np.concatenate(parts), joined
+        return np.concatenate(errors), joined
 
     def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
         """Errors [mm] over the held-out ends, coupled to the measurement with the pole `gain` [1/s]."""
-        errors = [
-            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.held_out]
-            for log in self.logs
-        ]
-        return np.concatenate(errors)
+        return np.concatenate(
+            [
+                log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.held_out]
+                for log in self.logs
+            ]
+        )
 
     def _substeps(self, theta: FloatArray, dt: float) -> int:
         """Steps in a sample interval, never fewer than at the last Jacobian, with whose point a trial is compared."""
@@ -336,8 +336,7 @@ class _Log:
             Followed(path, pole),
             joint.stepping(self.dt, steps),
         )
-        error: FloatArray = (runs[:, :, 0] - self.q) * 1e3
-        return error
+        return np.asarray((runs[:, :, 0] - self.q) * 1e3)
 
     def sensitivities(
         self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int
@@ -352,7 +351,7 @@ class _Log:
         later = [self.v.squared(steps, joint.instruments(each), largest) for each in moved]
         by_inputs = (np.array(later) - u) / PARAMETER_STEP
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
-        derivatives = sensitivities(
+        q, columns, by_weights = sensitivities(
             JointCoefficients(joint.constants(theta), joint.weights(theta), joint.basis),
             np.abs(by_theta.constants).max(axis=1), by_theta.weights, seen.offset, driven,
             joint.stepping(self.dt, steps),
@@ -360,23 +359,21 @@ class _Log:
         at = self.compared(gain)
         active = np.any(by_theta.constants, axis=1)
         chain = 1e3 * np.concatenate([by_theta.constants[active], by_theta.instruments])
-        columns, q = (derivatives.columns, derivatives.q) if at.all() else (derivatives.columns[at], derivatives.q[at])
-        by = columns @ chain
-        by_weights = derivatives.by_weights[at] * by_theta.weights[:, None]
-        by[:, DEVIATION_COUNT:] += 1e3 * by_weights.reshape(len(q), by.shape[1] - DEVIATION_COUNT)
+        by = (columns if at.all() else columns[at]) @ chain
+        of_weights = by_weights[at] * by_theta.weights[:, None]
+        by[:, DEVIATION_COUNT:] += 1e3 * of_weights.reshape(len(by), by.shape[1] - DEVIATION_COUNT)
         by += 1e3 * by_theta.instruments[0]  # the reading is q + offset
-        return 1e3 * (q + seen.offset - self.q[at]), by
+        return 1e3 * (q[at] + seen.offset - self.q[at]), by
 
     def _observer(self, gain: float, steps: int) -> tuple[FloatArray, FloatArray]:
         """Pole [1/s] of the observer in each sample interval, and what it follows, nothing where it never does."""
         pole = np.where(self._seen, np.where(self.held, max(gain, HELD_POLE), gain), 0.0)
-        return pole, self._half_steps(steps) if np.any(pole > 0.0) else np.zeros(0)
-
-    def _half_steps(self, steps: int) -> FloatArray:
+        if not np.any(pole > 0.0):
+            return pole, np.zeros(0)
         if steps not in self._followed:
             times = np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1)
             self._followed[steps] = self._path(times)
-        return self._followed[steps]
+        return pole, self._followed[steps]
 
     def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
         # Joints that run side by side, and steps that are tried one after the other, often share their instruments.

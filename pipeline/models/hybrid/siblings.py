@@ -18,7 +18,7 @@ from ...fitting.population import (
     without_each,
 )
 from ...numerics.arrays import FloatArray
-from ..model_file import JointSet, ModelFile, Sizes, Table, Unit, column_of, tree_of
+from ..model_file import JointSet, ModelFile, Sizes, Table, Unit, column_of, read_part, tree_of
 from .identify import NOISE_INFLATION
 from .model import HybridModel
 from .parameters import DEVIATIONS, NAMES, PRIOR_STD
@@ -222,7 +222,7 @@ def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulatio
     CorruptArtifactError
         An entry is missing, of another kind or shape or beyond its range, or of another version of the program.
     """
-    file = SiblingsFile.read(tree, "siblings", "fleet learn")
+    file = read_part(SiblingsFile, tree, "siblings", "fleet learn")
     current = file.deviations == " | ".join(NAMES) and np.array_equal(file.prior_std, PRIOR_STD)
     symmetric = np.allclose(file.covariance, file.covariance.T)
     if not current or not symmetric or np.linalg.eigvalsh(file.covariance).min() <= 0.0:

@@ -66,14 +66,12 @@ class Similarity:
     @cached_property
     def constants(self) -> FloatArray:
         """Factors on the kernel's constants, shape (len(CONSTANTS),)."""
-        factors: FloatArray = np.prod(self._units**DIMENSIONS, axis=1)
-        return factors
+        return np.asarray(np.prod(self._units**DIMENSIONS, axis=1))
 
     @cached_property
     def weights(self) -> FloatArray:
         """Factors on the rows of the corrections' weights, shape (CURVES,)."""
-        factors: FloatArray = np.prod(self._units**_WEIGHTS, axis=1)
-        return factors
+        return np.asarray(np.prod(self._units**_WEIGHTS, axis=1))
 
     def in_reference_units(self, record: Log) -> Log:
         """A log of the device as one of the set's joint."""

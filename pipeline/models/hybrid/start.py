@@ -16,6 +16,7 @@ import numpy as np
 
 from ...device.device import JOINT
 from ...device.parameters import JointParameters
+from ...errors import DataRefusedError
 from ...fitting.population import NormalPopulation
 from ...generated.condensed_joint import CORRECTIONS
 from ...numerics.arrays import FloatArray, IntArray
@@ -39,13 +40,6 @@ WELLS_DIFFER = 0.1
 
 
 @dataclass(frozen=True)
-class NoJoint:
-    """Reason why the joint's equations are no candidate for a device."""
-
-    reason: str
-
-
-@dataclass(frozen=True)
 class _SmallMotion:
     """Small motions near a well: place [m], squared frequency [1/s²], acceleration by each squared voltage;
     standard errors of the frequency and of the difference of the accelerations.
@@ -58,9 +52,7 @@ class _SmallMotion:
     gain_error: float = 0.0
 
 
-def similar_joint(
-    records: Sequence[Log], parameters: JointParameters, mass: float | None = None
-) -> Similarity | NoJoint:
+def similar_joint(records: Sequence[Log], parameters: JointParameters, mass: float | None = None) -> Similarity:
     """The device of the training logs in units of a parameter set's joint.
 
     Parameters
@@ -74,20 +66,27 @@ def similar_joint(
 
     Returns
     -------
-    Similarity or NoJoint
+    Similarity
         Cost: two regressions over the samples near the wells.
+
+    Raises
+    ------
+    DataRefusedError
+        The joint's equations are no candidate for the device.
     """
     wells = _wells(records)
     if not isinstance(wells, Wells):
-        return NoJoint(f"no two wells: {wells.reason}")
+        raise DataRefusedError(f"no two wells: {wells.reason}")
     half = 0.5 * (wells.right - wells.left)
     measured = [_measured(records, place, NEAR * half) for place in (wells.left, wells.right)]
     motions = [motion for motion in measured if motion is not None]
     if not motions:
-        return NoJoint("no small motion about a well is seen, so the joint's time scale is unknown")
+        raise DataRefusedError("no small motion about a well is seen, so the joint's time scale is unknown")
     gain = _weighted([(motion.gains[0] - motion.gains[1], motion.gain_error) for motion in motions])
     if gain <= 0.0:
-        return NoJoint("v1 pushes to smaller q and v2 to larger, against the sides of a joint; are they exchanged?")
+        raise DataRefusedError(
+            "v1 pushes to smaller q and v2 to larger, against the sides of a joint; are they exchanged?"
+        )
     reference = _reference_motion(parameters)
     length = half / reference.place
     stiffness = _weighted([(motion.stiffness, motion.stiffness_error) for motion in motions])
@@ -220,8 +219,7 @@ def prior_root(
             if i != j:
                 covariance[i, j] = sign * ALIKE
     places = theta_places(centres, rows)
-    root = np.linalg.inv(np.linalg.cholesky(covariance[np.ix_(places, places)]))
-    return np.asarray(root, dtype=np.float64)
+    return np.asarray(np.linalg.inv(np.linalg.cholesky(covariance[np.ix_(places, places)])), dtype=np.float64)
 
 
 def theta_places(centres: int, rows: Sequence[int]) -> IntArray:

@@ -49,7 +49,7 @@ from ...numerics.linear_filters import first_order_lag
 from ...settings.models import CENTRES, LAG_START, SMOOTHING
 from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked
-from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
+from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit, read_part
 from ..model_type import ModelType, Training
 from .lag_search import LagSearch, LagSegment, search_lag
 
@@ -243,14 +243,9 @@ class RbfPaperModel(ModelFile):
         return self
 
     @property
-    def mass(self) -> float:
-        """m_q [kg]."""
-        return self.mass_kg
-
-    @property
     def equation(self) -> LaggedEquation:
         """State equation over the mass."""
-        weights = np.ascontiguousarray(self.weights.T) / self.mass
+        weights = np.ascontiguousarray(self.weights.T) / self.mass_kg
         return LaggedEquation(self.centres, weights, self.width, self.lag_s, self.inputs == "squared")
 
     @property
@@ -303,7 +298,7 @@ class RbfPaperModel(ModelFile):
         signals = curve_signals(q, z, input_signal(v, self.inputs))
         curves = basis_values(q, self.centres, self.width) @ self.weights.T
         force: FloatArray = np.einsum("ij,ij->i", curves, signals)
-        return force / self.mass
+        return force / self.mass_kg
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
@@ -351,7 +346,7 @@ class RbfPaperModel(ModelFile):
             "centre_min_m": float(self.centres[0]),
             "centre_max_m": float(self.centres[-1]),
             "lag_s": self.lag_s,
-            "mass_kg": self.mass,
+            "mass_kg": self.mass_kg,
             "inputs": self.inputs,
             **self.diagnostics,
         }
@@ -456,5 +451,5 @@ def _fit(training: Training) -> RbfPaperModel:
 
 
 RBF_PAPER = ModelType(
-    _fit, partial(RbfPaperModel.read, name="rbf-paper", command="identify"), "export.data_driven:realise_paper"
+    _fit, partial(read_part, RbfPaperModel, name="rbf-paper", command="identify"), "export.data_driven:realise_paper"
 )

@@ -48,11 +48,6 @@ class RbfModel:
     name = "rbf"
 
     @property
-    def mass(self) -> float:
-        """Moving mass [kg], as other models name it."""
-        return self.mass_kg
-
-    @property
     def fine_voltages(self) -> bool:
         """True if the inputs between the samples are those of the finer record."""
         return self.parameters.structure.hold == "record"
@@ -150,7 +145,7 @@ class RbfModel:
         states, inputs = (np.concatenate(each) for each in zip(*parts, strict=True))
         known = np.isfinite(states).all(axis=1)
         forces = acting_forces(self.parameters, self.theta, states[known], inputs[known])
-        return {name: self.mass * s.half * force for name, force in forces.items()}
+        return {name: self.mass_kg * s.half * force for name, force in forces.items()}
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).

@@ -25,6 +25,7 @@ from ..model_file import (
     Table,
     Unit,
     Units,
+    read_part,
 )
 from ..model_type import ModelType
 from ..polynomial_dynamics import (
@@ -126,11 +127,6 @@ class SindyModel(ModelFile):
         )  # fmt: skip
 
     @property
-    def mass(self) -> float:
-        """Moving mass [kg]; 1 if it is unknown."""
-        return self.mass_kg
-
-    @property
     def input_count(self) -> int:
         """Number of voltages that it takes."""
         return self.dynamics.inputs
@@ -178,9 +174,9 @@ class SindyModel(ModelFile):
         x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, rest, 1.0)
         x = np.column_stack([x, np.zeros((q.size, len(d.lags)))])
         damping = self._slope(x, QDOT) + self._slope(x, FRICTION)
-        curves = {"F": -self.mass * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass * damping}
+        curves = {"F": -self.mass_kg * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass_kg * damping}
         for k in range(d.inputs):
-            g = self.mass * self._slope(x, FIRST_INPUT + k)
+            g = self.mass_kg * self._slope(x, FIRST_INPUT + k)
             curves |= {f"dC{k + 1}_dq": 2.0 * g} if d.squared else {f"g{k + 1}": g}
         return curves
 
@@ -321,11 +317,11 @@ def _terms(dynamics: PolynomialDynamics) -> int:
 
 SINDY = ModelType(
     lambda data: identify_sindy(data.fitted_segments, data.device, most=data.compare.candidates),
-    partial(SindyModel.read, name="sindy", command="compare"),
+    partial(read_part, SindyModel, name="sindy", command="compare"),
     "export.data_driven:realise_polynomial",
 )
 SINDY_DEFAULT = ModelType(
     lambda data: identify_default_sindy(data.segments, data.device),
-    partial(SindyModel.read, name="sindy", command="compare"),
+    partial(read_part, SindyModel, name="sindy", command="compare"),
     "export.data_driven:realise_polynomial",
 )
