@@ -146,26 +146,26 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
     """A candidate that is called by what it consists of."""
     elements = {name: getattr(structure, name) for name in ("rates", "shape_elements", "slips")}
     friction = next((name for name, parts in FRICTION.items() if parts == elements), "own friction")
-    words = [friction]
-    if not (structure.force != "curve" and structure.constant_damping and structure.constant_gain):
-        words += [f"M = {structure.basis_functions}", f"sigma_n = {structure.smoothing:g}"]
-    words += {"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force]
-    words += (
-        ["tip on an arc"] * structure.arc
-        + ["constant damping"] * structure.constant_damping
-        + ["constant gain"] * structure.constant_gain
-    )
-    words += ["drag"] * structure.drag + ["end stops"] * structure.stops
-    words += (
-        ["overdamped"] * structure.overdamped
-        + ["turning arm"] * structure.turning_arm
-        + ["lagged effect" if structure.effect_lags else "lagged input"] * structure.input_lag
-    )
-    words += ["delayed input"] * structure.input_delay + ["bent input"] * structure.bent_input
-    words += ["dead zone"] * structure.dead_zone
-    words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
-    words += {"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold]
-    words += [] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]
+    smooth = structure.force == "curve" or not (structure.constant_damping and structure.constant_gain)
+    words = [
+        friction,
+        *[f"M = {structure.basis_functions}", f"sigma_n = {structure.smoothing:g}"] * smooth,
+        *{"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force],
+        *["tip on an arc"] * structure.arc,
+        *["constant damping"] * structure.constant_damping,
+        *["constant gain"] * structure.constant_gain,
+        *["drag"] * structure.drag,
+        *["end stops"] * structure.stops,
+        *["overdamped"] * structure.overdamped,
+        *["turning arm"] * structure.turning_arm,
+        *["lagged effect" if structure.effect_lags else "lagged input"] * structure.input_lag,
+        *["delayed input"] * structure.input_delay,
+        *["bent input"] * structure.bent_input,
+        *["dead zone"] * structure.dead_zone,
+        *["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs),
+        *{"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold],
+        *([] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]),
+    ]
     return Candidate(", ".join(words), structure, symmetry=symmetry)
 
 

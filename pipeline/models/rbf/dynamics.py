@@ -182,8 +182,7 @@ def _load(system, x, u):
             relaxing[LOAD, n] -= system.values[row + 1 + k] * u[k]
             relaxing[PULL, n] += system.changes[row + 1 + k] * u[k]
         relaxing[RATE_NOW, n] += system.values[row]
-        own = relaxing[RATE_NOW, n] * relaxing[PULL, n] - system.changes[row] * relaxing[LOAD, n]
-        relaxing[OWN_SLOPE, n] = own
+        relaxing[OWN_SLOPE, n] = relaxing[RATE_NOW, n] * relaxing[PULL, n] - system.changes[row] * relaxing[LOAD, n]
 
 
 @inlined

@@ -110,7 +110,8 @@ def identify_rbf(
     # Passages near a separatrix would outweigh all else in the free run of a bistable joint.
     pair = is_bistable_pair(records, inputs)
     coupled = COUPLED if pair else GAINS[-1]
-    effort = Effort(time_limit if pair else _search_limit(time_limit, records))
+    samples = sum(len(record.t) for record in records)
+    effort = Effort(time_limit if pair else time_limit * max(1.0, samples / SAMPLES_OF_LIMIT))
     setting = Setting(inputs, measured, effort, on_progress, coupled=coupled)
     fine = all(r.fine is not None for r in records)
     complete = True
@@ -119,7 +120,7 @@ def identify_rbf(
         fitted, tried = _fit_joint(records, setting, wanted, first, angle=angle)
     else:
         slow = looks_overdamped(records, inputs)
-        driven = _begins_driven(records)
+        driven = any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
         usual = offers(wanted, fine=fine, slow=slow, driven=driven, squared=inputs == "squared")
         offered = ([lambda _: candidates[1:]], []) if candidates else usual
         result = search(records, setting, first, *offered)
@@ -138,16 +139,6 @@ def identify_rbf(
     )
     model = replace(model, diagnostics=model.diagnostics | {"elements": model.acting(records)})
     return replace(model, tube=scale_on(records, model, fitted.rms, TUBE_MARGIN, TUBE_LEAST))
-
-
-def _search_limit(limit: float, records: Sequence[Log]) -> float:
-    """The time limit of a structure search, longer on many samples."""
-    return limit * max(1.0, sum(len(record.t) for record in records) / SAMPLES_OF_LIMIT)
-
-
-def _begins_driven(records: Sequence[Log]) -> bool:
-    """True if an input of any log is not negligible at its first sample."""
-    return any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
 
 
 @dataclass(frozen=True)
@@ -233,9 +224,8 @@ def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float
     p = fitted.parameters
     fit = fitted.fit
     white = whiteness(fitted.errors)
-    scales = fitted.parameters.scales
     visited = coverage(
-        scales.middle + scales.half * p.centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records]
+        p.scales.middle + p.scales.half * p.centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records]
     )
     return {
         "chosen": fitted.candidate.label,
@@ -257,16 +247,13 @@ def _decided(training: Training) -> RbfChoice:
     """Choices of the settings for the structure."""
     structure = training.identify.structure
     before = training.inputs_before
-
-    def decided(name: str) -> Any:
-        value = getattr(structure, name)
-        return None if value == "auto" else value
-
+    names = ("friction", "force", "damping", "gain", "drive", "effect", "hold")
+    fixed: dict[str, Any] = {name: getattr(structure, name) for name in names if getattr(structure, name) != "auto"}
     return RbfChoice(
         stops=None if structure.stops == "auto" else structure.stops == "both",
         drag=None if structure.drag == "auto" else structure.drag == "quadratic",
         rest_at_zero=None if before == "auto" else before == "zero",
-        **{name: decided(name) for name in ("friction", "force", "damping", "gain", "drive", "effect", "hold")},
+        **fixed,
     )
 
 

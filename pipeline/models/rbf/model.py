@@ -16,7 +16,7 @@ from ...numerics.fixed_step import run_status
 from ...signals.log import Log
 from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, read_part, tree_of
-from .coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
+from .coefficients import DAMPING, FORCE, INPUT, basis_rows, no_sensitivities
 from .elements import acting_forces
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
@@ -46,6 +46,8 @@ class RbfModel:
     tube: TubeScale = NO_TUBES
 
     name = "rbf"
+    coupling = PATH_OBSERVER_GAIN
+    """Observer gain [frequency scale] at which each sample stands nearly alone."""
 
     @property
     def fine_voltages(self) -> bool:
@@ -65,11 +67,8 @@ class RbfModel:
         """
         s = self.parameters.scales
         states, valid = self._run(self.theta, t, v, _free(len(t)), ((q0 - s.middle) / s.half, qdot0 / s.half))
-        status, diverged_at = run_status(t, valid)
         q = s.middle + s.half * states[:, 0]
-        qdot = s.half * states[:, 1]
-        qddot = s.half * states[:, 2]
-        return FreeRun(t, q, qdot, qddot, status, diverged_at)
+        return FreeRun(t, q, s.half * states[:, 1], s.half * states[:, 2], *run_status(t, valid))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
@@ -178,11 +177,6 @@ class RbfModel:
         """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
         return posterior_draws(self.theta, self.spread, count, SEED)
 
-    @property
-    def coupling(self) -> float:
-        """Observer gain [frequency scale] at which each sample stands nearly alone."""
-        return PATH_OBSERVER_GAIN
-
     def observed(self, parts: Sequence[Log]) -> JointProblem:
         """The joint coupled to the parts of a log."""
         return JointProblem(self.parameters, parts)
@@ -234,32 +228,18 @@ class RbfModel:
     ) -> tuple[FloatArray, int]:
         return _Driven(self.parameters, theta, v, sample_interval(t)).run(coupling, start)
 
-    def _of_stops(self, c: Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:
-        """Force of the end stops, shape (n,)."""
-        stops = np.tile(c.stops, (len(x), 1))
-        forces: FloatArray = STOP_FORCE.evaluate(x=x[:, None], p=speed[:, None], stops=stops)["value"][:, 0]
-        return forces
-
-    def _curves_at(self, c: Coefficients, x: FloatArray) -> FloatArray:
-        """All curves at x, in the order of `Coefficients.curves`."""
-        curves: FloatArray = basis_rows(np.ascontiguousarray(x), c) @ c.curves.T
-        force = curves[:, [FORCE]]
-        ends = np.tile(c.at_ends, (len(x), 1))
-        low = np.array([c.low])
-        high = np.array([c.high])
-        confined = CONFINED_FORCE.evaluate(x=x[:, None], force=force, at_ends=ends, low=low, high=high)
-        curves[:, FORCE] = confined["value"][:, 0]
-        return curves
-
     def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         p = self.parameters
         s = self.parameters.scales
         c = p.coefficients(theta)
         inputs = len(p.signs)
         x = (q - s.middle) / s.half
-        curves = self._curves_at(c, x)
+        curves: FloatArray = basis_rows(np.ascontiguousarray(x), c) @ c.curves.T
+        ends = {"at_ends": c.at_ends, "low": np.array([c.low]), "high": np.array([c.high])}
+        confined = CONFINED_FORCE.evaluate(x=x[:, None], force=curves[:, [FORCE]], **ends)
+        curves[:, FORCE] = confined["value"][:, 0]
         if len(c.stops):
-            curves[:, FORCE] += self._of_stops(c, x, np.zeros(len(x)))
+            curves[:, FORCE] += STOP_FORCE.evaluate(x=x[:, None], p=np.zeros(1), stops=c.stops)["value"][:, 0]
         couplings = curves[:, INPUT + inputs : INPUT + inputs + len(c.rates)]
         rates = np.tile(c.rates, (len(q), 1))
         for i in range(p.structure.shape_elements):
