@@ -22,9 +22,9 @@ from ..model_file import read_part
 from ..model_type import ModelType, Training, fitted_samples
 from . import parameters as condensed_parameters
 from .kernels import CURVES
+from .log_reading import SAME, Similarity
 from .model import HybridModel
 from .problem import DEVIATION_COUNT, POLES, CondensedJoint, CondensedProblem
-from .similarity import SAME, Similarity
 from .start import mass_factor, prior_root, shift_of, similar_joint, theta_places
 
 TUBE_MARGIN = 4.0

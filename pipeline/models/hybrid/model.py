@@ -23,9 +23,9 @@ from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, 
 from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
+from .log_reading import Similarity
 from .problem import POLES, CondensedJoint, CondensedProblem, age_at, simulate
 from .runs import BATCH, Driving, Followed, JointCoefficients, continued_runs
-from .similarity import Similarity
 from .statics import static_curves, substeps
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws

@@ -31,7 +31,7 @@ from ...generated.condensed_joint import (
 )  # fmt: skip
 from ...numerics.arrays import FloatArray
 from .kernels import CURVES, INDEX, prepare
-from .similarity import DIMENSIONS
+from .log_reading import DIMENSIONS
 from .statics import rest_state
 
 
@@ -143,7 +143,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("probe 2", 10.0, "V"),
 )
 """Everything that a real joint and its instruments may have otherwise than the parameter set, its size first: the
-whole joint in other units of length, time and voltage (`pipeline.models.hybrid.similarity`). What cannot be
+whole joint in other units of length, time and voltage (`pipeline.models.hybrid.log_reading`). What cannot be
 negative is a logarithm. A square has no slope at zero, and an estimate that came near it would stay there: of fourteen
 simulated joints four lost a relaxation or the frame's inertia so, with three to six times the error held at the log."""
 

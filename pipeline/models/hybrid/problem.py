@@ -17,13 +17,12 @@ from ...numerics.arrays import BoolArray, FloatArray, samples_of
 from ...signals.log import Log
 from ...signals.resampling import sharpened
 from . import parameters as condensed_parameters
-from .angle_reading import AngleReading
 from .columns import INSTRUMENTS
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES, INDEX
+from .log_reading import SAME, AngleReading, Similarity
 from .runs import Driving, Followed, JointCoefficients, Stepping, run_joints
 from .sensitivity import Driven, sensitivities
-from .similarity import SAME, Similarity
 from .statics import substeps
 
 DEVIATION_COUNT = len(condensed_parameters.NAMES)

@@ -24,8 +24,8 @@ from ...scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
 from ...signals.log import Log
 from . import parameters as condensed_parameters
 from .kernels import CURVES, INDEX
+from .log_reading import Similarity
 from .parameters import NAMES
-from .similarity import Similarity
 from .statics import static_curves
 
 NEAR = 0.4

@@ -15,28 +15,26 @@ from numpy.typing import ArrayLike
 
 from ...numerics.arrays import FloatArray
 from ...numerics.fixed_step import Methods, inlined, integrator, workspace
-from .coefficients import (
+from .dynamics import (
     FORCE,
     INPUT,
     INPUT_SHAPE,
-    NUMBER,
-    RATE,
-    SLIP_FORCE,
-    WEIGHT,
-    Coefficients,
-    SensitivityParameters,
-    basis_rows,
-    shapes,
-)
-from .dynamics import (
     INSIDE,
     LEFT,
     LOAD,
+    NUMBER,
+    RATE,
     RATE_NOW,
     RIGHT,
+    SLIP_FORCE,
+    WEIGHT,
+    Coefficients,
     ObservedJoint,
+    SensitivityParameters,
+    basis_rows,
     element,
     move,
+    shapes,
     slide,
 )
 from .structure import spline_through

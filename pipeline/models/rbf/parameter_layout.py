@@ -16,7 +16,7 @@ from ...fitting.regression import InputAction
 from ...generated.terms import BENT, PAST_ZONE
 from ...numerics.arrays import FloatArray, IntArray
 from ..model_file import MOST_INPUTS, STORED, Unit, listed
-from .coefficients import (
+from .dynamics import (
     ARC,
     CENTRE,
     DRAG,
@@ -335,7 +335,7 @@ def kind_of(block: str) -> str:
 
 
 _PLACES = {"inertia": ARC, "inertia_centre": CENTRE, "drag": DRAG, "stops": STOPS}
-"""Places of the derivatives by numbers of the equation, see `coefficients.NUMBER`."""
+"""Places of the derivatives by numbers of the equation, see `dynamics.NUMBER`."""
 _KINDS = {
     "rate": RATE,
     "slip_force": SLIP_FORCE,

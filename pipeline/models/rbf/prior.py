@@ -19,7 +19,7 @@ import numpy as np
 from ...fitting.descent import Prior
 from ...numerics.arrays import FloatArray, IntArray
 from ..model_type import KnownCurves
-from .coefficients import POLYNOMIALS, basis_rows
+from .dynamics import POLYNOMIALS, basis_rows
 from .parameter_layout import ParameterLayout, kind_of
 from .structure import JointScales, JointStructure
 

@@ -18,7 +18,7 @@ from ...numerics.arrays import BoolArray, FloatArray, bridged
 from ...signals.log import Log
 from ...signals.noise import noise_std
 from ...signals.resampling import sharpened
-from .coefficients import basis_rows, no_sensitivities
+from .dynamics import basis_rows, no_sensitivities
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
 from .structure import drive_at_nodes, known_inputs, spline_through

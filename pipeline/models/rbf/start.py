@@ -16,8 +16,7 @@ from ...generated.terms import BELL, STOP_FORCE
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import Log, operating_range
-from .coefficients import FORCE, POLYNOMIALS, basis_rows
-from .dynamics import slid
+from .dynamics import FORCE, POLYNOMIALS, basis_rows, slid
 from .parameter_layout import ParameterLayout
 from .structure import OVERDAMPED, JointScales, JointStructure
 

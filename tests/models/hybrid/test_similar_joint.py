@@ -5,7 +5,7 @@ import pytest
 
 from pipeline.device.parameters import NOMINAL
 from pipeline.errors import DataRefusedError
-from pipeline.models.hybrid.similarity import Similarity
+from pipeline.models.hybrid.log_reading import Similarity
 from pipeline.models.hybrid.start import similar_joint
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.log import Log
