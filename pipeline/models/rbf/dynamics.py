@@ -1,8 +1,11 @@
-"""The data-driven joint: numbers and basis of its equation, and the state equation in a run of kernels and traced.
+"""Numbers and state equation of the data-driven joint, in a run of kernels and for traced values.
 
 It is that of `pipeline.equations.data_driven_joint`, which has one curve, relaxing element or friction state of each
 kind; here they are summed over as many as a joint has. F goes on as its cubic outside [low, high], but restores there
 at least as much as at the end, so that without inputs nothing rests far outside.
+
+F, d, h_l, g_k are weights times a common basis: four functions (`POLYNOMIALS`) and Gaussians. The Gaussians, and with
+them every curve but F, go on as constants outside [low, high].
 
 Friction states are exact (`elements.dahl_move`): within a step they are those of the distance travelled so far.
 """
