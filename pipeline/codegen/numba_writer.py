@@ -97,10 +97,9 @@ def _of_arrays(names: Sequence[str], number: Any, returned: Any, generate: Any) 
 
 def _addresses(context: Any, builder: Any, names: Sequence[str], kinds: Any, arrays: Any) -> dict[str, Any]:
     """Address of the numbers of each array of a tuple."""
-    values = [builder.extract_value(arrays, i) for i in range(len(names))]
     return {
-        name: context.make_array(kind)(context, builder, value).data
-        for name, kind, value in zip(names, kinds, values, strict=True)
+        name: context.make_array(kind)(context, builder, builder.extract_value(arrays, i)).data
+        for i, (name, kind) in enumerate(zip(names, kinds, strict=True))
     }
 
 

@@ -16,7 +16,7 @@ import casadi as ca
 
 from ..device.parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
 from . import elements
-from .beam import Expression, Polynomial, Powers, bending_density, shortening_density
+from .beam import Expression, Polynomial, Powers, bending_density
 from .elements import Mounts, Tip, dahl_rate, maxwell_rate
 
 
@@ -53,7 +53,8 @@ def _beam() -> tuple[Powers, Powers, Powers, Powers]:
     slope = w.derivative()
     bend = slope.derivative()
     bent = bending_density(slope, bend + curvature * -1.0)
-    return shortening_density(slope).integral(), (w * w).integral(), (bend * bend).integral(), bent.integral()
+    # Half of ∫w'² is the axial shortening. Eq. 2 prints ∂w²/∂x.
+    return (slope * slope).integral(), (w * w).integral(), (bend * bend).integral(), bent.integral()
 
 
 _SHORTENING, _TRANSLATION, _BENDING_SQUARED, _BENT = _beam()
@@ -127,11 +128,9 @@ def elastic_energy(s: FullSymbols) -> Expression:
 
 def capacitances(s: FullSymbols) -> Expression:
     """C_i = C0 / λ3² = C0 λ1 [F] (eq. 11, uniaxial), shape (2,)."""
-    values = []
-    for side, stretch in zip(("left", "right"), stretches(s), strict=True):
-        undeformed = capacitance(*(s.parameter(f"{side}.{name}") for name in ("n", "eps_r", "beta", "A0", "d0")))
-        values.append(undeformed * stretch)
-    return ca.vertcat(*values)
+    names = ("n", "eps_r", "beta", "A0", "d0")
+    undeformed = [capacitance(*(s.parameter(f"{side}.{name}") for name in names)) for side in ("left", "right")]
+    return ca.vertcat(*(c * stretch for c, stretch in zip(undeformed, stretches(s), strict=True)))
 
 
 def viscous_dissipation(s: FullSymbols) -> Expression:

@@ -263,10 +263,8 @@ def _constant_operations(builder: Builder, hoisted: str) -> list[bool]:
     """Flag of each operation: true if it depends on numbers and the constants alone."""
     constant: list[bool] = []
     for operation in builder.operations:
-        if operation.name == "input":
-            constant.append(operation.place[0] == hoisted)
-        else:
-            constant.append(all(constant[i] for i in operation.operands))
+        given = operation.name != "input" or operation.place[0] == hoisted
+        constant.append(given and all(constant[i] for i in operation.operands))
     return constant
 
 

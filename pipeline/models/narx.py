@@ -92,24 +92,6 @@ def _run(
     return len(q)
 
 
-def _sampled_run(t: FloatArray, q: FloatArray, reached: int, interval: float) -> FreeRun:
-    """A free run from its displacement at the samples; q̇ and q̈ are differences of sixth order.
-
-    Parameters
-    ----------
-    t, q : FloatArray, shape (N,)
-        Time [s] and displacement [m], NaN after a divergence.
-    reached : int
-        Samples within the bounds.
-    interval : float
-        Sample interval [s] of the model.
-    """
-    qdot, qddot = np.full((2, q.size), np.nan)
-    qdot[:reached] = finite_difference(q[:reached], interval, 1)
-    qddot[:reached] = finite_difference(q[:reached], interval, 2)
-    return FreeRun(t, q, qdot, qddot, *run_status(t, reached))
-
-
 def _check_interval(t: FloatArray, interval: float, name: str) -> None:
     """Refuse a record whose sample interval differs by more than a thousandth from that of a model [s].
 
@@ -171,7 +153,11 @@ class NarxModel(ModelFile):
             The record has another sample interval than the equation.
         """
         _check_interval(t, self.interval_s, self.name)
-        return _sampled_run(t, *self.run(v, q0, qdot0), self.interval_s)
+        q, reached = self.run(v, q0, qdot0)
+        qdot, qddot = np.full((2, q.size), np.nan)
+        qdot[:reached] = finite_difference(q[:reached], self.interval_s, 1)
+        qddot[:reached] = finite_difference(q[:reached], self.interval_s, 2)
+        return FreeRun(t, q, qdot, qddot, *run_status(t, reached))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
@@ -223,23 +209,6 @@ class NarxModel(ModelFile):
             past = np.diff(seen)[::-1][: ages.size]
             delta[: past.size] = past
         return q, int(_run(*terms, self.scales, self.bounds, u, q, delta, begin))
-
-    def regression(self, q: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray, int]:
-        """Terms, shape (R, P), and targets, shape (R,), of the steps whose lags lie in the record; the first of these.
-
-        Raises
-        ------
-        InputError
-            There are none.
-        """
-        _, increments, input_lags, _ = self.structure.tolist()
-        first = max(increments, input_lags - 2)
-        if len(q) < first + 2:
-            raise InputError(f"the record has {len(q)} samples; the lags of this NARX equation reach over {first + 2}")
-        n = np.arange(first, len(q) - 1)
-        delta = np.diff(q, prepend=q[0])
-        x = np.column_stack([q[n], *(delta[n - j] for j in range(increments)), self._lagged(v)[n]])
-        return monomials(self.exponents, x / self.scales), delta[n + 1] - delta[n], first
 
     def _lagged(self, v: FloatArray) -> FloatArray:
         """Inputs as they act at each step, shape (N, K·M); lags that reach beyond the record repeat its ends."""
@@ -334,9 +303,13 @@ def _library(shape: Shape, trajectories: Sequence[Log], plant: Device) -> NarxMo
 
 
 def _gram(library: NarxModel, x: Log) -> FloatArray:
-    theta, target, _ = library.regression(x.q, x.v)
-    rows = np.column_stack([theta, target])
-    return rows.T @ rows
+    """Gram matrix of [Θ y]: the terms and the targets of the steps whose lags lie in the record."""
+    _, increments, input_lags, _ = library.structure.tolist()
+    n = np.arange(max(increments, input_lags - 2), len(x.q) - 1)
+    delta = np.diff(x.q, prepend=x.q[0])
+    variables = np.column_stack([x.q[n], *(delta[n - j] for j in range(increments)), library._lagged(x.v)[n]])
+    rows = np.column_stack([monomials(library.exponents, variables / library.scales), delta[n + 1] - delta[n]])
+    return np.asarray(rows.T @ rows)
 
 
 def _pursuit(library: NarxModel, grams: Sequence[FloatArray]) -> dict[int, NarxModel]:

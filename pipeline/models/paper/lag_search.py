@@ -145,8 +145,7 @@ def search_lag(segments: Sequence[LagSegment], *, start: float, bounds: tuple[fl
         Cost: one Gram update (0.4 µs per sample at M = 10) and one gradient (20 ns) per evaluation, about ten of them.
     """
     equations = _NormalEquations(segments)
-    low = np.log(bounds[0])
-    high = np.log(bounds[1])
+    low, high = np.log(bounds)
 
     def evaluate(x: float) -> tuple[FloatArray, tuple[float, int, float]]:
         """Weights and criteria at the logarithm of a lag."""

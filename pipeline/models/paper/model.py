@@ -21,7 +21,6 @@ from ...fitting.information import coverage
 from ...fitting.posterior import posterior_draws, whiteness
 from ...fitting.regression import (
     InputAction,
-    LinearFit,
     basis_centres,
     basis_values,
     basis_width,
@@ -51,7 +50,7 @@ from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked
 from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit, read_part
 from ..model_type import ModelType, Training
-from .lag_search import LagSearch, LagSegment, search_lag
+from .lag_search import LagSegment, search_lag
 
 _gaussian = formula(GAUSSIAN)
 _lagged_rates = formula(LAGGED_RATES)
@@ -261,8 +260,7 @@ class RbfPaperModel(ModelFile):
         the training data by more than twice its length.
         """
         states, valid = self._run(t, v, (float(q0), float(qdot0)))
-        status, diverged_at = run_status(t, valid)
-        return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), status, diverged_at)
+        return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), *run_status(t, valid))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
@@ -297,8 +295,7 @@ class RbfPaperModel(ModelFile):
         z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag_s)
         signals = curve_signals(q, z, input_signal(v, self.inputs))
         curves = basis_values(q, self.centres, self.width) @ self.weights.T
-        force: FloatArray = np.einsum("ij,ij->i", curves, signals)
-        return force / self.mass_kg
+        return np.asarray(np.einsum("ij,ij->i", curves, signals) / self.mass_kg)
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
@@ -386,6 +383,7 @@ def identify_rbf_paper(
     search = search_lag(segments, start=LAG_START, bounds=LAG_BOUNDS)
     fit = pseudo_inverse_fit(*triangular_factor(_rows(segments)))
     tau = _correlation_time(segments, fit.weights)
+    visited = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
     return RbfPaperModel(
         centres=centres,
         smoothing=smoothing,
@@ -395,9 +393,17 @@ def identify_rbf_paper(
         inputs=inputs,
         spread=fit.residual_rms * np.sqrt(tau) * fit.spread,
         diagnostics={
-            **_diagnostics(fit, search),
+            "rank": fit.rank,
+            "parameters": len(fit.weights),
+            "condition": fit.condition,
+            "residual_rms": fit.residual_rms,
+            "samples": fit.samples,
+            "lag_iterations": search.iterations,
+            "lag_converged": search.converged,
+            "lag_search": dict(zip(("lag_s", "cost", "rank", "condition"), search.history.T.copy(), strict=True)),
             "residual_correlation_samples": tau,
-            **_visits(centres, trajectories),
+            "visits_per_centre": visited.visits,
+            "driven_visits_per_centre": visited.driven,
         },
     )
 
@@ -420,24 +426,6 @@ def _correlation_time(segments: Sequence[LagSegment], weights: FloatArray) -> fl
     x = max(segments, key=lambda segment: len(segment.target))
     curves = x.basis @ weights.reshape(-1, x.basis.shape[1]).T
     return whiteness(x.target - np.einsum("ij,ij->i", curves, x.signals)).integrated_correlation_time
-
-
-def _visits(centres: FloatArray, trajectories: Sequence[Log]) -> dict[str, Any]:
-    covered = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
-    return {"visits_per_centre": covered.visits, "driven_visits_per_centre": covered.driven}
-
-
-def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:
-    return {
-        "rank": fit.rank,
-        "parameters": len(fit.weights),
-        "condition": fit.condition,
-        "residual_rms": fit.residual_rms,
-        "samples": fit.samples,
-        "lag_iterations": search.iterations,
-        "lag_converged": search.converged,
-        "lag_search": dict(zip(("lag_s", "cost", "rank", "condition"), search.history.T.copy(), strict=True)),
-    }
 
 
 def _fit(training: Training) -> RbfPaperModel:

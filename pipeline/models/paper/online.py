@@ -110,8 +110,7 @@ def drifted(
         Factor of the restoring force at each sample.
     """
     growth = 1.0 + share * np.linspace(0.0, 1.0, len(target))
-    planted: FloatArray = target + (growth - 1.0) * (regressors[:, :count] @ weights[:count])
-    return planted, growth
+    return target + (growth - 1.0) * (regressors[:, :count] @ weights[:count]), growth
 
 
 def memories(forgetting: Sequence[float], interval: float) -> list[str]:

@@ -258,8 +258,7 @@ def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> PolynomialD
         raise InputError("the training logs differ in inputs or sample interval; ingest them alike")
     inputs = trajectories[0].v.shape[1]
     length = plant.displacement.factor
-    volt = plant.inputs[0].factor
-    input_scale = volt**2 if plant.squared else volt
+    input_scale = plant.inputs[0].factor ** (2 if plant.squared else 1)
     model = pysindy.SINDy()
     with seeded():
         model.fit(

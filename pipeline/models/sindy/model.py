@@ -118,11 +118,9 @@ class SindyModel(ModelFile):
     @cached_property
     def dynamics(self) -> PolynomialDynamics:
         """The right-hand side."""
-        times = self.lag_s.tolist()
-        sources = self.lag_source.tolist()
+        lags = tuple(map(Lag, self.lag_source.tolist(), self.lag_s.tolist()))
         return PolynomialDynamics(
-            self.exponents, self.coefficients, self.scales[: self.scales.size - len(times)],
-            tuple(Lag(source, time) for source, time in zip(sources, times, strict=True)),
+            self.exponents, self.coefficients, self.scales[: self.scales.size - len(lags)], lags,
             self.inputs == "squared", *self.bounds.tolist(),
         )  # fmt: skip
 
@@ -140,24 +138,21 @@ class SindyModel(ModelFile):
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.DynamicModel.simulate`. Lag states start at what they follow."""
         path, reached = free_run(self.dynamics, v, sample_interval(t), q0, qdot0)
-        status, diverged_at = run_status(t, reached)
-        return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)
+        return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), *run_status(t, reached))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
     ) -> Iterator[FloatArray]:
         """Predictions with lag states filtered from the measured signals; see `pipeline.models.base.Predicts`."""
         dt = sample_interval(t)
-        lags = len(self.dynamics.lags)
         measured = np.isfinite(seen) & np.isfinite(speed)
         followed = scaled_variables(
-            self.dynamics, _at_samples(v), bridged(seen, measured), bridged(speed, measured), dt
+            self.dynamics, v if v.ndim == 2 else v[:, 0], bridged(seen, measured), bridged(speed, measured), dt
         )
-        states = followed[:, followed.shape[1] - lags :]
+        states = followed[:, followed.shape[1] - len(self.dynamics.lags) :]
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             rows = slice(start, start + count + 1)
-            begin = (float(seen[start]), float(speed[start]))
-            yield free_run(self.dynamics, v[rows], dt, *begin, states[start])[0][:, 0]
+            yield free_run(self.dynamics, v[rows], dt, float(seen[start]), float(speed[start]), states[start])[0][:, 0]
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves on a grid of q [m], shape (n,) (fig. 14).
@@ -170,8 +165,7 @@ class SindyModel(ModelFile):
             Per unit mass where `mass` is 1 because it is unknown.
         """
         d = self.dynamics
-        rest = np.zeros_like(q)
-        x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, rest, 1.0)
+        x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, np.zeros_like(q), 1.0)
         x = np.column_stack([x, np.zeros((q.size, len(d.lags)))])
         damping = self._slope(x, QDOT) + self._slope(x, FRICTION)
         curves = {"F": -self.mass_kg * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass_kg * damping}
@@ -209,8 +203,8 @@ class SindyModel(ModelFile):
 
     def _symbols(self) -> list[str]:
         d = self.dynamics
-        voltages = [f"v{k + 1}" for k in range(d.inputs)]
-        return ["q", "q̇", "tanh(q̇/w)", "sin q", "cos q", *voltages, *(f"z{k + 1}" for k in range(len(d.lags)))]
+        numbered = [f"{letter}{k + 1}" for letter, count in (("v", d.inputs), ("z", len(d.lags))) for k in range(count)]
+        return ["q", "q̇", "tanh(q̇/w)", "sin q", "cos q", *numbered]
 
     def _sum(self, row: int) -> str:
         d = self.dynamics
@@ -242,10 +236,6 @@ class SindyModel(ModelFile):
     def describe(self) -> dict[str, Any]:
         """Structure, equations and how they were chosen."""
         return {"structure": "sparse polynomial", "equations": self.equations(), **self.diagnostics}
-
-
-def _at_samples(v: FloatArray) -> FloatArray:
-    return v if v.ndim == 2 else v[:, 0]
 
 
 def identify_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | None = None) -> SindyModel:

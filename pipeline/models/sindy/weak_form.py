@@ -74,10 +74,9 @@ def exponents_of(names: list[str], variables: int) -> IntArray:
     table = np.zeros((len(names), variables), dtype=np.int64)
     for row, name in zip(table, names, strict=True):
         for factor in name.split():
-            if factor == "1":
-                continue
-            variable, _, power = factor[1:].partition("^")
-            row[int(variable)] += int(power or 1)
+            if factor != "1":
+                variable, _, power = factor[1:].partition("^")
+                row[int(variable)] += int(power or 1)
     return table
 
 
@@ -243,14 +242,12 @@ class Problem:
 
     def columns(self, library: Library) -> IntArray:
         """Places of the library's terms."""
-        inputs = self.empty.inputs
-        first = self.empty.scales.size
         lags = {
-            first + k
+            self.empty.scales.size + k
             for k, lag in enumerate(self.empty.lags)
             if lag.time in library.lags and (lag.source == QDOT or library.lagged_inputs)
         }
-        return admitted(self.exponents, inputs, library.degrees, library.friction, library.turning, lags)
+        return admitted(self.exponents, self.empty.inputs, library.degrees, library.friction, library.turning, lags)
 
     def without(self, fold: int | None) -> tuple[FloatArray, FloatArray]:
         """The regression on all blocks but those of a fold."""
@@ -279,8 +276,8 @@ def prepare_problem(trajectories: Sequence[Log], plant: Device) -> Problem:
     followed = (QDOT, *range(FIRST_INPUT, scales.size))
     times = [time_scale * ratio for ratio in sorted({ratio for ratios in LAG_SETS for ratio in ratios})]
     lags = tuple(Lag(source, time) for time in times if time >= _SHORTEST_LAG * interval for source in followed)
-    nothing = np.zeros((0, scales.size + len(lags)), dtype=np.int64)
-    empty = PolynomialDynamics(nothing, np.zeros((2, 0)), scales, lags, plant.squared, *escape_bounds(low, high))
+    no_terms = np.zeros((0, scales.size + len(lags)), dtype=np.int64), np.zeros((2, 0))
+    empty = PolynomialDynamics(*no_terms, scales, lags, plant.squared, *escape_bounds(low, high))
     blocks = held_out_blocks(trajectories)
     half_width = _half_width(trajectories, blocks, time_scale)
     angle = plant.displacement.symbol == "rad"
