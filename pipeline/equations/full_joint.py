@@ -146,12 +146,11 @@ def viscous_dissipation(s: FullSymbols) -> Expression:
 def internal_rates(s: FullSymbols) -> Expression:
     """ż of both Maxwell strains and of Dahl's friction, shape (3,)."""
     lambda3_dot = ca.jtimes(thickness_stretches(s), s.qm, s.qm_dot)
-    q_dot = ca.jtimes(tip(s)[0], s.qm, s.qm_dot)
     rates = [
         maxwell_rate(lambda3_dot[i], s.parameter(f"{side}.Y_MW") / s.parameter(f"{side}.eta_MW"), s.z[i])
         for i, side in enumerate(("left", "right"))
     ]
-    return ca.vertcat(*rates, dahl_rate(q_dot, s.z[2], s.parameter("s_c")))
+    return ca.vertcat(*rates, dahl_rate(ca.jtimes(tip(s)[0], s.qm, s.qm_dot), s.z[2], s.parameter("s_c")))
 
 
 def coupling(s: FullSymbols) -> Expression:
@@ -199,7 +198,6 @@ def _shape_kernels(s: FullSymbols) -> dict[str, Kernel]:
     values = ca.vertcat(q, ca.atan(slope), u_y, *stretches(s))
     at = {"qm": s.qm, "v_squared": s.v_squared, "p": s.p}
     unloaded = {"qm": s.qm, "p": s.p}
-    damping = _symmetric(ca.hessian(viscous_dissipation(s), s.qm_dot)[0])
     return {
         "statics": (
             "U − ½ΣC_i v_i² [J], returned; its gradient (4,) and Hessian (4, 4) in q_m.",
@@ -225,7 +223,7 @@ def _shape_kernels(s: FullSymbols) -> dict[str, Kernel]:
             "Damping matrix D (4, 4), coupling of z to the forces (4, 3), ∂λ_{3,i}/∂q_m (2, 4).",
             unloaded,
             {
-                "damping": damping,
+                "damping": _symmetric(ca.hessian(viscous_dissipation(s), s.qm_dot)[0]),
                 "coupling": coupling(s),
                 "thickness_jacobian": ca.jacobian(thickness_stretches(s), s.qm),
             },

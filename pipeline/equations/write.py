@@ -99,13 +99,11 @@ def _condensed() -> str:
         "CREEPS",
         "BRANCHES",
     ]
-    constants = {name: getattr(condensed_parts, name) for name in names}
     integrals = {name: beam.products(order) for order, name in enumerate(("SHAPES", "SLOPES", "BENDS"))}
-    upright = graph({"k": s.k}, {"load": j.upright_load(s)})
     return _module(
         "The condensed joint: rates, forces at rest, inertia, stop operators after a step.",
-        graphs(kernels, "k") | {"UPRIGHT": upright},
-        constants | integrals,
+        graphs(kernels, "k") | {"UPRIGHT": graph({"k": s.k}, {"load": j.upright_load(s)})},
+        {name: getattr(condensed_parts, name) for name in names} | integrals,
     )
 
 
@@ -287,8 +285,7 @@ def _kernel(
             elif operation.operands and all(source[j].name == "constant" for j in operation.operands):
                 moved[i] = own.add(operation.name, *(visit(j) for j in operation.operands))
             else:
-                place = prepared.setdefault(i, len(prepared))
-                moved[i] = own.add("input", place=("p", place))
+                moved[i] = own.add("input", place=("p", prepared.setdefault(i, len(prepared))))
         else:
             moved[i] = own.add(operation.name, *(visit(j) for j in operation.operands), place=operation.place)
         return moved[i]

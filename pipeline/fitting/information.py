@@ -83,8 +83,7 @@ class ScaledRegressor:
         high = float(q.max())
         centres = basis_centres(low, high, basis_functions)
         signals = np.where(largest > 0.0, input_signal(largest, inputs), 1.0)
-        velocity = rms(qdot) or 1.0
-        scales = np.concatenate(([0.5 * (high - low), velocity], signals))
+        scales = np.concatenate(([0.5 * (high - low), rms(qdot) or 1.0], signals))
         return cls(centres, basis_width(centres, smoothing), scales, inputs)
 
     def information(self, q: FloatArray, qdot: FloatArray, v: FloatArray, interval: float) -> FloatArray:

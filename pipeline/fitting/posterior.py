@@ -130,8 +130,7 @@ def posterior_draws(mean: FloatArray, spread: FloatArray, count: int, seed: int)
     seed : int
         The same seed gives the same draws.
     """
-    standard = np.random.default_rng(seed).standard_normal((count, spread.shape[1]))
-    return np.asarray(mean + standard @ spread.T)
+    return np.asarray(mean + np.random.default_rng(seed).standard_normal((count, spread.shape[1])) @ spread.T)
 
 
 def outcome_draws(

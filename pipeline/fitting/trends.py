@@ -76,9 +76,8 @@ def trend(t: FloatArray, y: FloatArray, errors: FloatArray, alarm: float) -> Tre
     moved = directions @ left
     misfits = np.maximum(left @ left - moved**2, 0.0)
     scatter = np.maximum(misfits / (n - 2), 1.0)
-    gains = moved**2 / scatter
     half = stdtrit(n - 2, 0.975) * np.sqrt(scatter) / lengths
-    chance = _chance(directions, constant, float(gains.max()))
+    chance = _chance(directions, constant, float((moved**2 / scatter).max()))
     line = Trend("line" if chance < alarm else "none", float(moved[0] / lengths[0]), float(half[0]))
     if not len(places):
         return line

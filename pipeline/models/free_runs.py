@@ -22,7 +22,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import InputError
-from ..numerics.arrays import BoolArray, FloatArray
+from ..numerics.arrays import FloatArray
 from ..signals.log import EDGE, MOST_SAMPLES, Log, operating_range, within
 from ..store.columns import TUBE_COLUMNS
 from .base import DrawnModel, DynamicModel, FreeRun, HasDraws, HasTubes, TubeScale
@@ -50,15 +50,11 @@ class Tubes:
     other_low: FloatArray
     other_high: FloatArray
 
-    def hold(self, q: FloatArray) -> BoolArray:
-        """Mask of the samples of q [m or rad], shape (N,), that lie in one of the tubes."""
-        inside = (q >= self.low) & (q <= self.high)
-        return np.asarray(inside | ((q >= self.other_low) & (q <= self.other_high)))
-
     def coverage(self, q: FloatArray) -> float | None:
         """Share of the measured samples that lie in the tubes; None where nothing can be compared."""
         compared = np.isfinite(q) & np.isfinite(self.low)
-        return float(np.mean(self.hold(q)[compared])) if compared.any() else None
+        inside = (q >= self.low) & (q <= self.high) | (q >= self.other_low) & (q <= self.other_high)
+        return float(np.mean(inside[compared])) if compared.any() else None
 
 
 def tube_scale(

@@ -164,9 +164,8 @@ class NarxModel(ModelFile):
     ) -> Iterator[FloatArray]:
         """Predictions from the measured past that the equation looks at; see `pipeline.models.base.Predicts`."""
         _check_interval(t, self.interval_s, self.name)
-        rows = np.arange(len(seen))
         reach = int(self.structure.max())
-        unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, rows))
+        unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, np.arange(len(seen))))
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             first = max(int(unmeasured[start]) + 1, start - reach)
             past = seen[first : start + 1]
@@ -213,8 +212,7 @@ class NarxModel(ModelFile):
     def _lagged(self, v: FloatArray) -> FloatArray:
         """Inputs as they act at each step, shape (N, K·M); lags that reach beyond the record repeat its ends."""
         u = np.square(v) if self.inputs == "squared" else v
-        lags = np.arange(self.structure[2])
-        rows = np.clip(np.arange(1, len(u) + 1)[:, None] - lags, 0, len(u) - 1)
+        rows = np.clip(np.arange(1, len(u) + 1)[:, None] - np.arange(self.structure[2]), 0, len(u) - 1)
         return np.hstack([column[rows] for column in u.T])
 
     def describe(self) -> dict[str, Any]:

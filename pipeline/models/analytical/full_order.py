@@ -208,10 +208,9 @@ def simulate(
     qm_dot = states[:, RITZ:FIRST_Z]
     qm_ddot = rates[:, RITZ:FIRST_Z]
     levers = parameters.levers
-    slopes = parameters.slopes
     return FullOrderMotion(
         t, qm, qm_dot, qm_ddot, states[:, FIRST_Z:], qm @ levers, qm_dot @ levers, qm_ddot @ levers,
-        np.arctan(qm @ slopes),
+        np.arctan(qm @ parameters.slopes),
         None if valid == count else float(t[min(valid, count - 1)]), int(steps[0]), int(steps[1]),
     )  # fmt: skip
 

@@ -80,8 +80,7 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
     from scipy.interpolate import CubicSpline
 
     p = parameters.vector()
-    count = path.q.size
-    curves = np.empty((count, len(CURVES)))
+    curves = np.empty((path.q.size, len(CURVES)))
     mass = np.empty((RITZ, RITZ))
     tau = np.empty(RITZ)
     z_dot = np.empty(3)
@@ -97,13 +96,12 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
     curves[:, 2] = path.force
     curves[:, 3:5] = path.stretch**-0.5
     curves[:, 5:] = path.capacitance
-    spline = CubicSpline(path.q, curves)
     sides = (parameters.left, parameters.right)
     return ReducedJoint(
         parameters,
         path.q,
         curves,
-        np.ascontiguousarray(spline.c[::-1].transpose(1, 0, 2)),
+        np.ascontiguousarray(CubicSpline(path.q, curves).c[::-1].transpose(1, 0, 2)),
         np.array([s.volume * s.Y_MW for s in sides]),
         np.array([s.relaxation for s in sides]),
         path,
@@ -174,11 +172,10 @@ def beam_modes(qm: FloatArray, length: float) -> BeamModes:
     x, w = beam_shapes(qm, length)
     left, values, right = np.linalg.svd(w, full_matrices=False)
     peaks = np.take_along_axis(right[:3], np.argmax(np.abs(right[:3]), axis=1)[:, None], axis=1)
-    shapes = right[:3] / peaks
     amplitudes = left[:, :3] * values[:3] * peaks[:, 0]
     energy = values**2
     row, column = np.unravel_index(np.argmax(np.abs(w)), w.shape)
-    return BeamModes(x, shapes, amplitudes, w[row] / w[row, column], energy[:3] / energy.sum())
+    return BeamModes(x, right[:3] / peaks, amplitudes, w[row] / w[row, column], energy[:3] / energy.sum())
 
 
 _motion = kernel(REDUCED_MOTION)

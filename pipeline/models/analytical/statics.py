@@ -64,8 +64,7 @@ class JointEquilibrium:
 def tip_values(qm: FloatArray, p: FloatArray) -> FloatArray:
     """Tip of the beam: q [m], φ [rad], u_y [m], λ1, λ2 at the Ritz coordinates, shape (5,)."""
     values = np.empty(TIP_VALUES)
-    jacobian = np.empty((TIP_VALUES, RITZ))
-    tip(qm, p, values, jacobian)
+    tip(qm, p, values, np.empty((TIP_VALUES, RITZ)))
     return values
 
 
@@ -153,9 +152,8 @@ def equilibrium_at(p: FloatArray, qm: FloatArray, v: FloatArray, force: float = 
     force : float
         External force along q [N].
     """
-    gradient = np.empty(RITZ)
     hessian = np.empty((RITZ, RITZ))
-    energy = statics(qm, v**2, p, gradient, hessian)
+    energy = statics(qm, v**2, p, np.empty(RITZ), hessian)
     q, phi, u_y = tip_values(qm, p)[:3]
     scale = length_scales(float(p[0]))
     stable = bool(np.linalg.eigvalsh(hessian * np.outer(scale, scale))[0] > 0.0)

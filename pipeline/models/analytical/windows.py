@@ -60,8 +60,7 @@ def voltage_knots(t: FloatArray, v: FloatArray) -> VoltageKnots:
         return VoltageKnots(np.ascontiguousarray(t), np.ascontiguousarray(v), np.arange(t.size))
     parts = v.shape[1]
     samples = v[:, 0]
-    share = np.arange(parts)[:, None] / parts
-    lines = samples[:-1, None] + np.diff(samples, axis=0)[:, None] * share
+    lines = samples[:-1, None] + np.diff(samples, axis=0)[:, None] * (np.arange(parts)[:, None] / parts)
     bent = np.abs(v[:-1] - lines).max(axis=(1, 2)) > BENT * np.abs(v).max()
     count = np.where(bent, parts, 1)
     rows = np.concatenate([[0], np.cumsum(count)])

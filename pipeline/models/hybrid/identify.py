@@ -143,7 +143,7 @@ def identify_hybrid(
     scaled = tuple(similarity.in_reference_units(plain.reading(record)) for record in records)
     first = _first_fits(_Search(scaled, siblings).within(MOST_SAMPLES), plain, corrections)
     search = first.search
-    errors = first.held_out()
+    errors = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in first.fits.items()}
     early, fitted = _whole_fit(first, corrected=_corrections_help(errors, always=corrections == "always"))
     if not search.follows(fitted.fit, LOST_ERROR):
         fitted = min(fitted, search.anew(first.fits[ALONE].joint), key=lambda fitted: _free_error(fitted.fit))
@@ -156,8 +156,9 @@ def identify_hybrid(
         _of_device(joint, similarity),
         fit.theta,
         posterior_factor(fit, search.prior(len(fit.theta))),
-        search.band_spread(joint, fit),
-        search.curve_spread(joint, fit),
+        search.spread(joint, fit, range(CURVES)),
+        # For the curves, corrections of force and damping are free even where the model has none.
+        None if joint.centres else search.spread(replace(joint, centres=BASIS_FUNCTIONS), fit, OPEN),
         diagnostics=report
         | {"held_share": search.held_share(joint, fit.theta)}
         | {"ablation": {name: error.free for name, error in errors.items()}}
@@ -194,10 +195,6 @@ class _FirstFits:
     levels: tuple[Level, ...]
     fits: dict[str, _Fitted]
     decision: dict[str, Any]
-
-    def held_out(self) -> dict[str, "_HeldOut"]:
-        """Errors behind the first parts of the logs by fit."""
-        return {name: self.search.held_out(joint, fit.theta) for name, (joint, fit) in self.fits.items()}
 
 
 def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _FirstFits:
@@ -299,16 +296,8 @@ class _Search:
         first = self.without_siblings.fit(plain, plain.start(), COUPLED, steps=FIRST_STEPS)
         return _Fitted(plain, self.fit(plain, first.theta, FREE, last=LAST_STEPS))
 
-    def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
-        """Factor of the covariance that leaving out parts of the logs shows."""
-        return self._robust_spread(joint, fit, range(CURVES))
-
-    def curve_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray | None:
-        """Covariance factor of the curves, with corrections of force and damping free even where the model has none."""
-        return None if joint.centres else self._robust_spread(replace(joint, centres=BASIS_FUNCTIONS), fit, OPEN)
-
-    def _robust_spread(self, joint: CondensedJoint, fit: HomotopyFit, rows: Sequence[int]) -> FloatArray:
-        """Of the θ of a joint, zero but for the deviations and some corrections."""
+    def spread(self, joint: CondensedJoint, fit: HomotopyFit, rows: Sequence[int]) -> FloatArray:
+        """Factor of the covariance of θ that leaving out parts of the logs shows: deviations and some corrections."""
         problem = CondensedProblem(joint, self.records)
         pole = fit.levels[-1].gain
         theta = _extended(joint, fit.theta)

@@ -300,12 +300,11 @@ class HybridModel:
         Shape (B, N, 3).
         """
         dt = sample_interval(t)
-        age = np.full((*start.shape[:-1], 1), age_at(t))
         angle = self.joint.angle
         if angle:
             q, qdot, _ = angle.read(start[..., 0], start[..., 1], np.zeros_like(start[..., 0]))
             start = np.stack([q, qdot], axis=-1)
-        start = np.concatenate([start, age], axis=-1)
+        start = np.concatenate([start, np.full((*start.shape[:-1], 1), age_at(t))], axis=-1)
         driving = DrivingVoltages(v, dt)
         built = self._best if thetas is None else self._built(thetas)
         thetas = self.theta[None] if thetas is None else thetas
@@ -314,16 +313,14 @@ class HybridModel:
         if start.ndim > 1:
             thetas, *parts = (np.repeat(each, len(start), axis=0) for each in (thetas, *built))
             built = parts[0], parts[1]
-        followed = Followed(np.zeros(0), np.zeros(len(t)))
-        stepping = self.joint.stepping(dt, steps)
 
         def runs_of(rows: slice, *, every_step: bool) -> FloatArray:
             """Runs of some of them, as the log shows their displacement."""
             begin = start if start.ndim == 1 else start[rows]
-            made = (built[0][rows], built[1][rows])
             read = simulate(
                 self.joint, thetas[rows], lambda seen: driving.squared(steps, seen, self.joint.largest_voltage), begin,
-                followed, stepping, every_step=every_step, built=made,
+                Followed(np.zeros(0), np.zeros(len(t))), self.joint.stepping(dt, steps), every_step=every_step,
+                built=(built[0][rows], built[1][rows]),
             )  # fmt: skip
             return np.stack(angle.shown(*np.moveaxis(read, -1, 0)), axis=-1) if angle else read
 

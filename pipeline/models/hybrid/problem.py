@@ -138,8 +138,12 @@ class CondensedJoint:
             units.voltage * seen.probe,
         )
 
-    def derivatives(self, theta: FloatArray) -> "Derivatives":
-        """Derivatives by θ of the numbers that a run takes."""
+    def derivatives(self, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Derivatives by θ of the numbers that a run takes.
+
+        Of the constants (C, P); of laser offset [m], and of delay, charging time and probes in units of θ, (5, P); and
+        the prior widths (9,) of the weights.
+        """
         count = len(theta)
         moved = PARAMETER_STEP * np.eye(DEVIATION_COUNT, count)
         constants = np.zeros((len(CONSTANTS), count))
@@ -149,7 +153,7 @@ class CondensedJoint:
         instruments[range(INSTRUMENTS), condensed_parameters.OF_INSTRUMENTS] = 1.0
         instruments[0] *= self.instruments(np.ones(count)).offset - self.similarity.origin
         widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
-        return Derivatives(constants, instruments, widths)
+        return constants, instruments, widths
 
     def substeps(self, theta: FloatArray, dt: float) -> int:
         """Runge-Kutta steps in a sample interval of `dt` [s]."""
@@ -182,18 +186,6 @@ class CondensedJoint:
     def start(self) -> FloatArray:
         """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
         return np.zeros(DEVIATION_COUNT + CURVES * self.centres)
-
-
-@dataclass(frozen=True)
-class Derivatives:
-    """Derivatives by θ of constants (C, P) and instruments (5, P), and the prior widths (9,) of the weights.
-
-    Instruments are the offset [m] and, in units of θ, delay, charging time and probes.
-    """
-
-    constants: FloatArray
-    instruments: FloatArray
-    weights: FloatArray
 
 
 class CondensedProblem:
@@ -343,7 +335,7 @@ class _Log:
         """Errors [mm] of one θ over the samples that are compared, shape (N,), and their derivatives by it, (N, P)."""
         pole, path = self._observer(gain, steps)
         seen = joint.instruments(theta)
-        by_theta = joint.derivatives(theta)
+        constants, instruments, widths = joint.derivatives(theta)
         largest = joint.largest_voltage
         u = self._inputs(seen, steps, largest)
         moved = theta + PARAMETER_STEP * np.eye(len(theta))[condensed_parameters.OF_INSTRUMENTS[1:]]
@@ -352,16 +344,16 @@ class _Log:
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
         q, columns, by_weights = sensitivities(
             JointCoefficients(joint.constants(theta), joint.weights(theta), joint.basis),
-            np.abs(by_theta.constants).max(axis=1), by_theta.weights, seen.offset, driven,
+            np.abs(constants).max(axis=1), widths, seen.offset, driven,
             joint.stepping(self.dt, steps),
         )  # fmt: skip
         at = self.compared(gain)
-        active = np.any(by_theta.constants, axis=1)
-        chain = 1e3 * np.concatenate([by_theta.constants[active], by_theta.instruments])
+        active = np.any(constants, axis=1)
+        chain = 1e3 * np.concatenate([constants[active], instruments])
         by = (columns if at.all() else columns[at]) @ chain
-        of_weights = by_weights[at] * by_theta.weights[:, None]
+        of_weights = by_weights[at] * widths[:, None]
         by[:, DEVIATION_COUNT:] += 1e3 * of_weights.reshape(len(by), by.shape[1] - DEVIATION_COUNT)
-        by += 1e3 * by_theta.instruments[0]  # the reading is q + offset
+        by += 1e3 * instruments[0]  # the reading is q + offset
         return 1e3 * (q[at] + seen.offset - self.q[at]), by
 
     def _observer(self, gain: float, steps: int) -> tuple[FloatArray, FloatArray]:
@@ -370,8 +362,7 @@ class _Log:
         if not np.any(pole > 0.0):
             return pole, np.zeros(0)
         if steps not in self._followed:
-            times = np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1)
-            self._followed[steps] = self._path(times)
+            self._followed[steps] = self._path(np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1))
         return pole, self._followed[steps]
 
     def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:

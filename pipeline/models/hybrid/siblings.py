@@ -126,9 +126,8 @@ def information_of(model: HybridModel) -> Information:
     count = len(NAMES)
     own = prior_root(0)
     tau = float(model.diagnostics["integrated_correlation_time"])
-    covariance = (model.spread @ model.spread.T)[:count, :count]
     # shares of the prior's variance that the logs leave are 1 / (1 + λ)
-    shares, directions = np.linalg.eigh(own @ covariance @ own.T)
+    shares, directions = np.linalg.eigh(own @ (model.spread @ model.spread.T)[:count, :count] @ own.T)
     shares = np.clip(shares, np.finfo(float).eps, 1.0)
     precision = np.minimum(1.0 / shares - 1.0, SUREST)
     pulled = np.minimum(NOISE_INFLATION**2 / (tau * np.maximum(precision, np.finfo(float).eps)), 1.0)

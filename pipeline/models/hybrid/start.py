@@ -91,8 +91,7 @@ def similar_joint(records: Sequence[Log], parameters: JointParameters, mass: flo
     length = half / reference.place
     stiffness = _weighted([(motion.stiffness, motion.stiffness_error) for motion in motions])
     time = float(np.sqrt(reference.stiffness / stiffness))
-    acceleration = length / time**2
-    voltage = float(np.sqrt(acceleration * (reference.gains[0] - reference.gains[1]) / gain))
+    voltage = float(np.sqrt(length / time**2 * (reference.gains[0] - reference.gains[1]) / gain))
     return Similarity(length, time, voltage, mass_factor(parameters, mass), _shift(wells))
 
 
@@ -109,9 +108,8 @@ def _wells(records: Sequence[Log]) -> Wells | NoWells:
 
 
 def _shift(wells: Wells) -> float:
-    half = 0.5 * (wells.right - wells.left)
     middle = 0.5 * (wells.right + wells.left)
-    return middle if abs(middle) > SHIFTED * half else 0.0
+    return middle if abs(middle) > SHIFTED * (0.5 * (wells.right - wells.left)) else 0.0
 
 
 def mass_factor(parameters: JointParameters, mass: float | None) -> float:
@@ -127,8 +125,7 @@ def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotio
     for record in records:
         near = record.valid & (np.abs(record.q - place) < reach)
         x = record.q[near] - place
-        u = record.v[near] ** 2
-        rows.append(np.column_stack([np.ones(len(x)), x, x**2, record.qdot[near], u]))
+        rows.append(np.column_stack([np.ones(len(x)), x, x**2, record.qdot[near], record.v[near] ** 2]))
         targets.append(record.qddot[near])
     matrix = np.concatenate(rows)
     target = np.concatenate(targets)

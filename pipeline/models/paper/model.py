@@ -273,9 +273,8 @@ class RbfPaperModel(ModelFile):
 
     def _run(self, t: FloatArray, v: FloatArray, start: tuple[float, ...]) -> tuple[FloatArray, int]:
         interval = sample_interval(t)
-        steps = steps_per_sample(interval, self.lag_s)
         bounds = escape_bounds(*self.centres[[0, -1]].tolist())
-        return lagged_rbf_run(self.equation, v, interval, steps, start, bounds)
+        return lagged_rbf_run(self.equation, v, interval, steps_per_sample(interval, self.lag_s), start, bounds)
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:

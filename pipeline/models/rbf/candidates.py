@@ -80,10 +80,6 @@ class RbfChoice:
     ----------
     friction : str, optional
         One of `FRICTION`.
-    basis_functions : int, optional
-        Gaussians M per curve.
-    smoothing : float, optional
-        σ_n.
     force, damping, gain : str, optional
         Shapes of the curves.
     drive : str, optional
@@ -103,8 +99,6 @@ class RbfChoice:
     """
 
     friction: FrictionLaw | None = None
-    basis_functions: int | None = None
-    smoothing: float | None = None
     force: ForceShape | None = None
     damping: CurveShape | None = None
     gain: CurveShape | None = None
@@ -119,8 +113,6 @@ class RbfChoice:
     def decided(self) -> dict[str, Any]:
         """Fields of the structure that are decided."""
         fields = {
-            "basis_functions": self.basis_functions,
-            "smoothing": self.smoothing,
             "force": self.force,
             "constant_damping": None if self.damping is None else self.damping == "constant",
             "constant_gain": None if self.gain is None else self.gain == "constant",

@@ -257,9 +257,7 @@ def move(system, x, u, dx):
     for i in range(len(c.stops)):
         system.by[STOPS + i] = by_push * stopped[3 + i]
     for n in range(len(c.rates)):
-        rate = system.relaxing[RATE_NOW, n]
-        load = system.relaxing[LOAD, n]
-        dx[2 + n] = element((values[INPUT + inputs + n], p, rate, load))[0]
+        dx[2 + n] = element((values[INPUT + inputs + n], p, system.relaxing[RATE_NOW, n], system.relaxing[LOAD, n]))[0]
 
 
 @inlined
@@ -365,9 +363,8 @@ def free_rates(c: Coefficients, x: Sequence[Any], slip: Sequence[Any], u: Sequen
     x, slip, u : sequence
         State (2 + L,), friction states as they act (D,) and inputs (K,).
     """
-    system = _traced(c, slip)
     dx = np.empty(2 + len(c.rates), dtype=object)
-    move(system, x, u, dx)
+    move(_traced(c, slip), x, u, dx)
     return list(dx)
 
 
@@ -375,10 +372,9 @@ def resting_elements(c: Coefficients, x: Any, u: Sequence[Any]) -> list[Any]:
     """Relaxing elements at rest at x, w = Σ β u (L,), for traced values."""
     system = _traced(c, ())
     basis_at(x, c, system.basis, system.slopes, system.curvatures)
-    first = INPUT + len(u) + len(c.rates)
     rests: list[Any] = [0.0] * len(c.rates)
     for n in range(shapes(c, len(u))):
-        row = first + n * (1 + len(u)) + 1
+        row = INPUT + len(u) + len(c.rates) + n * (1 + len(u)) + 1
         for k, curve in enumerate(c.curves[row : row + len(u)]):
             rests[n] = rests[n] + u[k] * sum(weight * value for weight, value in zip(curve, system.basis, strict=True))
     return rests

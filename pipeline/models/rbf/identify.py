@@ -109,10 +109,9 @@ def identify_rbf(
         measured = measured.per_unit_mass(mass)
     # Passages near a separatrix would outweigh all else in the free run of a bistable joint.
     pair = is_bistable_pair(records, inputs)
-    coupled = COUPLED if pair else GAINS[-1]
     samples = sum(len(record.t) for record in records)
     effort = Effort(time_limit if pair else time_limit * max(1.0, samples / SAMPLES_OF_LIMIT))
-    setting = Setting(inputs, measured, effort, on_progress, coupled=coupled)
+    setting = Setting(inputs, measured, effort, on_progress, coupled=COUPLED if pair else GAINS[-1])
     fine = all(r.fine is not None for r in records)
     complete = True
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)

@@ -137,7 +137,6 @@ def _carry(system, x, gain, dx):
         for m in range(parameters):
             k1[m] += by_slip * system.sliding[n, 1 + m]
     values = system.values
-    changes = system.changes
     for n in range(len(c.rates)):
         row = INPUT + system.u.shape[1] + n
         at = first + (2 + n) * parameters
@@ -145,7 +144,7 @@ def _carry(system, x, gain, dx):
         s = x[at : at + parameters]
         k = dx[at : at + parameters]
         _, by_coupling, by_speed, _, by_own = element((values[row], x[1], rate, load))
-        by_place = by_coupling * changes[row] + own_slope
+        by_place = by_coupling * system.changes[row] + own_slope
         by_element = by_push * (pull - values[row])
         for m in range(parameters):
             k1[m] += by_element * s[m]

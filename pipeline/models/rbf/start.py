@@ -110,8 +110,7 @@ def starting_joint(
         timed = _undriven(provisional)
         for name, times in timing.items():
             timed[provisional.slices[name]] = times
-    u = _driven(records, provisional, timed)
-    columns = [*motion[:2], *_gains(u, motion[2])]
+    columns = [*motion[:2], *_gains(_driven(records, provisional, timed), motion[2])]
     signs = tuple(_signs(columns, target, structure)) if action == "squared" else (0,) * inputs
     if known_signs and action == "squared":
         signs = tuple(known_signs.get(i, sign) for i, sign in enumerate(signs))
@@ -203,8 +202,7 @@ def _best_timing(
 
     def misfit(times: tuple[float, float]) -> float:
         """Rest of the convex fit at a lag and a delay [1/frequency scale]."""
-        u = _driven(records, p, at(*times))
-        return _misfit([*motion[:2], *_gains(u, motion[2])], target)
+        return _misfit([*motion[:2], *_gains(_driven(records, p, at(*times)), motion[2])], target)
 
     s = p.structure
     if not (s.input_lag or s.input_delay):
@@ -292,11 +290,10 @@ def _motion(records: Sequence[Log], p: ParameterLayout) -> tuple[list[FloatArray
     speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
     target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
     basis = basis_rows(x, p.coefficients(np.zeros(p.count)))
-    force = basis[:, p.basis_of("force")]
     damping = -speed[:, None] * basis[:, p.basis_of("damping")]
     if shape.overdamped:
         damping, target = np.zeros_like(damping), OVERDAMPED * s.frequency * speed
-    return [force, damping, basis[:, p.basis_of("input0")]], target
+    return [basis[:, p.basis_of("force")], damping, basis[:, p.basis_of("input0")]], target
 
 
 def _gains(u: FloatArray, basis: FloatArray) -> list[FloatArray]:

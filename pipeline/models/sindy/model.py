@@ -11,7 +11,6 @@ from pydantic import model_validator
 from ...device.device import Device
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
-from ...scoring.cross_validation import mean_over_folds
 from ...signals.log import Log
 from ..base import FreeRun, checked
 from ..model_file import (
@@ -194,9 +193,8 @@ class SindyModel(ModelFile):
         symbols = self._symbols()
         for k, lag in enumerate(d.lags):
             z = symbols[d.scales.size + k]
-            followed = symbols[lag.source]
             square = "²" if d.squared and lag.source >= FIRST_INPUT else ""
-            lines.append(f"d{z}/dt = ({followed}{square} − {z}) / ({lag.time:.4g} s)")
+            lines.append(f"d{z}/dt = ({symbols[lag.source]}{square} − {z}) / ({lag.time:.4g} s)")
         if np.any(d.exponents[:, FRICTION]):
             lines.append(f"w = {d.scales[FRICTION]:.4g} {length}/s")
         return lines
@@ -257,30 +255,8 @@ def identify_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | No
     """
     from .fit import fit_sindy
 
-    fit = fit_sindy(trajectories, plant, most=most)
-    errors = fit.errors[fit.candidate]
-    mean, band = mean_over_folds(errors)
-    return SindyModel.of(
-        fit.dynamics,
-        plant,
-        "sindy",
-        {
-            "library": str(fit.candidate.library),
-            "library_terms": fit.library_terms,
-            "terms_kept": _terms(fit.dynamics),
-            "test_function_half_width_s": fit.half_width,
-            "optimizer": "STLSQ",
-            "threshold_of_rms_acceleration": fit.candidate.threshold,
-            "inner_validation_nrmse": mean,
-            "inner_validation_nrmse_interval": np.array([mean, mean] if band is None else [band.low, band.high]),
-            "inner_validation_nrmse_of_folds": errors,
-            "candidates_tried": len(fit.errors),
-            "search_status": fit.search_status,
-            "rank": fit.rank,
-            "condition": fit.condition_number,
-            "acceleration_residual": fit.acceleration_residual,
-        },
-    )
+    dynamics, notes = fit_sindy(trajectories, plant, most=most)
+    return SindyModel.of(dynamics, plant, "sindy", notes)
 
 
 def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyModel:
@@ -296,13 +272,9 @@ def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyM
     from .fit import fit_default_sindy
 
     dynamics = fit_default_sindy(trajectories, plant)
-    notes = {"library": "poly2(q, q̇, u), pysindy's default, in the units of the log", "terms_kept": _terms(dynamics)}
+    library = "poly2(q, q̇, u), pysindy's default, in the units of the log"
+    notes = {"library": library, "terms_kept": np.count_nonzero(dynamics.coefficients[1])}
     return SindyModel.of(dynamics, plant, "sindy-default", notes)
-
-
-def _terms(dynamics: PolynomialDynamics) -> int:
-    """Terms of the acceleration's equation."""
-    return int(np.count_nonzero(dynamics.coefficients[1]))
 
 
 SINDY = ModelType(

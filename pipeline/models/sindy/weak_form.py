@@ -59,9 +59,8 @@ def seeded() -> Iterator[None]:
 def feature_library(variables: int, angle: bool) -> Any:
     """Pysindy's library of the powers of q, and of q (for an `angle` also sin q, cos q) times every other variable."""
     pysindy = importlib.import_module("pysindy")
-    others = [k for k in range(variables) if k not in (Q, SINE, COSINE)]
     libraries = [pysindy.PolynomialLibrary(HIGHEST), pysindy.PolynomialLibrary(COUPLED), pysindy.IdentityLibrary()]
-    inputs = [[Q], [Q], others]
+    inputs = [[Q], [Q], [k for k in range(variables) if k not in (Q, SINE, COSINE)]]
     tensors = [[0, 1, 1]]
     if angle:
         libraries.append(pysindy.PolynomialLibrary(1))
