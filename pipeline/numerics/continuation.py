@@ -72,8 +72,8 @@ def _point(residual: Residual, x: FloatArray, orientation: FloatArray) -> _Point
     rows = np.column_stack([jacobian, slope])
     tangent = np.linalg.solve(np.vstack([rows, orientation]), np.append(np.zeros(x.size - 1), 1.0))
     tangent /= np.linalg.norm(tangent)
-    bordered = float(np.linalg.det(np.vstack([rows, tangent])))
-    return _Point(x, tangent, bool(np.linalg.eigvalsh(jacobian)[0] > 0.0), bordered)
+    stable = bool(np.linalg.eigvalsh(jacobian)[0] > 0.0)
+    return _Point(x, tangent, stable, float(np.linalg.det(np.vstack([rows, tangent]))))
 
 
 def _correct(residual: Residual, guess: FloatArray, tangent: FloatArray) -> FloatArray | None:

@@ -121,7 +121,6 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     y, t, q, p, dy, dt, dp = np.zeros((7, n))
     at = Iterate(problem.b, y, t, q, p, problem.lam_of_terms())  # the feasible constant signal
     step = NewtonStep(dy, dt, dp, np.empty((n, problem.order + 2)))
-    fitted_start = 1.0 if problem.fitted_start else 0.0
     delta = max(problem.delta, _roughness(problem))
     value = objective(at, step, 0.0, delta)
     status: Status = "iteration limit"
@@ -130,7 +129,7 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     pulled_back = 0
     while iteration < max_iterations:
         iteration += 1
-        longest, full = newton_step(at, step, delta, problem.order, fitted_start)
+        longest, full = newton_step(at, step, delta, problem.order, float(problem.fitted_start))
         primal, value = _descend(at, step, delta, value + gap, full)
         dual = min(1.0, _TO_THE_BOUND * longest)
         gap = advance(at, step, primal, dual, delta)
@@ -150,8 +149,8 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
             delta = max(problem.delta, _REDUCTION * delta)
             value = objective(at, step, 0.0, delta)
     constant = problem.delta * float(at.lam[n - problem.differences :].sum())
-    least = float(objective(at, step, 0.0, problem.delta)) + constant
-    return Minimiser(at.y, at.t, least, float(advance(at, step, 0.0, 0.0, problem.delta)), iteration, status)
+    least = objective(at, step, 0.0, problem.delta) + constant
+    return Minimiser(at.y, at.t, least, advance(at, step, 0.0, 0.0, problem.delta), iteration, status)
 
 
 def _roughness(problem: VariationProblem) -> float:

@@ -144,13 +144,17 @@ def identify_hybrid(
     first = _first_fits(_Search(scaled, siblings).within(MOST_SAMPLES), plain, corrections)
     search = first.search
     errors = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in first.fits.items()}
-    early, fitted = _whole_fit(first, corrected=_corrections_help(errors, always=corrections == "always"))
+    # Corrections that were fitted stay, unless they harm on held-out data.
+    most = np.inf if corrections == "always" else HARMFUL_RATIO * errors[ALONE].coupled
+    early, fitted = _whole_fit(first, corrected=WITH_RBF in errors and errors[WITH_RBF].coupled < most)
     if not search.follows(fitted.fit, LOST_ERROR):
         fitted = min(fitted, search.anew(first.fits[ALONE].joint), key=lambda fitted: _free_error(fitted.fit))
     joint, fit = fitted
     if not fit.levels:
         raise DataRefusedError(_NO_FIT)
     nothing = np.zeros((len(early.fit.theta), 0))
+    problem = CondensedProblem(joint, search.records)
+    problem.hold_lost(fit.theta, 0.0)
     report = _report((*first.levels, *fit.levels), fit, similarity)
     model = HybridModel.of(
         _of_device(joint, similarity),
@@ -160,7 +164,7 @@ def identify_hybrid(
         # For the curves, corrections of force and damping are free even where the model has none.
         None if joint.centres else search.spread(replace(joint, centres=BASIS_FUNCTIONS), fit, OPEN),
         diagnostics=report
-        | {"held_share": search.held_share(joint, fit.theta)}
+        | {"held_share": problem.held_share}
         | {"ablation": {name: error.free for name, error in errors.items()}}
         | first.decision,
         early=HybridModel.of(_of_device(early.joint, similarity), early.fit.theta, nothing, nothing),
@@ -220,13 +224,6 @@ def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _
         joint = replace(plain, centres=BASIS_FUNCTIONS)
         fits[WITH_RBF] = _Fitted(joint, search.early.fit(joint, _extended(joint, first.theta), CORRECTED))
     return _FirstFits(search, (*first.levels, *alone.levels), fits, decision)
-
-
-def _corrections_help(errors: "dict[str, _HeldOut]", *, always: bool) -> bool:
-    """True if corrections were fitted and do not harm on held-out data; with `always`, if they were fitted at all."""
-    if WITH_RBF not in errors:
-        return False
-    return errors[WITH_RBF].coupled < (np.inf if always else HARMFUL_RATIO) * errors[ALONE].coupled
 
 
 def _whole_fit(first: _FirstFits, *, corrected: bool) -> tuple[_Fitted, _Fitted]:
@@ -309,12 +306,6 @@ class _Search:
         spread = np.zeros((len(theta), factor.shape[1]))
         spread[places] = factor
         return spread
-
-    def held_share(self, joint: CondensedJoint, theta: FloatArray) -> float:
-        """Share of the samples near which free runs lose their logs, and are held to them in a fit."""
-        problem = CondensedProblem(joint, self.records)
-        problem.hold_lost(theta, 0.0)
-        return problem.held_share
 
     def follows(self, fit: HomotopyFit, share: float) -> bool:
         """True if the error of a fit's free run is below a share of the operating range."""

@@ -219,9 +219,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     values = _beam_and_frame(p, d) | {"slope_ratio": ratio}
     names = ["softening", "softening_rate", *(name for name, *_ in TIP_CONSTANTS)]
     values |= {name: d[name.replace("_", " ")] for name in names}
-    values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
-    values |= {f"sextic_{powers}": d[f"sextic {powers}"] for powers in SEXTICS}
-    values |= {f"shortening_{powers}": d[f"shortening {powers}"] for powers in SHORTENINGS}
+    for kind, terms in (("quartic", QUARTICS), ("sextic", SEXTICS), ("shortening", SHORTENINGS)):
+        values |= {f"{kind}_{powers}": d[f"{kind} {powers}"] for powers in terms}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
     for i, name in enumerate(_ELEMENTS):

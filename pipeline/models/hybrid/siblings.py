@@ -157,8 +157,7 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
         units = model.joint.similarity
         if (units.length, units.time, units.voltage) != (1.0, 1.0, 1.0):
             raise InputError(f"{name}: was scaled by its own logs; give all joints one set, plant.parameters")
-    first, *others = [model.joint.parameters for model in models.values()]
-    if any(other != first for other in others):
+    if len({model.joint.parameters for model in models.values()}) > 1:
         raise InputError("the joints have not one parameter set; name the same plant.parameters for all of them")
     prior = usual_prior()
     members = [information_of(model) for model in models.values()]

@@ -78,7 +78,7 @@ def similar_joint(records: Sequence[Log], parameters: JointParameters, mass: flo
     if not isinstance(wells, Wells):
         raise DataRefusedError(f"no two wells: {wells.reason}")
     half = 0.5 * (wells.right - wells.left)
-    measured = [_measured(records, place, NEAR * half) for place in (wells.left, wells.right)]
+    measured = (_measured(records, place, NEAR * half) for place in (wells.left, wells.right))
     motions = [motion for motion in measured if motion is not None]
     if not motions:
         raise DataRefusedError("no small motion about a well is seen, so the joint's time scale is unknown")

@@ -128,11 +128,12 @@ def identify_rbf(
         fitted = _fit_to_all(records, setting, result.chosen, setting.begin(records, result.chosen, result.fit))
     if not fitted.fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
+    at_end = fitted.problem.jacobian(fitted.fit.theta, fitted.fit.levels[-1].gain)
     model = RbfModel(
         fitted.parameters,
         fitted.fit.theta,
         posterior_factor(fitted.fit, fitted.prior),
-        fitted.band_spread,
+        robust_spread(*at_end, fitted.fit.noise, fitted.prior),
         mass,
         _diagnostics(records, fitted, tried) | {"effort_s": setting.effort.spent, "search_complete": complete},
     )
@@ -150,12 +151,6 @@ class _Fitted:
     prior: Prior
     errors: FloatArray
     problem: JointProblem
-
-    @property
-    def band_spread(self) -> FloatArray:
-        """Factor of the covariance that leaving out parts of the logs shows."""
-        at_end = self.problem.jacobian(self.fit.theta, self.fit.levels[-1].gain)
-        return robust_spread(*at_end, self.fit.noise, self.prior)
 
     @property
     def rms(self) -> float:

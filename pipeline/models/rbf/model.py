@@ -285,16 +285,21 @@ def _free(samples: int) -> Coupling:
 def _equation_of_motion(structure: JointStructure) -> str:
     """The terms that a structure has, with F as it is drawn: positive where it pulls towards smaller q."""
     s = structure
-    terms = ["mu(q) q'' = -F" if s.arc else "q'' = -F"]
-    terms += ["- (d + k |q'|) q'" if s.drag else "- d q'"]
-    terms += ["- mu'(q) q'^2 / 2"] if s.arc else []
     pulled = s.shape_elements > 0
     elements = bool(s.rates)
-    terms += ["- h e + pulls' u w" if pulled else "- h w"] if elements else []
-    terms += ["- Dahl friction"] if s.slips else []
-    equations = [" ".join([*terms, "+ gains u"])]
-    equations += ["F with end stops"] if s.stops else []
-    equations += ["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] if elements else []
+    terms = [
+        "mu(q) q'' = -F" if s.arc else "q'' = -F",
+        "- (d + k |q'|) q'" if s.drag else "- d q'",
+        *["- mu'(q) q'^2 / 2"] * s.arc,
+        *["- h e + pulls' u w" if pulled else "- h w"] * elements,
+        *["- Dahl friction"] * bool(s.slips),
+        "+ gains u",
+    ]
+    equations = [
+        " ".join(terms),
+        *["F with end stops"] * s.stops,
+        *["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] * elements,
+    ]
     return ", ".join(equations)
 
 

@@ -322,10 +322,11 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
         past = len(before) // every
         inputs = np.concatenate((before[len(before) - past * every :], inputs))
     split = len(measured) if free_after is None else int(free_after * len(measured))
-    start = float(record.qdot[0] / s.half)
-    interval = every * record.interval
     travel, weight = _travel(p, record, every)
-    return _Log(measured, observe, start, interval, split, travel, weight, inputs, past, every, record.interval, {})
+    return _Log(
+        measured, observe, float(record.qdot[0] / s.half), every * record.interval, split, travel, weight, inputs, past,
+        every, record.interval, {},
+    )  # fmt: skip
 
 
 def _travel(p: ParameterLayout, record: Log, every: int) -> tuple[FloatArray | None, float]:
