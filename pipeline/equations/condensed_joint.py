@@ -151,7 +151,8 @@ def forces(s: CondensedSymbols, friction: Expression) -> Forces:
     loss = k("bending_loss")
     (g_q, g_t, g_b), (u_y, along_u), phi = beam_gradient(s), shortening(s), frame_angle(s)
     speed = p / l
-    sides = [_membrane(s, side, phi, u_y, (p, turning, ca.dot(along_u, s.speeds))) for side in range(2)]
+    u_dot = ca.dot(along_u, s.speeds)
+    sides = [_membrane(s, side, phi, u_y, (p, turning, u_dot)) for side in range(2)]
     axial = _axial(s, sides)
     end_dot = k("slope_by_q") * speed + k("slope_by_tau") * turning + k("slope_by_beta") * x[5]
     end_loss = loss * (STIFFNESS_QT * speed + STIFFNESS_TT * end_dot)
