@@ -117,6 +117,10 @@ class Builder:
             self.operations.append(operation)
         return self._known[operation]
 
+    def input(self, name: str, entry: int) -> int:
+        """An entry of an input."""
+        return self.add("input", place=(name, entry))
+
     def constant(self, value: float) -> int:
         """A number."""
         return self.add("constant", value=value)
@@ -238,10 +242,7 @@ def trace(traced: Callable[..., dict[str, list[Any]]], **sizes: int) -> Graph:
         Length of each input.
     """
     builder = Builder()
-    inputs = {
-        name: [Value(builder, builder.add("input", place=(name, i))) for i in range(size)]
-        for name, size in sizes.items()
-    }
+    inputs = {name: [Value(builder, builder.input(name, i)) for i in range(size)] for name, size in sizes.items()}
     outputs = traced(**inputs)
     stores = [
         Operation("store", (x.place if isinstance(x, Value) else builder.constant(float(x)),), (name, i))

@@ -117,12 +117,8 @@ class Powers:
 
     def derivative(self, variable: int) -> "Powers":
         """The derivative with respect to one variable."""
-        terms = {}
-        for powers, value in self.terms.items():
-            if powers[variable] > 0:
-                lower = (*powers[:variable], powers[variable] - 1, *powers[variable + 1 :])
-                terms[lower] = powers[variable] * value
-        return Powers(terms)
+        falling = [(powers, value) for powers, value in self.terms.items() if powers[variable] > 0]
+        return Powers({(*p[:variable], p[variable] - 1, *p[variable + 1 :]): p[variable] * v for p, v in falling})
 
     def at(self, moving: list[Expression], constant: list[Expression]) -> Expression:
         """The value for expressions: the last variables are `constant` and gathered into one factor of each power."""

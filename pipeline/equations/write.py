@@ -225,7 +225,7 @@ def _trace(
             continue
         if kind == ca.OP_INPUT:
             which, entry = function.instruction_input(i)
-            value = builder.add("input", place=(names[which], entry))
+            value = builder.input(names[which], entry)
         elif kind == ca.OP_CONST:
             value = builder.constant(float(function.instruction_constant(i)))
         else:
@@ -285,7 +285,7 @@ def _kernel(
             elif operation.operands and all(source[j].name == "constant" for j in operation.operands):
                 moved[i] = own.add(operation.name, *(visit(j) for j in operation.operands))
             else:
-                moved[i] = own.add("input", place=("p", prepared.setdefault(i, len(prepared))))
+                moved[i] = own.input("p", prepared.setdefault(i, len(prepared)))
         else:
             moved[i] = own.add(operation.name, *(visit(j) for j in operation.operands), place=operation.place)
         return moved[i]

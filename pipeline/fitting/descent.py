@@ -62,13 +62,6 @@ class Prior:
         return np.asarray(self.matrix @ theta - self.right)
 
 
-class ParallelProblem(ObservedProblem, Protocol):
-    """An observed problem that runs several parameter vectors side by side."""
-
-    def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
-        """Simulated minus measured of each row of `thetas`, shape (B, N); NaN where a simulation diverged."""
-
-
 class Descent:
     """Steps at one observer gain.
 
@@ -171,7 +164,9 @@ class Descent:
 
 
 class ParallelDescent(Descent):
-    """Descent on a `ParallelProblem`, with steps that bend along the valley of the cost.
+    """Descent with steps that bend along the valley of the cost, on a problem that runs several θ side by side.
+
+    Its ``residuals(thetas, gain)`` are simulated minus measured of each row of θ, shape (B, N); NaN where one diverged.
 
     Where parameters trade against each other the cost is a narrow curved valley, and a straight step is short or
     leaves it. The second derivative of the residual along a step, from one more simulation at a share of it, says how
@@ -179,8 +174,6 @@ class ParallelDescent(Descent):
 
     A step costs one Jacobian, two batches of simulations, N P² + 4 P³ flops.
     """
-
-    problem: ParallelProblem
 
     def _lower(self, full: FloatArray, slope: FloatArray, cost: float) -> tuple[FloatArray, FloatArray, float] | None:
         while self.damping < STRONGEST:

@@ -225,16 +225,14 @@ def main_model(models: Mapping[str, StoredModel], training: Training) -> tuple[s
         own = _by_horizon(models[first], training)
         for name, model in models.items():
             if name != first and (chaotic or lost[name] < lost[first]) and _surely(_by_horizon(model, training), own):
-                return name, f"{name} predicts the training logs surely better than {first} after {_times(own)}"
+                horizons = sorted({round(error.horizon_s, 3) for error in own})
+                after = " and ".join(f"{horizon:g} s" for horizon in horizons)
+                return name, f"{name} predicts the training logs surely better than {first} after {after}"
     return first, ""
 
 
 def _percent(error: float) -> str:
     return f"{100.0 * error:.2g} %" if error < 1.0 else "100 % or more"
-
-
-def _times(errors: list[HorizonError]) -> str:
-    return " and ".join(f"{horizon:g} s" for horizon in sorted({round(error.horizon_s, 3) for error in errors}))
 
 
 def _lost(model: StoredModel, record: Log) -> float:

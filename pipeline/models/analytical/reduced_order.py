@@ -23,7 +23,7 @@ from ...generated.analytical_joint import dissipation, dynamics
 from ...generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION
 from ...numerics.arrays import FloatArray, IntArray, sample_interval
 from ...numerics.compiled import compiled
-from ...numerics.fixed_step import Methods, integrator, workspace
+from ...numerics.fixed_step import Methods, integrator, run_status, workspace
 from ...numerics.linear_filters import first_order_lag
 from ...numerics.metrics import nrmse
 from ...numerics.stiff import INTERNAL, RITZ
@@ -298,16 +298,14 @@ def simulate_reduced(
     inputs = np.column_stack([v, np.zeros(t.size) if force is None else force])
     e = np.full((t.size, 2), np.nan)
     out = np.full((t.size, 3, 1), np.nan)
-    friction = np.array([parameters.F_c, parameters.s_c])
     system = ReducedSystem(
         inputs, 2 * steps, np.zeros(1, dtype=np.int64), reduced.q[0], reduced.q[1] - reduced.q[0], reduced.coefficients,
-        reduced.creep_gain, reduced.creep_rate, friction, np.array([q0, 0.0]), e, np.zeros(1), np.zeros(1), np.zeros(2),
-        np.zeros(3),
+        reduced.creep_gain, reduced.creep_rate, np.array([parameters.F_c, parameters.s_c]), np.array([q0, 0.0]), e,
+        np.zeros(1), np.zeros(1), np.zeros(2), np.zeros(3),
     )  # fmt: skip
     x = np.array([q0, qdot0, 0.0, 0.0])
     valid = _integrate(system, x, out, workspace(x), steps, interval / steps, reduced.q[0], reduced.q[-1])
-    diverged_at = None if valid == t.size else float(t[valid])
-    return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], e, diverged_at)
+    return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], e, run_status(t, valid)[1])
 
 
 def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> FloatArray:

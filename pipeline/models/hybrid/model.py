@@ -16,6 +16,7 @@ from scipy.interpolate import CubicSpline
 from ...fitting.posterior import first_order_curves, posterior_draws
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
+from ...numerics.fixed_step import run_status
 from ...signals.log import Log
 from ...signals.resampling import filtered_samples
 from ..base import NO_TUBES, FreeRun, TubeScale, checked
@@ -161,9 +162,7 @@ class HybridModel:
         states = self._simulate(None, t, v, np.array([q0, qdot0]))[0]
         diverged = np.flatnonzero(~np.isfinite(states[:, 0]))
         q, qdot, qddot = np.ascontiguousarray(states.T)
-        if len(diverged):
-            return FreeRun(t, q, qdot, qddot, "diverged", float(t[diverged[0]]))
-        return FreeRun(t, q, qdot, qddot, "ok")
+        return FreeRun(t, q, qdot, qddot, *run_status(t, int(diverged[0]) if len(diverged) else len(t)))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray

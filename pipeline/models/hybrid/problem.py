@@ -114,9 +114,7 @@ class CondensedJoint:
     def in_use(self, theta: FloatArray) -> FloatArray:
         """The same of a joint that has moved for `USED` and softens no more, as a controller meets it."""
         k = self.constants(theta)
-        softening = k[..., INDEX["softening"]]
-        rate = k[..., INDEX["softening_rate"]]
-        softer = 1.0 - softening * (1.0 - np.exp(-rate * USED))
+        softer = 1.0 - k[..., INDEX["softening"]] * (1.0 - np.exp(-k[..., INDEX["softening_rate"]] * USED))
         k[..., [INDEX["left_elastic"], INDEX["right_elastic"]]] *= softer[..., None]
         k[..., INDEX["softening"]] = 0.0
         return k

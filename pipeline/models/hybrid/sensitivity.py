@@ -87,14 +87,12 @@ def sensitivities(
     steps = (len(driven.squares) - 1) // 2
     active = np.flatnonzero(scale)
     x, z, starts, stops = _starts(coefficients, scale, active, widths, offset, driven, stepping)
-    p = prepare_rates(k[None])[0]
-    only = np.zeros(1, dtype=np.int64)
     points = np.empty((steps + 1, len(SHARES), STATES))
     slips = np.empty((steps + 1, STOPS))
     system = Joints(
-        (0,), p, np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3), driven.squares[None],
-        only, basis, weights[None], np.array([offset]), driven.observed, driven.pole, wall, lead,
-        reading, points, slips,
+        (0,), prepare_rates(k[None])[0], np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3),
+        driven.squares[None], np.zeros(1, dtype=np.int64), basis, weights[None], np.array([offset]), driven.observed,
+        driven.pole, wall, lead, reading, points, slips,
     )  # fmt: skip
     integrate_joints(system, x, np.empty((steps + 1, 3, 1)), workspace(x), 1, dt / substeps, -np.inf, np.inf)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))

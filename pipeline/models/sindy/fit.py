@@ -178,8 +178,8 @@ def _cross_validate(problem: Problem, candidate: Treatment) -> tuple[FloatArray,
     for fold in folds:
         dynamics = _fitted(problem, candidate, fold if len(folds) > 1 else None)
         terms = max(terms, len(dynamics.exponents) - 1)
-        blocks = [block for block in problem.blocks if block.fold == fold]
-        errors.append(float(np.mean([_error(problem, dynamics, block, i) for block in blocks for i in range(STARTS)])))
+        parts = ((block, i) for block in problem.blocks if block.fold == fold for i in range(STARTS))
+        errors.append(float(np.mean([_error(problem, dynamics, *part) for part in parts])))
     return np.array(errors), terms
 
 

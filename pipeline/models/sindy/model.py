@@ -224,10 +224,11 @@ class SindyModel(ModelFile):
 
     def _unit(self, powers: Any, row: int) -> str:
         """Unit of a coefficient: that of q̇ or q̈ over that of its monomial."""
-        metres = 1 - int(powers[Q] + powers[QDOT])
-        seconds = -1 - row + int(powers[QDOT])
-        volts = -int(powers[FIRST_INPUT:].sum()) * (2 if self.dynamics.squared else 1)
-        named = ((self.units[0], metres), ("s", seconds), (self.units[1], volts))
+        named = (
+            (self.units[0], 1 - int(powers[Q] + powers[QDOT])),
+            ("s", -1 - row + int(powers[QDOT])),
+            (self.units[1], -int(powers[FIRST_INPUT:].sum()) * (2 if self.dynamics.squared else 1)),
+        )
         parts = [f"{u}^{n}" if n != 1 else u for u, n in named if n and u != "1"]
         return f" {' '.join(parts)}" if parts else ""
 

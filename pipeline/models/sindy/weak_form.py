@@ -110,13 +110,12 @@ def weak_rows(
     """
     pysindy = importlib.import_module("pysindy")
     features = feature_library(x.shape[1], angle)
-    grid = interval * np.arange(len(x))
     with seeded():
         terms = np.asarray(features.fit_transform(x))
         exponents = exponents_of(features.get_feature_names([f"x{k}" for k in range(x.shape[1])]), x.shape[1])
         first = np.sort(np.unique(exponents, axis=0, return_index=True)[1])  # the libraries share some terms
         weak = pysindy.WeakPDELibrary(
-            pysindy.IdentityLibrary(), spatiotemporal_grid=grid, K=count, H_xt=half_width, p=4
+            pysindy.IdentityLibrary(), spatiotemporal_grid=interval * np.arange(len(x)), K=count, H_xt=half_width, p=4
         )
         rows = np.asarray(weak.fit_transform(terms[:, first]))
         target = np.asarray(weak.convert_u_dot_integral(qdot[:, None]))[:, 0]
