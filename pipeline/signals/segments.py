@@ -196,7 +196,19 @@ def _cut(bounds: IntArray, stamps: FloatArray, ends: FloatArray) -> IntArray:
 
 
 def resampled(group: Segments, grid: FloatArray, interval: float, *, decimate: bool) -> Iterator[FloatArray]:
-    """Values of a group of columns at all points of a grid, shape (k, m), piece after piece."""
+    """Values of a group of columns at all points of a grid, shape (k, m), piece after piece.
+
+    Parameters
+    ----------
+    group : Segments
+        Columns with k members.
+    grid : FloatArray, shape (M,)
+        Uniform times [s] inside the group's time span.
+    interval : float
+        Their step [s].
+    decimate : bool
+        Low-pass and decimate, or interpolate.
+    """
     position = 0
     for (low, high), (first, last, end) in _shares_of_grid(group, grid, interval):
         if position < first:
