@@ -124,17 +124,25 @@ def _starts(
     total = blocks(first + weights.size)
     starts, stops = (np.zeros((total, rows, BATCH), dtype=np.float32) for rows in (STATES, STOPS))
     x, z = rest_at_reading(q, stepping.reading, u, k, prepare_rates(k[None])[0], basis, weights, start[2])
-    moves: list[tuple[int, float, _Rest]] = []
-    for column, (step, unit) in enumerate(zip(PARAMETER_STEP * scale[active], np.eye(len(k))[active], strict=True)):
-        moves.append((column, step, (q, u, k + step * unit, weights)))
-    moves.append((len(active), -_SHIFT, (q + _SHIFT, u, k, weights)))
-    for column, by in enumerate(by_instruments, start=len(active) + 1):
-        step = 1e-6 * max(float(u.max()), 1.0) / max(float(np.abs(by).max()), 1e-12)
-        moves.append((column, step, (q, u + step * by, k, weights)))
-    for i, unit in enumerate(np.eye(weights.size)):
-        step = PARAMETER_STEP * widths[i // weights.shape[1]]
-        moves.append((first + i, step, (q, u, k, weights + step * unit.reshape(weights.shape))))
-    for column, step, (place, voltages, constants, changed) in moves:
+    steps = np.concatenate(
+        [
+            PARAMETER_STEP * scale[active],
+            [-_SHIFT],
+            1e-6 * max(float(u.max()), 1.0) / np.maximum(np.abs(by_instruments).max(axis=1), 1e-12),
+            PARAMETER_STEP * np.repeat(widths, weights.shape[1]),
+        ]
+    )
+    # Displacement [m], squared voltages [V²], constants and weights of a joint at rest, each column moved by its step
+    moved = [
+        *((q, u, k + step * unit, weights) for step, unit in zip(steps, np.eye(len(k))[active], strict=False)),
+        (q + _SHIFT, u, k, weights),
+        *((q, u + step * by, k, weights) for step, by in zip(steps[len(active) + 1 :], by_instruments, strict=False)),
+        *(
+            (q, u, k, weights + step * unit.reshape(weights.shape))
+            for step, unit in zip(steps[first:], np.eye(weights.size), strict=True)
+        ),
+    ]
+    for column, (step, (place, voltages, constants, changed)) in enumerate(zip(steps, moved, strict=True)):
         there, slipped = rest_at_reading(
             place, stepping.reading, voltages, constants, prepare_rates(constants[None])[0], basis, changed, start[2]
         )
@@ -143,7 +151,3 @@ def _starts(
     x[1] = start[1]
     x[3] = stepping.reading[1] * stepping.lead**2 * start[1]
     return x, z, starts, stops
-
-
-_Rest = tuple[float, FloatArray, FloatArray, FloatArray]
-"""Displacement [m], squared voltages [V²], constants and weights of a joint at rest."""
