@@ -212,8 +212,8 @@ class StaticPath:
         dF/dq [N/m]; negative where the free joint is unstable.
     energy : FloatArray, shape (N,)
         U − ½ΣC_i v_i² [J].
-    phi, u_y : FloatArray, shape (N,)
-        Tip rotation [rad] and axial displacement [m].
+    phi : FloatArray, shape (N,)
+        Tip rotation [rad].
     stretch, capacitance, capacitance_slope : FloatArray, shape (N, 2)
         λ_{1,i}, C_i [F] and dC_i/dq [F/m] along the path, left and right.
     stable : BoolArray, shape (N,)
