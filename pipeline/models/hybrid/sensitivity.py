@@ -14,8 +14,7 @@ from ...generated.condensed_joint import STATES, STOPS
 from ...numerics.arrays import FloatArray, SingleArray
 from ...numerics.fixed_step import SHARES, workspace
 from .columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
-from .kernels import CURVES, VALUES
-from .kernels import prepare as prepare_rates
+from .kernels import CURVES, VALUES, prepare
 from .runs import JointCoefficients, Joints, Stepping, integrate_joints
 from .statics import rest_at_reading
 
@@ -90,7 +89,7 @@ def sensitivities(
     points = np.empty((steps + 1, len(SHARES), STATES))
     slips = np.empty((steps + 1, STOPS))
     system = Joints(
-        (0,), prepare_rates(k[None])[0], np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3),
+        (0,), prepare(k[None])[0], np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3),
         driven.squares[None], np.zeros(1, dtype=np.int64), basis, weights[None], np.array([offset]), driven.observed,
         driven.pole, wall, lead, reading, points, slips,
     )  # fmt: skip
@@ -123,7 +122,7 @@ def _starts(
     first = len(active) + INSTRUMENTS
     total = blocks(first + weights.size)
     starts, stops = (np.zeros((total, rows, BATCH), dtype=np.float32) for rows in (STATES, STOPS))
-    x, z = rest_at_reading(q, stepping.reading, u, k, prepare_rates(k[None])[0], basis, weights, start[2])
+    x, z = rest_at_reading(q, stepping.reading, u, k, prepare(k[None])[0], basis, weights, start[2])
     steps = np.concatenate(
         [
             PARAMETER_STEP * scale[active],
@@ -144,7 +143,7 @@ def _starts(
     ]
     for column, (step, (place, voltages, constants, changed)) in enumerate(zip(steps, moved, strict=True)):
         there, slipped = rest_at_reading(
-            place, stepping.reading, voltages, constants, prepare_rates(constants[None])[0], basis, changed, start[2]
+            place, stepping.reading, voltages, constants, prepare(constants[None])[0], basis, changed, start[2]
         )
         starts[column // BATCH, :, column % BATCH] = (there - x) / step
         stops[column // BATCH, :, column % BATCH] = (slipped - z) / step
