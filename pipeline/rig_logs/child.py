@@ -12,7 +12,7 @@ import errno
 import os
 import re
 import struct
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from io import FileIO
@@ -25,7 +25,6 @@ from numpy.typing import NDArray
 from ..errors import disk_failure
 from ..system.isolation import Send, limit
 from ..system.package import module_at
-from .recording import for_any_variable, missing_channel
 from .source import (
     CsvOptions,
     Entry,
@@ -33,12 +32,15 @@ from .source import (
     Source,
     UnreadableChannelError,
     UnreadableLogError,
+    for_any_variable,
     left_out,
+    missing_channel,
     read_start,
     with_starts,
 )
 
 _LONGEST_ERROR = _LONGEST_TEXT = 2000
+_NO_SPACE = "the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
     "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS",
 }  # fmt: skip
@@ -49,10 +51,6 @@ _OF_LIBRARIES = (OSError, ValueError, KeyError, IndexError, TypeError, OverflowE
 
 _OF_A_CHANNEL = (UnreadableChannelError, KeyError, TypeError, NotImplementedError)
 """Raised where a library does not know a kind of channel; all else may be damage, for which a log is refused."""
-
-
-class _RefusedError(Exception):
-    """A complete message for the user."""
 
 
 def read_log(send: Send, request: dict[str, Any]) -> None:
@@ -69,12 +67,8 @@ def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
     limit(limits.memory(size), limits.seconds(size), limits.data_bytes + (1 << 22))
     try:
         return _read(path, request, limits, send)
-    except _RefusedError as error:
-        reason = str(error)
     except UnreadableLogError as error:
         reason = f"{path}: {error}"
-    except _NoSpaceError:
-        reason = f"{path}: the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
     except (MemoryError, *_OF_LIBRARIES) as error:
         system = disk_failure(error)
         reason = f"{path}: damaged or not what it claims to be ({type(error).__name__}: {error})"
@@ -88,7 +82,7 @@ def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
 def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> dict[str, Any]:
     source = open_source(path, CsvOptions(**request["csv"]), limits)
     entries = source.entries()
-    wanted = _wanted(path, entries, source.texts, request["channels"], source.warnings)
+    wanted = _wanted(entries, source.texts, request["channels"], source.warnings)
     by_name = {entry.name: entry for entry in entries}
     bases = {entry.time: by_name[entry.time] for _, entry in wanted if entry.time is not None}
     needed = {entry.name: entry for entry in (*bases.values(), *(entry for _, entry in wanted))}
@@ -106,60 +100,54 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
                 failed[names[0]] = error
                 if not alone or len(failed) == len(needed):
                     raise
-    places = {name: spool.places.get(name, []) for name in needed}
     wanted = [(name, entry) for name, entry in wanted if not {entry.name, entry.time} & failed.keys()]
     return {
         "format": source.format,
-        "notes": [*source.notes, *left_out({name: f"{error}" for name, error in failed.items()})],
+        "notes": [
+            *source.notes,
+            *source.counted.notes(needed.keys() - failed.keys()),
+            *left_out({name: f"{error}" for name, error in failed.items()}),
+        ],
         "warnings": source.warnings,
-        **_stated(source),
+        "rates": source.rates,
+        "frequencies": source.frequencies,
+        "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
+        "heading": source.heading[:_LONGEST_TEXT],
         "listed": [entry.name for entry in entries if entry.name not in failed],
         "channels": [
             {
                 "name": name,
                 "unit": entry.unit,
                 "dtype": entry.dtype,
-                "samples": places[entry.name],
-                "time": None if entry.time is None else places[entry.time],
+                "samples": spool.places[entry.name],
+                "time": None if entry.time is None else spool.places[entry.time],
             }
             for name, entry in wanted
         ],
     }
 
 
-def _stated(source: Source) -> dict[str, Any]:
-    """Metadata of the log: rates, descriptions, heading."""
-    return {
-        "rates": source.rates,
-        "frequencies": source.frequencies,
-        "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
-        "heading": source.heading[:_LONGEST_TEXT],
-    }
-
-
 def _wanted(
-    path: Path, entries: list[Entry], texts: Mapping[str, str], names: list[str] | None, warnings: list[str]
+    entries: list[Entry], texts: Mapping[str, str], names: list[str] | None, warnings: list[str]
 ) -> list[tuple[str, Entry]]:
     """The entries asked for, each under the name by which it was asked for."""
     if names is None:
         return [(entry.name, entry) for entry in entries]
     wild = [for_any_variable(entry.name) for entry in entries]
     times = Counter(wild)
-    by_alias = {alias: entry for alias, entry in zip(wild, entries, strict=True) if times[alias] == 1}
-    by_alias.update({alias: entry for entry in entries for alias in entry.aliases})
-    by_alias.update({entry.name: entry for entry in entries})
+    by_alias = (
+        {alias: entry for alias, entry in zip(wild, entries, strict=True) if times[alias] == 1}
+        | {alias: entry for entry in entries for alias in entry.aliases}
+        | {entry.name: entry for entry in entries}
+    )
     for name in names:
         if name in texts:
             way_out = "" if ":" in texts[name] or ";" in texts[name] else "; export it as numbers"
-            raise _RefusedError(f"{path}: channel {name!r} holds no plain numbers, but {texts[name]}{way_out}")
+            raise UnreadableLogError(f"channel {name!r} holds no plain numbers, but {texts[name]}{way_out}")
         if name not in by_alias:
             remarks = "".join(f"; {warning}" for warning in warnings)
-            raise _RefusedError(missing_channel(path, name, tuple(entry.name for entry in entries)) + remarks)
+            raise UnreadableLogError(missing_channel(name, [entry.name for entry in entries]) + remarks)
     return [(name, by_alias[name]) for name in names]
-
-
-class _NoSpaceError(Exception):
-    """The samples do not fit into the temporary folder."""
 
 
 class _Spool:
@@ -178,41 +166,36 @@ class _Spool:
     """
 
     def __init__(self, path: Path, file: FileIO, declared: int, limits: Limits) -> None:
-        self.places: dict[str, list[list[int]]] = {}
+        self.places: defaultdict[str, list[list[int]]] = defaultdict(list)
         self._path = path
         self._largest = limits.largest(path.stat().st_size)
         self._file = file
-        self._position = 0
         if declared > self._largest:
-            raise _RefusedError(f"{self._beyond(f'declares {declared / 1e6:.0f} MB')}; refused unread")
+            raise UnreadableLogError(f"{self._beyond(f'declares {declared / 1e6:.0f} MB')}; refused unread")
 
     def write(self, name: str, samples: NDArray[Any]) -> None:
         """Append a part of an entry."""
         if not len(samples):
             return
         content = np.ascontiguousarray(samples, dtype="<f8").data.cast("B")
-        if self._position + len(content) > self._largest:
-            raise _RefusedError(self._beyond("holds more"))
-        places = self.places.setdefault(name, [])
-        if places and places[-1][0] + 8 * places[-1][1] == self._position:
+        position = self._file.tell()
+        if position + len(content) > self._largest:
+            raise UnreadableLogError(self._beyond("holds more"))
+        places = self.places[name]
+        if places and places[-1][0] + 8 * places[-1][1] == position:
             places[-1][1] += len(samples)
         else:
-            places.append([self._position, len(samples)])
+            places.append([position, len(samples)])
         while content:
-            content = content[self._append(content) :]
-
-    def _append(self, content: memoryview) -> int:
-        try:
-            written = self._file.write(content)
-        except OSError as error:
-            raise _NoSpaceError from error
-        self._position += written
-        return written
+            try:
+                content = content[self._file.write(content) :]
+            except OSError as error:
+                raise UnreadableLogError(_NO_SPACE) from error
 
     def _beyond(self, what: str) -> str:
         size = self._path.stat().st_size / 1e6
         largest = self._largest / 1e6
-        return f"{self._path}: {what} of samples in a file of {size:.3g} MB, beyond the limit of {largest:.0f} MB"
+        return f"{what} of samples in a file of {size:.3g} MB, beyond the limit of {largest:.0f} MB"
 
 
 _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
@@ -241,29 +224,26 @@ class Format:
 
     Attributes
     ----------
-    name : str
-        Name for readers.
     module : str
         In `pipeline.rig_logs`; imported in the guarded child when such a file is opened.
     begins : callable
         Test of the first 1024 bytes of a file for the format.
     """
 
-    name: str
     module: str
     begins: Callable[[bytes], bool]
 
 
 FORMATS = (
-    Format("MDF", "mdf", lambda start: start.startswith((b"MDF ", b"UnFinMF "))),
-    Format("Parquet", "parquet", lambda start: start.startswith(b"PAR1")),
-    Format("MAT v7.3", "matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB ")),
-    Format("HDF5", "hdf5", lambda start: _is_hdf5(start)),
-    Format("TDMS", "tdms", lambda start: start.startswith(b"TDSm")),
-    Format("NPY", "numpy_arrays", lambda start: start.startswith(b"\x93NUMPY")),
-    Format("workbook", "workbook", lambda start: start.startswith(b"\xd0\xcf\x11\xe0")),
-    Format("compressed", "archives", lambda start: start.startswith((b"PK\x03\x04", b"\x1f\x8b", b"BZh", b"\xfd7zXZ"))),
-    Format("MAT v5", "matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
+    Format("mdf", lambda start: start.startswith((b"MDF ", b"UnFinMF "))),
+    Format("parquet", lambda start: start.startswith(b"PAR1")),
+    Format("matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB ")),
+    Format("hdf5", lambda start: _is_hdf5(start)),
+    Format("tdms", lambda start: start.startswith(b"TDSm")),
+    Format("numpy_arrays", lambda start: start.startswith(b"\x93NUMPY")),
+    Format("workbook", lambda start: start.startswith(b"\xd0\xcf\x11\xe0")),
+    Format("archives", lambda start: start.startswith((b"PK\x03\x04", b"\x1f\x8b", b"BZh", b"\xfd7zXZ"))),
+    Format("matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
 )
 """Tried in this order; what none of them takes is read as CSV."""
 _COMTRADE = re.compile(rb"[^\n]*\n *\d+, *\d+A, *\d+D")
@@ -289,9 +269,19 @@ def _is_matlab4(start: bytes) -> bool:
     return False
 
 
-def module_for(start: bytes) -> str:
-    """The module of `pipeline.rig_logs` that reads a file which begins so."""
-    return next((form.module for form in FORMATS if form.begins(start)), "csv")
+_KNOWN_BY_MORE: tuple[tuple[Callable[[bytes], object], str], ...] = (
+    (lambda start: start[257:262] == b"ustar", "this is an archive; unpack it"),
+    (
+        _COMTRADE.match,
+        "this is the configuration of a COMTRADE record; export the record with its scale factors applied as CSV",
+    ),
+    (
+        lambda start: start.startswith(b"MATLAB"),
+        "it begins like a MAT file, and the rest is damaged or missing",
+    ),
+    (_is_matlab4, "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"),
+)
+"""Formats that are refused by more than the bytes with which they begin."""
 
 
 def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
@@ -305,21 +295,12 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     start = read_start(path, START)
     if not start:
         raise UnreadableLogError("the file is empty")
-    module = module_for(start)
+    module = next((form.module for form in FORMATS if form.begins(start)), "csv")
     for magic, what in _KNOWN_BUT_NOT_READ.items():
         if module == "csv" and start.startswith(magic):
             raise UnreadableLogError(f"this is {what}")
-    if module == "csv" and start[257:262] == b"ustar":
-        raise UnreadableLogError("this is an archive; unpack it")
-    if module == "csv" and _COMTRADE.match(start):
-        raise UnreadableLogError(
-            "this is the configuration of a COMTRADE record; export the record with its scale factors applied as CSV"
-        )
-    if module == "csv" and start.startswith(b"MATLAB"):
-        raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
-    if module == "csv" and _is_matlab4(start):
-        raise UnreadableLogError(
-            "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"
-        )
+    for is_such, what in _KNOWN_BY_MORE:
+        if module == "csv" and is_such(start):
+            raise UnreadableLogError(what)
     source: Source = module_at(f"rig_logs.{module}").open_log(path, csv, limits)
     return with_starts(source)

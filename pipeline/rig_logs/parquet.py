@@ -83,14 +83,12 @@ class ParquetSource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Columns as numbers, NaN where they are null; time stamps as seconds since the first one."""
-        counted = self.counted
         for name in names:
             try:
                 for column in self._chunks(name):
-                    yield name, _numbers(name, column, counted)
+                    yield name, _numbers(name, column, self.counted)
             except (pa.ArrowInvalid, OSError) as error:
                 raise UnreadableLogError(f"column {name!r}: {error}") from error
-        self.notes += counted.notes(names)
 
     def _chunks(self, label: str) -> Iterator[Any]:
         """A column in chunked arrays; a row group may be as large as the log, so it is not read at once."""
@@ -152,8 +150,9 @@ def _is_time(kind: Any) -> bool:
 
 def _is_number(kind: Any) -> bool:
     """True if numbers are read from a column; a switch that is on or off is 1 or 0."""
-    kinds = (pa.types.is_integer, pa.types.is_floating, pa.types.is_decimal, pa.types.is_boolean)
-    return any(holds(kind) for holds in kinds)
+    return any(
+        holds(kind) for holds in (pa.types.is_integer, pa.types.is_floating, pa.types.is_decimal, pa.types.is_boolean)
+    )
 
 
 def _mapping(value: Any) -> dict[str, Any]:
