@@ -86,7 +86,7 @@ class Linearised:
 
     @property
     def reach(self) -> float:
-        """RMS residual that all instruments cause at their limits, if they err independently: less is of no interest."""
+        """RMS residual that all instruments cause at their limits, if they err independently; less does not matter."""
         return float(np.sqrt(np.sum(np.mean(self.by_corrections**2, axis=0))))
 
 
