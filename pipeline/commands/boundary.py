@@ -203,10 +203,6 @@ class ErrorBoundary(WholeLines):
 
     _given: Sequence[str] = ()
 
-    @property
-    def _as_json(self) -> bool:
-        return "--json" in self._given
-
     def main(self, *arguments: Any, **options: Any) -> Any:
         """Run the program; also help and version meet a standard output that takes nothing."""
         given = arguments[0] if arguments else options.get("args")
@@ -292,7 +288,7 @@ class ErrorBoundary(WholeLines):
 
     def _emit_error(self, message: str, exit_code: int) -> None:
         """Print a failure as the JSON document of a command with --json, unless it has printed its own before."""
-        if self._as_json and not printed:
+        if "--json" in self._given and not printed:
             with suppress(OSError):  # the exit code says the same
                 emit_json({"error": {"message": message, "exit_code": exit_code}})
 

@@ -249,8 +249,7 @@ def _ms(seconds: float | None) -> str:
 def _telling(poles: list[list[float]]) -> list[list[float]]:
     """The unstable pole, and the slowest pair that rings."""
     unstable = [pole for pole in poles if pole[0] > 0.0]
-    ringing = [pole for pole in poles if pole[1] > 1.0][:1]
-    return unstable + ringing
+    return unstable + [pole for pole in poles if pole[1] > 1.0][:1]
 
 
 def _pole(pole: list[float]) -> str:

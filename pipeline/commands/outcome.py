@@ -102,10 +102,10 @@ def emit_table_2(table: Iterable[Mapping[str, Any]]) -> None:
     """Print the rows of the paper's Table 2 (`pipeline.reporting.paper_page.table_2`)."""
     from ..reporting.paper_page import table_2_row
 
-    rows = []
-    for row in map(table_2_row, table):
-        cells = (f"{computed} ({printed})" if printed else computed for computed, printed in row["cells"])
-        rows.append((row["log"], row["model"], *cells))
+    rows = [
+        (row["log"], row["model"], *(f"{value} ({printed})" if printed else value for value, printed in row["cells"]))
+        for row in map(table_2_row, table)
+    ]
     title = "Table 2 of the paper: NRMSE in %, in brackets as printed"
     emit_table(title, ("log", "model", "q", "φ", "q̇", "q̈")[: len(rows[0])], rows, numeric_from=2)
 
@@ -286,9 +286,9 @@ class BatchProgress:
         self._running.remove(outcome.name)
         if self._quiet:
             return
-        state = f"failed: {outcome.reason}" if outcome.failed else "up to date" if _up_to_date(outcome) else "done"
-        line = f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"
-        line = printable(line)
+        well = "done" if outcome.processor_seconds else "up to date"  # which needs no process
+        state = f"failed: {outcome.reason}" if outcome.failed else well
+        line = printable(f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)")
         if self._bar is None:  # a cluster's log: each line stands alone
             typer.echo(f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} {line}", err=True)
         else:
@@ -302,29 +302,25 @@ class BatchProgress:
             self._bar.update(self._bar.task_ids[0], completed=self._done, description=names)
 
 
-def _up_to_date(outcome: "Outcome") -> bool:
-    """True if the outcome needed no process."""
-    return outcome.exit_code == 0 and not outcome.processor_seconds
-
-
 def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool) -> None:
     """Print how every prototype went, with its NRMSE of q on the validation logs."""
     if as_json:
         emit_json({"output": output, "prototypes": [asdict(outcome) for outcome in outcomes]})
         return
-    rows = [(outcome.name, _state(outcome), outcome.reason or _summary(output / outcome.name)) for outcome in outcomes]
+    rows = [
+        (
+            outcome.name,
+            "not started" if outcome.exit_code is None else "failed" if outcome.failed else "ok",
+            outcome.reason or _summary(output / outcome.name),
+        )
+        for outcome in outcomes
+    ]
     emit_table(f"{output}", ("prototype", "state", "validation NRMSE of q, or the reason"), rows, numeric_from=None)
     cost = sum(outcome.processor_seconds for outcome in outcomes)
     if cost:
         memory = max(outcome.memory_bytes for outcome in outcomes)
         counted = f"; at most {memory / 1e6:.0f} MB of memory in a process" if memory else ""
         typer.echo(f"{cost:.1f} s of processor time{counted}")
-
-
-def _state(outcome: "Outcome") -> str:
-    if outcome.exit_code is None:
-        return "not started"
-    return "failed" if outcome.failed else "ok"
 
 
 def _summary(run: Path) -> str:

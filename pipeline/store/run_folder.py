@@ -143,12 +143,10 @@ class RunFolder:
         recover(root)
         sweep(root)
         stored = load_manifest(root)
-        manifest.artifacts = stored.artifacts
-        manifest.stages = stored.stages
-        manifest.set_aside = stored.set_aside
-        if (stored.prototype, stored.prototype_file) != (manifest.prototype, manifest.prototype_file):
-            replace(stored, prototype=manifest.prototype, prototype_file=manifest.prototype_file).save(root)
-        return cls(root, manifest)
+        kept = replace(stored, prototype=prototype, prototype_file=manifest.prototype_file)
+        if kept != stored:
+            kept.save(root)
+        return cls(root, kept)
 
     @property
     def prototype(self) -> Prototype:
@@ -383,10 +381,6 @@ class RunFolder:
             write_text(self._staged(stage_file(stage)), stage_text(stage, stages[stage]), within=self.root)
         if changed:
             commit(self.root, self.manifest, map(stage_file, changed))
-
-    def recover(self) -> None:
-        """Complete a commit that was interrupted; remove what no commit will ask for."""
-        recover(self.root)
 
     def set_aside(self, name: str) -> Path:
         """Move a damaged artifact out of the way, never deleting it; returns its new path."""

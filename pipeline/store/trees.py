@@ -104,7 +104,8 @@ def parse_tree(content: bytes, path: Path, group: str = "/") -> Tree:
         It is damaged, or the branch is missing.
     """
     try:
-        return _parsed(content, group)
+        with h5py.File(BytesIO(content), "r") as file:
+            return _Reader(len(content)).group(file[group].id)
     except _UNREADABLE as error:
         if memory_failure(error):
             raise MemoryError from error
@@ -112,11 +113,6 @@ def parse_tree(content: bytes, path: Path, group: str = "/") -> Tree:
         raise CorruptArtifactError(
             f"{path}: damaged or incomplete ({reason}); `debist run` sets it aside and rebuilds it"
         ) from error
-
-
-def _parsed(content: bytes, group: str) -> Tree:
-    with h5py.File(BytesIO(content), "r") as file:
-        return _Reader(len(content)).group(file[group].id)
 
 
 class _Reader:

@@ -139,8 +139,9 @@ def reason_of(exit_code: int, stderr: str) -> str:
     if exit_code < 0:
         return f"ended by {death(exit_code)}; what is written is whole, and the same command goes on"
     lines = [line for line in stderr.splitlines() if line.strip()]
-    if exit_code == 1:
-        return _last_of_traceback(lines)
+    if exit_code == 1:  # a traceback ends with the exception
+        own = [line for line in lines if not line.startswith(("debist: ", "warning: "))]
+        return f"a bug of debist: {own[-1].strip()}" if own else death(1)
     errors = [number for number, line in enumerate(lines) if line.startswith("debist: ")]
     if not errors:
         return (lines or [death(exit_code)])[-1]
@@ -148,12 +149,6 @@ def reason_of(exit_code: int, stderr: str) -> str:
     return (
         lines[errors[-1]].removeprefix("debist: ") + (": " if more else "") + "; ".join(line.strip() for line in more)
     )
-
-
-def _last_of_traceback(lines: Sequence[str]) -> str:
-    """The exception that a traceback ends with."""
-    own = [line for line in lines if not line.startswith(("debist: ", "warning: "))]
-    return f"a bug of debist: {own[-1].strip()}" if own else death(1)
 
 
 class BatchObserver(Protocol):

@@ -35,12 +35,10 @@ def load_settings(prototype_file: Path) -> Prototype:
     try:
         prototype = parse_prototype(document, str(prototype_file))
         mistakes = list[str]()
-    except SeveralMistakesError as error:
-        prototype = None
-        mistakes = list(error.lines[1:])
     except InputError as error:
         prototype = None
-        mistakes = [str(error).removeprefix(f"{prototype_file}: ")]
+        several = error.lines[1:] if isinstance(error, SeveralMistakesError) else ()
+        mistakes = [*several] or [str(error).removeprefix(f"{prototype_file}: ")]
     mistakes += _wrong_units(document)
     if prototype is not None and not mistakes:
         device(prototype)  # whether the units suit each other

@@ -88,9 +88,7 @@ def measured_curves(run: RunFolder, prototype: Prototype) -> dict[str, FloatArra
 
 def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:
     """The rows of `debist check`; none in a run of before they were made."""
-    if layout.CHECK not in run.manifest.artifacts:
-        return ()
-    return tuple(run.read_document(layout.CHECK)["rows"])
+    return tuple(run.read_document(layout.CHECK)["rows"]) if layout.CHECK in run.manifest.artifacts else ()
 
 
 def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
@@ -159,8 +157,7 @@ def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
 
 
 def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
-    made = {m: layout.predictions(role, name, m) for m in models}
-    made = {m: artifact for m, artifact in made.items() if artifact in run.manifest.artifacts}
+    made = {m: a for m in models if (a := layout.predictions(role, name, m)) in run.manifest.artifacts}
     return LogData(
         role=role,
         name=name,
@@ -176,22 +173,22 @@ def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: s
 
 def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
     """Provenance of every number: settings, raw logs, artifacts, versions. No times, no machine's paths."""
-    artifacts = []
-    sources = []
-    for role, name, path in layout.logs(prototype):
-        recipe = run.record(layout.record(role, name)).recipe
-        sources += [{"log": log_title(role, name), "file": path, "sha256": digest} for digest in recipe.inputs.values()]
-    for artifact, record in sorted(run.manifest.artifacts.items()):
-        if record.recipe.stage != "report":
-            artifacts.append(
-                {
-                    "artifact": artifact,
-                    "stage": record.recipe.stage,
-                    "algorithm": record.recipe.algorithm,
-                    "content_hash": record.content_hash,
-                    "bytes": record.bytes,
-                }
-            )
+    sources = [
+        {"log": log_title(role, name), "file": path, "sha256": digest}
+        for role, name, path in layout.logs(prototype)
+        for digest in run.record(layout.record(role, name)).recipe.inputs.values()
+    ]
+    artifacts = [
+        {
+            "artifact": artifact,
+            "stage": record.recipe.stage,
+            "algorithm": record.recipe.algorithm,
+            "content_hash": record.content_hash,
+            "bytes": record.bytes,
+        }
+        for artifact, record in sorted(run.manifest.artifacts.items())
+        if record.recipe.stage != "report"
+    ]
     return {
         "prototype": json.loads(prototype.model_dump_json()),
         "prototype_file": run.manifest.prototype_file.rpartition("/")[2],
@@ -237,19 +234,17 @@ def load_datasheet(root: Path) -> dict[str, Any]:
 
 def ingested(run: RunFolder) -> list[dict[str, Any]]:
     """Ingest results of each log: rows of its uniform record, their interval [s], masked rows, and gaps in time."""
-    results = []
-    for role, log, path in layout.logs(run.prototype):
-        notes = run.record(layout.signals(role, log)).notes
-        results.append(
-            {
-                "log": log_title(role, true_name(path)),
-                "rows": notes["rows"],
-                "masked_rows": notes["masked_rows"],
-                "interval_s": notes["interval"],
-                "gaps": notes["gaps_in_time"],
-            }
-        )
-    return results
+    return [
+        {
+            "log": log_title(role, true_name(path)),
+            "rows": notes["rows"],
+            "masked_rows": notes["masked_rows"],
+            "interval_s": notes["interval"],
+            "gaps": notes["gaps_in_time"],
+        }
+        for role, log, path in layout.logs(run.prototype)
+        for notes in [run.record(layout.signals(role, log)).notes]
+    ]
 
 
 def differentiated(run: RunFolder) -> list[dict[str, Any]]:

@@ -12,7 +12,7 @@ from ..errors import DebistError
 from ..settings.prototype import Prototype, load_prototype
 from ..store import layout
 from ..store.atomic import run_lock, sweep
-from ..store.manifest import MANIFEST, load_manifest
+from ..store.manifest import MANIFEST, load_manifest, recover
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import Typeface
 from . import prior_knowledge as side_files
@@ -235,7 +235,7 @@ def run_stage(
 
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
     """Strike off damaged or lost artifacts of other commands: no stage makes them anew."""
-    run.recover()
+    recover(run.root)
     for name in [name for name in run.manifest.artifacts if layout.command_of(name)]:
         if problem := run.strike(name):
             observer.warned(name, f"{problem}; `debist {layout.command_of(name)}` makes it anew")

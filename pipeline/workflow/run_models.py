@@ -131,7 +131,9 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
     """A model of the run, the main model if none is named, and what travels along with it."""
     chosen, artifact = model_artifact(run, prototype, name)
     model = model_from_tree(chosen, run.read_tree(artifact, chosen))
-    check = _check_log(run, prototype)
+    # The first validation log, or the first training log where there is none; of one with gaps the longest part.
+    role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
+    check = load_motion(run, prototype, role, log).longest_part()
     logs = load_logs(run, prototype, "train")
     return subject_on(check, model, prototype, logs, chosen, run.record(artifact).content_hash)
 
@@ -172,12 +174,6 @@ def subject_on(
         start=(start.q0, start.qdot0),
         curve_units=device(prototype).curve_units,
     )
-
-
-def _check_log(run: RunFolder, prototype: Prototype) -> Log:
-    """The first validation log, or the first training log where there is none; of one with gaps the longest part."""
-    role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
-    return load_motion(run, prototype, role, log).longest_part()
 
 
 def validity_of(logs: Sequence[Log], prototype: Prototype) -> "Validity":

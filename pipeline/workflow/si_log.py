@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -79,11 +79,9 @@ def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | 
         at = np.interp(velocity[0], time[measured], phi[measured])
         velocity = velocity[0], velocity[1] * displacement_of_rotation(at, parameters)[1]
 
-    def displacement() -> Iterator[FloatArray]:
-        """Parts of the log, so that a long log does not lie in memory."""
-        return (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
-
-    return replace(log, q=(time, column(phi.size, displacement(), np.float64)), velocity=velocity)
+    # Part by part, so that a long log does not lie in memory.
+    displacement = (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
+    return replace(log, q=(time, column(phi.size, displacement, np.float64)), velocity=velocity)
 
 
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
@@ -143,8 +141,13 @@ def on_uniform_clocks(log: RawLog) -> RawLog:
     made = [
         (time if (clock := clocks[id(time)]) is None else clock.time, samples) for time, samples in signals.values()
     ]
-    inputs = len(log.inputs)
-    return RawLog(made[0], tuple(made[1 : inputs + 1]), made[-1] if made[inputs + 1 :] else None, tuple(notes))
+    return _raw_log(made, len(log.inputs), notes)
+
+
+def _raw_log(signals: Iterable[Signal], inputs: int, notes: Iterable[str]) -> RawLog:
+    """A log of q, so many inputs, and perhaps a velocity."""
+    q, *others = signals
+    return RawLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
 
 
 def part_of_log(log: RawLog, span: tuple[float, float], path: Path) -> RawLog:
@@ -165,9 +168,8 @@ def part_of_log(log: RawLog, span: tuple[float, float], path: Path) -> RawLog:
             f"{path}: has no sample from {span[0]:.6g} to {span[1]:.6g} s: its time runs from "
             f"{np.nanmin(log.q[0]):.6g} to {np.nanmax(log.q[0]):.6g} s; correct start and stop in [logs]"
         )
-    q, *others = ((bases[id(time)], samples[rows[id(time)]]) for time, samples in signals)
-    inputs = len(log.inputs)
-    return RawLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, log.notes)
+    cut = ((bases[id(time)], samples[rows[id(time)]]) for time, samples in signals)
+    return _raw_log(cut, len(log.inputs), log.notes)
 
 
 def _within(time: FloatArray, span: tuple[float, float]) -> "slice | BoolArray":
@@ -224,14 +226,13 @@ def _si_log(recording: Recording, prototype: Prototype, plant: Device, clocks: M
                 f"{recording.path}: channel {channel.channel!r} has {samples.size} samples, but its time has "
                 f"{base.size}; they are not of one recording, or the log was cut"
             )
-    q, *others = (
+    held_or_read = (
         _held(recording.path, channel, bases[0], (base, samples))
         if channel.on_change
         else _without_blanks((base, samples), name, notes, alone=base is not bases[0])
         for (channel, _), name, base, samples in zip(signals, names, bases, columns, strict=True)
     )
-    inputs = len(plant.inputs)
-    return RawLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
+    return _raw_log(held_or_read, len(plant.inputs), notes)
 
 
 def _without_blanks(signal: Signal, name: str, notes: list[str], *, alone: bool) -> Signal:

@@ -1,7 +1,7 @@
 """Ingest and differentiate: raw logs to uniform records in SI units, and these to kinematics."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
@@ -14,7 +14,6 @@ from ..numerics.arrays import FloatArray
 from ..settings.logs import Role
 from ..settings.prototype import LogGate, Prototype
 from ..signals.corrections import Corrections
-from ..signals.log import RawLog
 from ..signals.uniform_record import Resampling
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
@@ -27,9 +26,6 @@ from .steps.differentiate import kinematics
 from .steps.ingest import examined, record_columns, resamplings
 
 ALGORITHM = "20"
-
-Reader = Callable[[Callable[[float], None]], RawLog]
-"""A function that reads a log, and reports the share of it that is read."""
 
 
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
@@ -85,25 +81,14 @@ def _task(
         work=partial(
             _ingest,
             prototype=prototype,
-            read=partial(_read, prototype, parameters, path, span, by),
-            where=str(path),
+            parameters=parameters,
+            path=path,
+            span=span,
+            by=by,
             outputs=(layout.record(role, log), layout.signals(role, log)),
         ),
         reports=True,
     )
-
-
-def _read(
-    prototype: Prototype,
-    parameters: JointParameters | None,
-    path: Path,
-    span: tuple[float, float],
-    by: Corrections,
-    progress: Callable[[float], None],
-) -> RawLog:
-    """The part of a log that the settings name, in SI units and corrected; see `_task`."""
-    raw = part_of_log(read_si(path, prototype, parameters, progress), span, path)
-    return corrected_log(raw, by) if by.act else raw
 
 
 def _ingest(
@@ -111,13 +96,17 @@ def _ingest(
     on_progress: OnProgress,
     *,
     prototype: Prototype,
-    read: Reader,
-    where: str,
+    parameters: JointParameters | None,
+    path: Path,
+    span: tuple[float, float],
+    by: Corrections,
     outputs: tuple[str, str],
 ) -> Mapping[str, Written]:
-    signals = read(partial(on_progress, "reading"))
+    """Write the records of the part of a log that the settings name, corrected; see `_task`."""
+    raw = part_of_log(read_si(path, prototype, parameters, partial(on_progress, "reading")), span, path)
+    signals = corrected_log(raw, by) if by.act else raw
     on_progress("examining", 0.0)
-    log_seen = examined(signals, prototype, where)
+    log_seen = examined(signals, prototype, str(path))
     written = {}
     kinds = (schemas.RECORD, schemas.SIGNALS)
     for name, kind, resampling in zip(outputs, kinds, resamplings(log_seen, prototype.ingest), strict=True):

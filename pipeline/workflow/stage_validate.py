@@ -15,7 +15,7 @@ from ..device.device import Device, device
 from ..device.parameters import JointParameters, parameter_values
 from ..diagnostics.characteristics import believed_wells, stable_rests
 from ..models.analytical.statics import RotationMap, rotation_map
-from ..models.base import DynamicModel, FreeRun
+from ..models.base import FreeRun
 from ..models.free_runs import Tubes, free_run, tube_columns
 from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
@@ -89,17 +89,12 @@ def _predict(
     seen = stable_rests(model, [log.q for log in trained])
     wells = believed_wells(wells_of(list(logs.values()), plant=plant), name, seen, plant=plant)
     for (role, log_name), log in logs.items():
-        if not written:
-            _compile(model, log)
+        if not written:  # have the kernels compiled, once per machine: that is no part of the time of a run
+            free_run(log.parts()[0].part(0, 3), model)
         result, tubes, notes = validated(log, model, wells, trained, plant)
         artifact = layout.predictions(role, log_name, name)
         written[artifact] = _write(run, artifact, plant, rotation, result, tubes, {"stable_rests": seen} | notes)
     return written
-
-
-def _compile(model: DynamicModel, log: Log) -> None:
-    """Have the model's kernels compiled, which is done once per machine and is no part of the time of a run."""
-    free_run(log.parts()[0].part(0, 3), model)
 
 
 def _write(

@@ -54,8 +54,7 @@ def validated(
     began = time.process_time()
     result = free_run(log, model)
     notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
-    ahead = {name: seconds for name, (seconds, _) in HORIZONS.items()}
-    notes["horizons"] = _horizons(log, model, ahead, plant)
+    notes["horizons"] = _horizons(log, model, {name: seconds for name, (seconds, _) in HORIZONS.items()}, plant)
     notes["basis_functions"] = model.describe().get("basis_functions")
     ensemble = drawn_runs(log, model) if isinstance(model, HasTubes) or isinstance(wells, Wells) else None
     notes |= trust_notes(log, wells, trained, ensemble, plant)
@@ -124,10 +123,9 @@ def _outcomes(log: Log, wells: Wells | NoWells, ensemble: FloatArray | None, pla
     if ensemble is None or not isinstance(wells, Wells) or not after:
         return None
     outcomes = pulse_outcomes(ensemble, after, wells)
-    ends = [float(log.t[rest.stop - 1]) for rest in after]
     return {
         "draws": DRAWS,
-        "at_s": ends,
+        "at_s": [float(log.t[rest.stop - 1]) for rest in after],
         "right": outcomes.probability_right.tolist(),
         "ambiguous": outcomes.ambiguous.tolist(),
     }

@@ -84,8 +84,7 @@ def learn_siblings(roots: Sequence[Path], output: Path) -> LearntFile:
     except DataRefusedError as error:
         reasons = "".join(f"; left out: {reason}" for reason in left_out.values())
         raise DataRefusedError(f"{error}{reasons}") from None
-    parameters = next(iter(models.values())).joint.parameters
-    write_tree(output, to_tree(learnt, parameters, origins), column)
+    write_tree(output, to_tree(learnt, next(iter(models.values())).joint.parameters, origins), column)
     return LearntFile(output, tuple(models), left_out, learnt)
 
 
