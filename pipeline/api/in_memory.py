@@ -273,8 +273,7 @@ def score_table(model: DynamicModel, log: Log, plant: Device) -> list[dict[str, 
     """
     run = free_run(log, model)
     pairs = {name: (getattr(log, name), getattr(run, name)) for name in ("q", "qdot", "qddot")}
-    rests = stable_rests(model, [log.q])
-    wells = believed_wells(wells_of([log], plant=plant), model.name, rests, plant=plant)
+    wells = believed_wells(wells_of([log], plant=plant), model.name, stable_rests(model, [log.q]), plant=plant)
     compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
     return [
         {"signal": row["signal"], "fit_percent": _or_nan(fit_percent(*pairs[row["signal"]])), "unit": row["unit"]}

@@ -259,9 +259,8 @@ class Model:
         if ax is None:
             ax = pyplot.subplots(figsize=(7.16, 2.6), layout="constrained")[1]
         unit, factor = axis_scale(self._units[0], float(abs(log.known_q).max()))
-        note = fit_note(log.q, run.q)
-        if run.diverged_at_s is not None:
-            note = f"diverged at {moment(run.diverged_at_s)}"
+        ended = run.diverged_at_s
+        note = fit_note(log.q, run.q) if ended is None else f"diverged at {moment(ended)}"
         ax.plot(log.t, factor * log.q, color="0.6", linewidth=2.5, label="measured")
         ax.plot(log.t, factor * run.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
         ax.set(xlabel="time in s", ylabel=f"q in {unit}")

@@ -266,8 +266,10 @@ class ErrorBoundary(WholeLines):
         except (typer.Exit, typer.Abort):
             raise
         except Exception as error:
-            if isinstance(error, OSError) and _stdout_fails():
-                if _reader_has_gone(error):
+            if (
+                isinstance(error, OSError) and _stdout_fails()
+            ):  # Windows calls a reader that has gone an invalid argument
+                if isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL):
                     raise _unread() from error
                 raise
             if _of_typer(error):
@@ -348,11 +350,6 @@ def _remedy(error: Exception) -> str | None:
     return None
 
 
-def _reader_has_gone(error: OSError) -> bool:
-    """True if nobody reads standard output any more, which Windows calls an invalid argument."""
-    return isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL)
-
-
 def _stdout_fails() -> bool:
     """True if standard output takes nothing more, as on a full disk."""
     try:
@@ -378,11 +375,13 @@ def with_options(command: Callable[..., None]) -> Callable[..., None]:
         for name, parameter in signature.parameters.items()
         if is_dataclass(parameter.annotation)
     }
-    parameters: list[inspect.Parameter] = []
-    for name, parameter in signature.parameters.items():
-        parameters += (
+    parameters = [
+        each.replace(kind=inspect.Parameter.KEYWORD_ONLY)
+        for name, parameter in signature.parameters.items()
+        for each in (
             inspect.signature(groups[name], eval_str=True).parameters.values() if name in groups else [parameter]
         )
+    ]
 
     @wraps(command)
     def from_options(**values: Any) -> None:
@@ -391,7 +390,6 @@ def with_options(command: Callable[..., None]) -> Callable[..., None]:
             values[name] = group(**{field.name: values.pop(field.name) for field in fields(group)})
         command(**values)
 
-    keyword_only = [parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY) for parameter in parameters]
-    from_options.__signature__ = signature.replace(parameters=keyword_only)  # type: ignore[attr-defined]
+    from_options.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]
     from_options.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
     return from_options

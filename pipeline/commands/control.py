@@ -154,8 +154,7 @@ def pulse(
         control.check_pulse_name(output)
     with Progress(quiet=quiet) as progress:
         design = control.pulse(run, snap.to, snap.start, snap.minimise, _settings(max_voltage, lag), progress)
-    place = output or run / layout.EXPORTS / f"pulse-to-{snap.to}.csv"
-    files = control.write_pulse(run, design, place, force=force)
+    files = control.write_pulse(run, design, output or run / layout.EXPORTS / f"pulse-to-{snap.to}.csv", force=force)
     if as_json:
         emit_json({"files": files, **design})
         return

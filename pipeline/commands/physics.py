@@ -104,8 +104,7 @@ def equilibria(
     pull = parse_quantity(force, ("N",), "--force")
     held = statics.equilibria(joint, np.array([left, right]), pull)
     if figure is not None:
-        energy = physics.energy_over_q(joint, v1=left, v2=right, force=pull)
-        _draw(figure, "equilibria_figure", joint, held, energy)
+        _draw(figure, "equilibria_figure", joint, held, physics.energy_over_q(joint, v1=left, v2=right, force=pull))
     if as_json:
         rests = [{"q_m": e.q, "phi_rad": e.phi, "stable": e.stable, "energy_J": e.energy} for e in held]
         emit_json({"equilibria": rests})

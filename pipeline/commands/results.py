@@ -244,9 +244,8 @@ def _study_document(result: "StudyResult") -> Any:
 
     units = result.units
     of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
-    columns = with_units(result.columns, units)
     notes = with_units(result.notes, of_notes)
-    return to_json({"columns": columns, "figure": result.figure, "notes": notes})
+    return to_json({"columns": with_units(result.columns, units), "figure": result.figure, "notes": notes})
 
 
 def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:

@@ -115,12 +115,22 @@ def _files(crate: Any, run: RunFolder, packed: Packed, place: Path) -> tuple[lis
     objects = [_file(crate, place / name, name, name) for name in texts]
     objects += [_file(crate, source, name, f"Input {source.name}") for name, source in packed.inputs.items()]
     results = [_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts")]
-    for name, record in sorted(run.manifest.artifacts.items()):
-        title = f"{record.recipe.stage}: {name}"
-        results.append(_file(crate, run.checked(name), f"run/{name}", title, contentHash=record.content_hash))
-    for stage in (stage for stage in run.manifest.stages if not run.stage_problem(stage)):
-        name = stage_file(stage)
-        results.append(_file(crate, run.path(name), f"run/{name}", f"Content hashes of the stage {stage}"))
+    results += [
+        _file(
+            crate,
+            run.checked(name),
+            f"run/{name}",
+            f"{record.recipe.stage}: {name}",
+            contentHash=record.content_hash,
+        )
+        for name, record in sorted(run.manifest.artifacts.items())
+    ]
+    results += [
+        _file(crate, run.path(name), f"run/{name}", f"Content hashes of the stage {stage}")
+        for stage in run.manifest.stages
+        if not run.stage_problem(stage)
+        for name in [stage_file(stage)]
+    ]
     return objects, results
 
 

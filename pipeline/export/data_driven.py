@@ -256,10 +256,9 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
 
     table: dict[str, Any] = {"exponents": d.exponents, "coefficients": d.coefficients, "scales": d.scales}
     table |= {"lag": np.array([lag.time for lag in d.lags]), "lag_source": np.array([lag.source for lag in d.lags])}
-    bounds = {"low": d.low, "high": d.high, "squared": int(d.squared)}
     return Realisation(
         functions=_functions(rates, start, d.scales[FIRST_INPUT:], d.squared, d.low, d.high, 2 + len(d.lags)),
-        constants=table | bounds,
+        constants=table | {"low": d.low, "high": d.high, "squared": int(d.squared)},
         inputs=d.inputs,
         states=(
             *_states(unit),

@@ -191,14 +191,12 @@ def facts(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1):
         declared.append(_constant(f"v{i}_min", low, unit, f"least value of input {i} in the training logs"))
         declared.append(_constant(f"v{i}_max", high, unit, f"largest value of input {i} in the training logs"))
-    interval = v.sample_interval
-    step = realisation.step
-    delay = realisation.delay
+    samples = "interval of the samples on which the model was identified"
     return [
         *declared,
-        _constant("sample_interval", interval, "s", "interval of the samples on which the model was identified"),
-        _constant("longest_step", step, "s", "longest internal step of co-simulation"),
-        _constant("delay", delay, "s", "outputs belong to a time this much later than the voltages"),
+        _constant("sample_interval", v.sample_interval, "s", samples),
+        _constant("longest_step", realisation.step, "s", "longest internal step of co-simulation"),
+        _constant("delay", realisation.delay, "s", "outputs belong to a time this much later than the voltages"),
     ]
 
 
@@ -240,7 +238,6 @@ def description(subject: Subject, realisation: Realisation, guid: str) -> str:
     places = {fact.name: i for i, fact in enumerate(declared, start=1)}
     outputs = [places[fact.name] for fact in declared if fact.causality == "output"]
     derivatives = [places[fact.name] for fact in declared if fact.derivative]
-    states = [places[x.name] for x in realisation.states]
     fields: dict[str, Any] = model_fields(subject, realisation) | {
         "guid": guid,
         "description": f"{realisation.structure}. Training range: {'; '.join(bounds(subject))}.",
@@ -249,7 +246,7 @@ def description(subject: Subject, realisation: Realisation, guid: str) -> str:
         "stop": math.ceil(float(subject.t[-1] - subject.t[0])),
         "outputs": outputs,
         "derivatives": derivatives,
-        "initial": sorted([*outputs, *states, *derivatives]),
+        "initial": sorted([*outputs, *(places[x.name] for x in realisation.states), *derivatives]),
     }
     return render("modelDescription.xml.j2", fields)
 

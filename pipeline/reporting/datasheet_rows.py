@@ -119,8 +119,12 @@ class CalibratedRow:
 
 
 def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
-    """One row for each quantity that the hybrid model's fit moves; none of another main model."""
-    return [_row(fitted) for fitted in _known(calibrated(data.models.get(sheet.main_model)))]
+    """One row for each quantity that the hybrid model's fit moves; none of another main model.
+
+    Pure numbers of the beam's higher terms are left out: their names mean nothing outside the equations.
+    """
+    quantities = calibrated(data.models.get(sheet.main_model))
+    return [_row(fitted) for fitted in quantities if fitted.unit != "1" or fitted.nominal == 1.0]
 
 
 def structure_summary(data: RunData, sheet: Datasheet) -> str:
@@ -144,11 +148,6 @@ def structure_summary(data: RunData, sheet: Datasheet) -> str:
             f"Errors over the last quarters of the training logs, of the operating range: {', '.join(ablation)}."
         )
     return " ".join(sentence for sentence in sentences if sentence)
-
-
-def _known(quantities: Sequence[Calibrated]) -> list[Calibrated]:
-    """Quantities without pure numbers of the beam's higher terms, whose names mean nothing outside the equations."""
-    return [fitted for fitted in quantities if fitted.unit != "1" or fitted.nominal == 1.0]
 
 
 def _row(fitted: Calibrated) -> CalibratedRow:
@@ -175,7 +174,6 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
         (check["about"], check["grade"], check["statement"], "" if check["grade"] == "good" else check["advice"])
         for check in assessment["checks"]
     ]
-    line = f"data {assessment['data']}, model {document['judged_model']} {assessment['model']}"
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
     if document["facts_from"] == document["judged_model"] and is_refused(assessment["checks"]):
         source += NOT_USED
@@ -185,7 +183,7 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
         [texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
         element_rows(document.get("elements", ())),
         checks,
-        line,
+        f"data {assessment['data']}, model {document['judged_model']} {assessment['model']}",
     )
 
 
@@ -247,13 +245,12 @@ def described(
         tables.append(("fitted", [_quantity_row(key, pair, displacement, fitted=True) for key, *pair in pairs]))
     rows: FactRows = []
     for key, value in facts.items():
+        fitted_part = key in _FITTED
         if isinstance(value, Mapping) and len(value) > LONGEST_LIST:
-            fitted_part = key in _FITTED
             tables.append(
                 (_words(key), [_quantity_row(k, v, displacement, fitted=fitted_part) for k, v in value.items()])
             )
         elif isinstance(value, Mapping):
-            fitted_part = key in _FITTED
             rows += [_quantity_row(f"{key}: {k}", v, displacement, fitted=fitted_part) for k, v in value.items()]
         else:
             rows.append(_quantity_row(key, value, displacement))

@@ -190,7 +190,7 @@ def _curve_panel(
     unit: str,
     curves: Sequence[_Curve],
     frame: tuple[float, float],
-    measured: tuple[FloatArray, FloatArray] | None = None,
+    measured: tuple[FloatArray, FloatArray] | None,
 ) -> Panel:
     lines = []
     bands = []
@@ -213,10 +213,10 @@ def _outside(curves: Sequence[_Curve], visited: tuple[float, float], frame: tupl
 
 
 def _circles(
-    measured: tuple[FloatArray, FloatArray] | None, lines: Sequence[Line], frame: tuple[float, float] | None
+    measured: tuple[FloatArray, FloatArray] | None, lines: Sequence[Line], frame: tuple[float, float]
 ) -> tuple[Points, ...]:
     """The measured points inside the frame that the models' curves set."""
-    if measured is None or frame is None:
+    if measured is None:
         return ()
     q, y = measured
     visible = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
@@ -265,10 +265,9 @@ def _marked(places_of_rest: Sequence[CurveEquilibrium], role: str, q: FloatArray
 
 def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
     """Motion without input, over the basins of two wells; None where there is neither."""
-    train = data.role("train")
     paths = tuple(
         Line(log.title, "measured" if log.role == "train" else "raw", *unforced(data, log))
-        for log in (*data.role("validation"), *train)
+        for log in (*data.role("validation"), *data.role("train"))
     )
     points: list[Points] = []
     cells = None

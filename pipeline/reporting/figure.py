@@ -165,8 +165,7 @@ def rows_panel(names: Sequence[str], bars: Line, usual: str, within: FloatArray,
     points : sequence of Points
         Marks on the rows.
     """
-    edges = np.full(2, -0.5), np.full(2, len(names) - 0.5)
-    band = Band(usual, "reference", within, *edges)
+    band = Band(usual, "reference", within, np.full(2, -0.5), np.full(2, len(names) - 0.5))
     ends = (-0.5 - _ROOM, len(names) - 0.5 + _ROOM)
     return Panel("", "1", (bars,), (band,), tuple(points), y_limits=ends, names=tuple(names))
 
@@ -456,5 +455,4 @@ def event_swatches(figure: Figure) -> list[tuple[str, Markup]]:
 def _swatch(label: str, style: Style) -> tuple[str, Markup]:
     dashed = "dash" if style.dash in ("dashed", "dotted") else ""
     names = " ".join(part for part in (style.kind, style.slot, dashed) if part)
-    shape = _SHAPES.get(style.kind.rstrip("0123"), _LINE)
-    return label, Markup(shape).format(names)  # noqa: S704 - a literal above
+    return label, Markup(_SHAPES.get(style.kind.rstrip("0123"), _LINE)).format(names)  # noqa: S704 - literals above

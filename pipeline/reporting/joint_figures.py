@@ -168,8 +168,18 @@ def motion_figure(motions: "Motions") -> Figure:
     full = motions.full
     reduced = motions.reduced
     voltages = tuple(Line(n, _role(n), full.t, motions.v[:, k], "solid") for k, n in enumerate(("left", "right")))
-    panels = [Panel("v", "V", voltages)]
-    for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot)):
-        order = Line("full order, 10 states", "measured", full.t, a, "solid")
-        panels.append(Panel(name, unit, (order, Line("reduced to q", "both", full.t, b, "dashed"))))
-    return Figure("motion", "Full-order against reduced model", "", "t", "s", tuple(panels))
+    panels = (
+        Panel("v", "V", voltages),
+        *(
+            Panel(
+                name,
+                unit,
+                (
+                    Line("full order, 10 states", "measured", full.t, a, "solid"),
+                    Line("reduced to q", "both", full.t, b, "dashed"),
+                ),
+            )
+            for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot))
+        ),
+    )
+    return Figure("motion", "Full-order against reduced model", "", "t", "s", panels)

@@ -109,18 +109,20 @@ def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     q = log.motion.q
     velocity = np.gradient(q, t)
     raw = {"qdot": velocity, "qddot": np.gradient(velocity, t)}
-    panels = [Panel("q", unit["q"], (Line("q measured", "measured", t, q),), low=True)]
-    for name in ("qdot", "qddot"):
-        panels.append(
+    panels = [
+        Panel("q", unit["q"], (Line("q measured", "measured", t, q),), low=True),
+        *(
             Panel(
                 HEADINGS[name],
                 unit[name],
                 (
-                    Line("plain differences", "raw", t, raw[name]),
+                    Line("plain differences", "raw", t, differences),
                     Line("regularised", "measured", t, getattr(log.motion, name)),
                 ),
             )
-        )
+            for name, differences in raw.items()
+        ),
+    ]
     caption = f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison."
     return _timeline(data, log, wells, "derivatives", "Derivatives", caption, panels)
 
@@ -157,8 +159,8 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     for name, measured in measured_signals(log).items():
         lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
         # The main model is drawn last, over the measurement and its baselines.
-        lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
-        panels.append(Panel(HEADINGS[name], unit[name], tuple(lines)))
+        drawn = (Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1])
+        panels.append(Panel(HEADINGS[name], unit[name], drawn))
     gone = [f"{m} diverged at {moment(n['diverged_at_s'])}" for m, n in log.outcomes.items() if n["status"] != "ok"]
     inputs = f"{data.device.input_word}s"
     caption = f"Free runs from the log's first sample under its measured {inputs}; nothing is fed back."
@@ -243,8 +245,7 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         panels.append(Panel(f"error of {HEADINGS[name]}", unit[name], (*lines[1:], *lines[:1])))
     caption = "Errors are model minus measurement."
     caption += " A model in the wrong well is off by the distance of the wells." if isinstance(wells, Wells) else ""
-    motion = _models(data, log, wells).panels[0]
-    panels = [motion, *panels, _inputs(data, log, low=True)]
+    panels = [_models(data, log, wells).panels[0], *panels, _inputs(data, log, low=True)]
     return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)
 
 
@@ -286,7 +287,6 @@ def _spectrum(data: RunData, log: LogData, model: str, residual: Residual) -> Fi
         Line(f"residual of {model}", model, residual.frequency, residual.density),
     )
     caption = f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing."
-    unit = f"{data.device.displacement.symbol}²/Hz"
-    panel = Panel("power spectral density", unit, lines, log=True)
+    panel = Panel("power spectral density", f"{data.device.displacement.symbol}²/Hz", lines, log=True)
     title = "Residual analysis: spectrum"
     return Figure("residual-spectrum", title, caption, "frequency", "Hz", (panel,), x_log=True, half=True)

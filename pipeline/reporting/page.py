@@ -92,8 +92,7 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
         "base-uri 'none'; form-action 'none'"
     )
     ours = {"style": Markup(style), "script": Markup(script)}  # noqa: S704 - files of this package, no input
-    page = environment.get_template(template).render(context, policy=policy, **ours)
-    return page + "\n"
+    return environment.get_template(template).render(context, policy=policy, **ours) + "\n"
 
 
 def _commands(text: str) -> Markup:

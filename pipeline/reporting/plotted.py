@@ -345,8 +345,7 @@ def form_of(target: Path) -> Format:
     """
     if target.suffix not in FORMATS:
         raise InputError(f"{target}: figures are written as {', '.join(FORMATS)}")
-    form: Format = target.suffix[1:]  # type: ignore[assignment]
-    return form
+    return target.suffix[1:]  # type: ignore[return-value]
 
 
 def save(figure: Figure, target: Path, models: Sequence[str]) -> None:

@@ -43,10 +43,14 @@ def signals_figure(log: LogData) -> Figure:
     """Figure 11a: voltages, position, velocity and acceleration of a log."""
     motion = log.motion
     sides = zip(("left", "right"), ("v1", "v2"), motion.v.T, strict=True)
-    panels = [Panel("v", "V", tuple(Line(side, name, motion.t, v) for side, name, v in sides))]
-    for name, key, unit in (("q", "q", "m"), ("q̇", "qdot", "m/s"), ("q̈", "qddot", "m/s²")):
-        panels.append(Panel(name, unit, (Line("measured", "measured", motion.t, getattr(motion, key)),)))
-    return Figure("signals", "Excitation and measured motion", "", "time", "s", tuple(panels))
+    panels = (
+        Panel("v", "V", tuple(Line(side, name, motion.t, v) for side, name, v in sides)),
+        *(
+            Panel(name, unit, (Line("measured", "measured", motion.t, values),))
+            for name, unit, values in (("q", "m", motion.q), ("q̇", "m/s", motion.qdot), ("q̈", "m/s²", motion.qddot))
+        ),
+    )
+    return Figure("signals", "Excitation and measured motion", "", "time", "s", panels)
 
 
 def basis_study_figure(

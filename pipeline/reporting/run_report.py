@@ -133,9 +133,7 @@ def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
 def _facts_caption(sheet: Datasheet) -> str:
     if sheet.model is None:
         return "Measured: mean ± standard deviation over the rests and ring-downs of all logs."
-    band = "which states no uncertainty"
-    if sheet.model in sheet.draws:
-        band = "± half of its central 90 %"
+    band = "± half of its central 90 %" if sheet.model in sheet.draws else "which states no uncertainty"
     name = f"{sheet.model}{NOT_USED}" if sheet.refused else sheet.model
     return f"By {name}, {band}. Grey: measured, mean ± standard deviation · how often, and in the model's free runs."
 
@@ -222,14 +220,15 @@ def _provenance(data: RunData) -> dict[str, Any]:
 
 
 def _sections(studies: bool, control: bool) -> list[tuple[str, str]]:
-    sections = [
+    return [
         ("overview", "Overview"),
         ("datasheet", "Datasheet"),
         ("logs", "Logs"),
         ("errors", "Errors"),
         *SECTION_TITLES.items(),
         ("device", "Device"),
+        *[("control", "Control")] * control,
+        ("models-described", "Models"),
+        *[("studies", "Studies")] * studies,
+        ("provenance", "Provenance"),
     ]
-    sections += [("control", "Control")] if control else []
-    sections += [("models-described", "Models")] + ([("studies", "Studies")] if studies else [])
-    return [*sections, ("provenance", "Provenance")]

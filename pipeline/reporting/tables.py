@@ -214,12 +214,15 @@ def lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
         *(f"{HEADINGS[s]} [%]" for s in table.signals),
         *(column.heading for column in table.extras),
     ]
-    rows = [[log_title(r.role, r.log), r.model, *(_marked(c, best) for c in r.cells)] for r in table.rows]
+    rows = [
+        [
+            log_title(row.role, row.log),
+            row.model,
+            *(best.format(cell.text) if cell.best else cell.text + TIED * cell.tied for cell in row.cells),
+        ]
+        for row in table.rows
+    ]
     return [heading, *rows]
-
-
-def _marked(cell: TableCell, best: str) -> str:
-    return best.format(cell.text) if cell.best else cell.text + TIED * cell.tied
 
 
 def scores_csv(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow]) -> str:
@@ -385,12 +388,10 @@ def fold_table(summary: Sequence[Mapping[str, Any]]) -> tuple[list[str], list[li
 
 def _row(record: Mapping[str, Any], *, wells: bool) -> list[str]:
     folds = " ".join(prefixed(value, "%", 2, "refused") for value in record["folds"])
-    agreement = record["well_agreement"]
-    share = [prefixed(agreement, "%", 1)] * wells
     return [
         record["model"],
         *(_fold_cell(record, key) for key in NRMSE_COLUMNS),
-        *share,
+        *[prefixed(record["well_agreement"], "%", 1)] * wells,
         str(record["diverged"]),
         folds,
     ]

@@ -212,8 +212,7 @@ def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
             continue
         if error["type"] == "too_short" and error["input"]:  # its entries have mistakes of their own
             continue
-        key = ".".join(_location(error))
-        texts.setdefault(key or str(error["msg"]), explain(error, settings))
+        texts.setdefault(".".join(_location(error)) or str(error["msg"]), explain(error, settings))
     return list(texts.values())
 
 
@@ -274,9 +273,7 @@ def _hint(location: list[str], settings: type[BaseModel]) -> str:
     if close := difflib.get_close_matches(key, keys, n=1, cutoff=0.5):
         return f"did you mean {close[0]!r}?"
     elsewhere = [name for name in settings.model_fields if key in _fields_at([name], settings) and len(section) < 2]
-    if elsewhere:
-        return f"it belongs into [{elsewhere[0]}]"
-    return f"known here: {', '.join(keys)}"
+    return f"it belongs into [{elsewhere[0]}]" if elsewhere else f"known here: {', '.join(keys)}"
 
 
 def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:

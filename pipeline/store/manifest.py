@@ -224,9 +224,7 @@ def to_json(value: Any) -> Any:
         return to_json(value.tolist())
     if isinstance(value, list | tuple):
         return [to_json(entry) for entry in value]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def changes(settings: Mapping[str, Any], before: Mapping[str, Any]) -> list[str]:

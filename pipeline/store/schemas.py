@@ -89,15 +89,11 @@ def resolve(
     """
     absent = {"v2": len(inputs) < 2, "phi": not phi, "velocity": not velocity}
     absent |= dict.fromkeys((column.key for column in TUBE_COLUMNS), not tubes)
-    units = {"{q}": displacement, "{v}": inputs[0], "{v2}": inputs[-1]}
-    columns = []
-    for column in schema.columns:
-        if absent.get(column.key):
-            continue
-        unit = column.unit
-        for mark, symbol in units.items():
-            unit = unit.replace(mark, symbol)
-        columns.append(replace(column, unit=unit))
+    columns = (
+        replace(column, unit=column.unit.format(q=displacement, v=inputs[0], v2=inputs[-1]))
+        for column in schema.columns
+        if not absent.get(column.key)
+    )
     return Schema(schema.kind, tuple(columns))
 
 

@@ -47,8 +47,7 @@ def slug(name: str) -> str:
     What has no spelling (another script) gets a name from its hash, always the same one; a name of more than 64 letters
     keeps its first ones, with a hash that separates it from others that begin alike.
     """
-    reserved = name.split(".")[0].strip().lower() in _RESERVED
-    if SAFE.fullmatch(name) and not reserved and not name.endswith("."):
+    if SAFE.fullmatch(name) and name.split(".")[0].strip().lower() not in _RESERVED and not name.endswith("."):
         return name
     spelt = "".join(map(_spelt, unicodedata.normalize("NFC", name)))
     short = re.sub(r"-{2,}", "-", spelt).strip("-.")

@@ -183,8 +183,7 @@ def with_siblings(prototypes: Sequence[Path], siblings: Path, folder: Path) -> l
         try:
             document = anchored(read_document(path), path.resolve().parent)
             document = with_values(document, {"plant.siblings": str(siblings.resolve())})
-            name = parse_prototype(document, str(path)).folder
-            changed.append(write_settings(folder, name, document))
+            changed.append(write_settings(folder, parse_prototype(document, str(path)).folder, document))
         except InputError:
             changed.append(path)
     return changed

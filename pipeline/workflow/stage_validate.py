@@ -121,7 +121,6 @@ SCORES_ALGORITHM = "11"
 
 def scores_task(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> Task:
     """Score these models, the main model first, on every log."""
-    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
         stage="scores",
         title="NRMSE table",
@@ -129,7 +128,7 @@ def scores_task(prototype: Prototype, parameters: JointParameters | None, models
         settings={"models": list(models), "parameters": parameter_values(parameters)},
         inputs=tuple(
             name
-            for role, log in logs
+            for role, log, _ in layout.logs(prototype)
             for name in (layout.kinematics(role, log), *(layout.predictions(role, log, model) for model in models))
         ),
         outputs=(layout.SCORES,),

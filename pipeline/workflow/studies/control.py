@@ -84,16 +84,14 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     logs = [(role, log) for role, log, _ in layout.logs(joint_run.prototype)]
     measured = [log_of(joint_run.run.read_table(layout.kinematics(*log))) for log in logs]
     hum = {line for log in logs for line in joint_run.run.record(layout.record(*log)).notes.get("hum", ())}
-    wells = wells_of(measured, plant=JOINT)
-    facts = rest_facts([(log.t, log.q, log.v) for log in measured], wells, hum, plant=JOINT)
-    rings = {"left": facts.rings_left, "right": facts.rings_right}
+    facts = rest_facts([(log.t, log.q, log.v) for log in measured], wells_of(measured, plant=JOINT), hum, plant=JOINT)
     return {
         side: {
             "ring_downs": len(decays),
             "frequency_Hz": float(np.mean([ring.frequency for ring in decays])) if decays else None,
             "damping_ratio": float(np.mean([ring.damping for ring in decays])) if decays else None,
         }
-        for side, decays in rings.items()
+        for side, decays in (("left", facts.rings_left), ("right", facts.rings_right))
     }
 
 

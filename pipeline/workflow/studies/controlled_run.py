@@ -133,12 +133,10 @@ class ControlRun:
         given = [side for side in (left, right) if side is not None]
         if not given:
             return Converters((ASSUMED_LAG, ASSUMED_LAG), DATA_SHEET, highest=self.limit), "assumed"
-        first = left or given[0]
-        other = right or given[0]
+        lags = ((left or given[0]).lag, (right or given[0]).lag)
         spread = max(_LEAST_SPREAD, *(side.scatter for side in given))
         counts = " and ".join(str(side.steps if side else 0) for side in (left, right))
-        converters = Converters((first.lag, other.lag), spread, highest=self.limit)
-        return converters, f"from {counts} voltage steps of the training logs"
+        return Converters(lags, spread, highest=self.limit), f"from {counts} voltage steps of the training logs"
 
 
 def control_run(root: Path) -> ControlRun:

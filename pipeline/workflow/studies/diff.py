@@ -113,11 +113,11 @@ Pairs = Mapping[tuple[str, str], str]
 
 def _log_contents(run: RunFolder) -> dict[tuple[str, str], str]:
     """Hash of each raw log of a run, by role and name; empty where nothing was read."""
-    contents: dict[tuple[str, str], str] = {}
-    for role, name, _ in layout.logs(run.prototype):
-        record = run.manifest.artifacts.get(layout.record(role, name))
-        contents[role, name] = ", ".join(record.recipe.inputs.values()) if record else ""
-    return contents
+    return {
+        (role, name): ", ".join(record.recipe.inputs.values()) if record else ""
+        for role, name, _ in layout.logs(run.prototype)
+        for record in [run.manifest.artifacts.get(layout.record(role, name))]
+    }
 
 
 def paired_logs(

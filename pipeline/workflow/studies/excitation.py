@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -249,13 +250,8 @@ def drawn_simulators(parameters: JointParameters, rng: np.random.Generator, coun
     first = _simulator(parameters)
     if first is None:
         raise InputError("the parameter set has no two wells at zero voltage; see `debist physics equilibria`")
-    simulators = [first]
-    for _ in range(_MOST_DRAWS):
-        if len(simulators) == count:
-            return simulators
-        simulator = _simulator(_made(parameters, rng))
-        if simulator is not None:
-            simulators.append(simulator)
+    made = (_simulator(_made(parameters, rng)) for _ in range(_MOST_DRAWS))
+    simulators = [first, *islice((simulator for simulator in made if simulator is not None), count - 1)]
     if len(simulators) < count:
         raise InputError(
             f"only {len(simulators)} of {_MOST_DRAWS} joints made after the drawing have two wells; "
@@ -268,8 +264,8 @@ def _made(parameters: JointParameters, rng: np.random.Generator) -> JointParamet
     """A joint as a workshop makes it: both membranes each with its own tolerances."""
     names = ("E", "left.Y", "right.Y", "left.eps_r", "right.eps_r")
     values = {name: parameters.value(name) * (1.0 + rng.uniform(-_RELATIVE, _RELATIVE)) for name in names}
-    for name in ("left.l0", "right.l0"):
-        values[name] = parameters.value(name) + rng.uniform(-_FREE_LENGTH, _FREE_LENGTH)
+    lengths = ("left.l0", "right.l0")
+    values |= {name: parameters.value(name) + rng.uniform(-_FREE_LENGTH, _FREE_LENGTH) for name in lengths}
     return parameters.with_values(values)
 
 

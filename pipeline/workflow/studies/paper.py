@@ -157,9 +157,8 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
     )
     names = [name for name in FIGURES if name != "fig-15" or prototype.logs.validation]
     outputs = (layout.PAPER, *(layout.paper_figure(name, ending) for name in names for ending in ENDINGS))
-    settings = {"prototype": prototype.model_dump(mode="json")}
     return Task(
-        "paper", "figures and page", ALGORITHM, settings, inputs, outputs,
+        "paper", "figures and page", ALGORITHM, {"prototype": prototype.model_dump(mode="json")}, inputs, outputs,
         lambda run: _work(run, prototype, parameters),
     )  # fmt: skip
 
@@ -191,10 +190,9 @@ def joint_figures(parameters: JointParameters) -> dict[str, Figure]:
 
     curves = characteristics(parameters)
     motions = simulate_both(parameters, *pulse_sequence())
-    modes = beam_modes(motions.full.qm, parameters.l)
     return {
         **draw.paper_joint_figures(curves),
-        "fig-06": draw.modes_figure(parameters, modes, motions.full.t),
+        "fig-06": draw.modes_figure(parameters, beam_modes(motions.full.qm, parameters.l), motions.full.t),
         "fig-07": draw.motion_figure(motions),
     }
 
