@@ -119,7 +119,6 @@ def replacement(error: Any, given: Sequence[str]) -> str | None:
 
 
 _STOPPED = "a file is written whole or not at all; the same command starts again"
-_BUG = "this is a bug in debist; please report the lines above"
 _NO_MEMORY = (
     "debist: not enough memory; end other programs, lower --jobs or raise the limit (`ulimit -v`), and run again"
 )
@@ -283,7 +282,8 @@ class ErrorBoundary(WholeLines):
             remedy = _remedy(error)
             if remedy is None:
                 traceback.print_exc(file=sys.stderr)
-            code, text = (1, _BUG) if remedy is None else (InputError.exit_code, remedy)
+            bug = "this is a bug in debist; please report the lines above"
+            code, text = (1, bug) if remedy is None else (InputError.exit_code, remedy)
             typer.echo(f"debist: {text}", err=True)
             self._emit_error(text, code)
             raise typer.Exit(code) from error

@@ -25,22 +25,6 @@ class Snap:
     minimise: Annotated[Goal, typer.Option(help="Quantity that the pulse minimises.")] = "time"
 
 
-@dataclass(frozen=True)
-class VoltageLimits:
-    """Limits on the voltages of a controller."""
-
-    max_voltage: Annotated[
-        str | None,
-        typer.Option(help="Largest voltage, with its unit [default: as trained and allowed]."),
-    ] = None
-    slew: Annotated[
-        str | None, typer.Option(help="Largest rate of each voltage, such as 100kV/s [default: no limit].")
-    ] = None
-    average_voltage: Annotated[
-        str | None, typer.Option(help="Largest mean of each voltage over 10 s, with its unit [default: no limit].")
-    ] = None
-
-
 Run = Annotated[
     Path, typer.Argument(metavar="RUN", help="Run folder with an identified joint of two membranes.", callback=run_of)
 ]
@@ -168,8 +152,19 @@ def pulse(
 
 
 @app.command()
-@with_options
-def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = False, as_json: Json = False) -> None:
+def design(
+    run: Run,
+    max_voltage: Most = None,
+    slew: Annotated[
+        str | None, typer.Option(help="Largest rate of each voltage, such as 100kV/s [default: no limit].")
+    ] = None,
+    average_voltage: Annotated[
+        str | None, typer.Option(help="Largest mean of each voltage over 10 s, with its unit [default: no limit].")
+    ] = None,
+    lag: Lag = None,
+    quiet: Quiet = False,
+    as_json: Json = False,
+) -> None:
     """Design the controller: estimator and feedback that snaps, settles, holds and tracks; kept in the run.
 
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.
@@ -178,7 +173,12 @@ def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = Fals
     from ..workflow.studies import control
 
     with Progress(quiet=quiet) as progress:
-        document = control.design(run, _limited(limits, lag), progress)
+        settings = replace(
+            _settings(max_voltage, lag),
+            slew=_limit(slew, "V/s", "--slew"),
+            average=_limit(average_voltage, "V", "--average-voltage"),
+        )
+        document = control.design(run, settings, progress)
     if as_json:
         emit_json(document)
         return
@@ -212,19 +212,12 @@ def _margins(margins: Any) -> str:
     )
 
 
-def _limited(limits: VoltageLimits, lag: str | None) -> Any:
-    """The settings of a controller."""
-
-    def value(text: str | None, unit: str, name: str) -> float | None:
-        """A limit in SI."""
-        number = None if text is None else parse_quantity(text, (unit,), name)
-        if number is not None and not 0.0 < number < float("inf"):
-            raise InputError(f"{name} {text}: give a value above 0")
-        return number
-
-    slew = value(limits.slew, "V/s", "--slew")
-    average = value(limits.average_voltage, "V", "--average-voltage")
-    return replace(_settings(limits.max_voltage, lag), slew=slew, average=average)
+def _limit(text: str | None, unit: str, name: str) -> float | None:
+    """A limit of a controller in SI."""
+    number = None if text is None else parse_quantity(text, (unit,), name)
+    if number is not None and not 0.0 < number < float("inf"):
+        raise InputError(f"{name} {text}: give a value above 0")
+    return number
 
 
 def _settings(max_voltage: str | None, lag: str | None) -> Any:

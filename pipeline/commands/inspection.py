@@ -232,9 +232,6 @@ def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
         emit_text("no contradiction; gains, zeros, delays and clocks are measured after the fit")
 
 
-LogArgument = Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")]
-
-
 def init(
     logs: Annotated[
         list[Path], typer.Argument(metavar="LOG...", help="Raw logs of one device: MAT, MDF4, CSV, Parquet or HDF5.")
@@ -281,7 +278,7 @@ def _path_from(folder: Path, log: Path) -> str:
 
 
 def inspect(
-    log: LogArgument,
+    log: Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")],
     settings: Annotated[
         Path | None,
         typer.Option("--settings", metavar="PROTOTYPE.toml", help="Which channel is what [default: by name and unit]."),

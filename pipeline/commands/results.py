@@ -35,7 +35,6 @@ if TYPE_CHECKING:
     from ..workflow.verify import Verified
 
 
-_ALARMING = ("differs", "missing")
 _LONGEST = 60
 _OF_HASH = 16
 
@@ -52,15 +51,13 @@ def diff(
     NRMSE in percent, a fraction in JSON; artifacts are compared with those of the first run. Exit code 0
     whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
-    from ..reporting.several_runs import DiffTable
     from ..workflow.studies.diff import diff_runs, write_diff_page
 
     if len(runs) < 2:
         raise InputError(f"{runs[0]}: name a second run to compare it with")
     different = diff_runs(runs)
     if page is not None:
-        tables = [DiffTable(title, head, rows) for title, head, rows in _difference_tables(different) if rows]
-        write_diff_page(runs, different.names, tables, page)
+        write_diff_page(runs, different.names, [table for table in _difference_tables(different) if table[2]], page)
     if as_json:
         emit_json(asdict(different) | {"equal": different.equal})
     else:
@@ -127,7 +124,7 @@ def _emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *
         for state in dict.fromkeys(c.state for c in unequal):
             emit_text(f"{state}: {STATES[state]}")
         emit_text(f"{len(compared) - len(unequal)} of {len(compared)} artifacts have the same content hash")
-    apart = [comparison.artifact for comparison in compared if comparison.state in _ALARMING]
+    apart = [comparison.artifact for comparison in compared if comparison.state in ("differs", "missing")]
     if apart:
         more = f" and {len(apart) - 3} more" if len(apart) > 3 else ""
         raise CorruptArtifactError(

@@ -78,14 +78,10 @@ def sheet_rows(known: Sequence[DatasheetFact]) -> list[SheetRow]:
     for row, sides in grouped.items():
         keys = [key for side in sides.values() for key in side if key in facts]
         if keys:
-            like = stroke if keys == ["saddle"] else _largest(facts, keys)
+            largest = max(abs(_shown(facts[key], facts[key].value) or 0.0) for key in keys)  # both wells have one unit
+            like = stroke if keys == ["saddle"] else largest
             rows.append(SheetRow(row[0], helps[row].help, tuple(_cell(facts, side, like) for side in sides.values())))
     return rows
-
-
-def _largest(facts: Mapping[str, DatasheetFact], keys: Sequence[str]) -> float:
-    """Both wells of a row have one unit."""
-    return max((abs(_shown(facts[key], facts[key].value) or 0.0) for key in keys if key in facts), default=0.0)
 
 
 def _cell(facts: Mapping[str, DatasheetFact], keys: Sequence[str], like: float) -> SheetCell:

@@ -275,8 +275,7 @@ def _quantities(members: Sequence[Summary]) -> list[FleetColumn]:
 
 
 def _text(value: float, places: int | None) -> str:
-    text = significant(value) if places is None else f"{value:.{places}f}"
-    return text.replace("-", "−")
+    return (significant(value) if places is None else f"{value:.{places}f}").replace("-", "−")
 
 
 def _row(member: Summary, index: int, quantities: Sequence[tuple[FleetColumn, int | None]]) -> dict[str, Any]:

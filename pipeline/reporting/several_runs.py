@@ -17,13 +17,8 @@ CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", 
 """Curves that are drawn, and their names."""
 
 
-@dataclass(frozen=True)
-class DiffTable:
-    """Differences in one part: its title, the heading of its keys, and a row of texts for each key."""
-
-    title: str
-    head: str
-    rows: Sequence[Sequence[str]]
+DiffTable = tuple[str, str, Sequence[Sequence[str]]]
+"""Differences in one part: its title, the heading of its keys, and a row of texts for each key."""
 
 
 @dataclass(frozen=True)

@@ -250,13 +250,9 @@ def disarmed(value: Any) -> Any:
 def _markdown(table: NrmseTable) -> str:
     heading, *rows = lines(table, "**{}**")
     rule = ["---", "---", *["---:"] * (len(heading) - 2)]
-    named = [[*map(_in_markdown, line[:2]), *line[2:]] for line in rows]
+    markup = re.compile(r"[\\`*_<>&|\[\]~!]")  # of names: HTML, links, code and columns
+    named = [[*(markup.sub(r"\\\g<0>", _one_line(name)) for name in line[:2]), *line[2:]] for line in rows]
     return "".join("| " + " | ".join(line) + " |\n" for line in (heading, rule, *named))
-
-
-def _in_markdown(name: str) -> str:
-    """A name without markup: no HTML, link, code, column or line break."""
-    return re.sub(r"[\\`*_<>&|\[\]~!]", r"\\\g<0>", _one_line(name))
 
 
 def _one_line(text: str) -> str:

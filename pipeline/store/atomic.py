@@ -236,8 +236,14 @@ def run_lock(root: Path, name: str = LOCK) -> Iterator[None]:
         ) from None
     except OSError as error:
         raise _not_locked(root, error) from error
+    holder = {
+        "pid": os.getpid(),
+        "host": socket.gethostname(),
+        "since": datetime.now(UTC).isoformat(timespec="seconds"),
+    }
     try:
-        _leave_note(note)
+        with suppress(InputError):  # for the message to a second process; the lock works without it
+            write_text(note, json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": now}), within=root)
         yield
     finally:
         with suppress(OSError):
@@ -270,13 +276,6 @@ def _not_locked(root: Path, error: OSError) -> InputError:
     return InputError(
         f"{root}: cannot be locked for writing: {error.strerror or error}; permit writing or use another folder"
     )
-
-
-def _leave_note(path: Path) -> None:
-    """The holder of the lock, for the message to a second process; the lock works without it."""
-    note = {"pid": os.getpid(), "host": socket.gethostname(), "since": datetime.now(UTC).isoformat(timespec="seconds")}
-    with suppress(InputError):
-        write_text(path, json.dumps(note), within=path.parent)
 
 
 def _holder(path: Path) -> str:

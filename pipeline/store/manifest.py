@@ -194,7 +194,7 @@ def load_manifest(root: Path) -> Manifest:
     try:
         manifest = _SHAPE.validate_json(raw, strict=True)
         digest = hashlib.sha256(raw).digest()
-        intact = digest in _INTACT or _has_its_digest(json.loads(raw))
+        intact = digest in _INTACT or (document := json.loads(raw)).pop("digest", None) == json_sha256(document)
     except ValidationError as error:
         mistake = first_mistake(error)
         if FORMAT.encode() not in raw[:64] and not mistake.startswith("damaged"):
@@ -210,10 +210,6 @@ def load_manifest(root: Path) -> Manifest:
         manifest.artifacts[name] = replace(record, recipe=recipe, notes=notes)
     _INTACT.add(digest)
     return manifest
-
-
-def _has_its_digest(document: dict[str, Any]) -> bool:
-    return bool(document.pop("digest", None) == json_sha256(document))
 
 
 def to_json(value: Any) -> Any:

@@ -146,9 +146,6 @@ def _fits(values: np.ndarray[Any, Any], dtype: Dtype) -> bool:
 ADVICE = "restore it, or move the folder away and run again"
 
 
-_ELSEWHERE = "move the folder away and run again"
-
-
 class Document(dict[str, Any]):
     """JSON object of a run, or a part of one; a missing key is an error.
 
@@ -161,7 +158,9 @@ class Document(dict[str, Any]):
         Advice for the user.
     """
 
-    def __init__(self, entries: Mapping[str, Any], where: str, remedy: str = _ELSEWHERE) -> None:
+    def __init__(
+        self, entries: Mapping[str, Any], where: str, remedy: str = "move the folder away and run again"
+    ) -> None:
         self._missing = f"is missing; {remedy}"
         self._where = where
 

@@ -303,7 +303,9 @@ def write_fleet(output: Path, outcomes: Iterable[Outcome]) -> None:
     ordered = sorted(outcomes, key=lambda outcome: outcome.name)
     write_fleet_tables(output, ordered)
     summaries = [_member(output, outcome.name, outcome.reason) for outcome in ordered]
-    _write_facts(output, summaries)
+    facts = [(member.name, key, value, unit) for member in summaries for key, (value, unit) in member.facts.items()]
+    columns = {column.key: [fact[k] for fact in facts] for k, column in enumerate(FLEET_FACT_TABLE.columns)}
+    tables.write_table(output / FLEET_FACTS, FLEET_FACT_TABLE, columns)
     write_text(output / FLEET_REPORT, fleet_report(summaries, output.resolve().name))
     note_written(output, FLEET_FILES, "batch")
 
@@ -335,14 +337,6 @@ def _existing(member: Member, output: Path) -> Outcome:
     except DebistError as error:
         return Outcome(member.name, member.settings, error.exit_code, str(error))
     return Outcome(member.name, member.settings, 0, "")
-
-
-def _write_facts(output: Path, members: Iterable[Summary]) -> None:
-    """Every known fact of every prototype in one table."""
-    rows = [(member.name, key, value, unit) for member in members for key, (value, unit) in member.facts.items()]
-    columns = zip(*rows, strict=True) if rows else ((), (), (), ())
-    keys = [column.key for column in FLEET_FACT_TABLE.columns]
-    tables.write_table(output / FLEET_FACTS, FLEET_FACT_TABLE, dict(zip(keys, map(list, columns), strict=True)))
 
 
 def _member(output: Path, name: str, reason: str) -> Summary:

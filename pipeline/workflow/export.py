@@ -146,7 +146,7 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
     CorruptArtifactError
         An artifact does not have the bytes that were written.
     """
-    from ..export.crate import Packed, write_crate
+    from ..export.crate import write_crate
     from ..export.subject import Exported
 
     settings, inputs = _relocated(run, prototype)
@@ -156,7 +156,7 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
         settings["plant"]["parameters"] = f"inputs/plant/{Path(parameters).name}"
         texts[settings["plant"]["parameters"]] = _recorded_parameters(run, parameters)
     target = folder / f"{prototype.folder}.crate.zip"
-    write_crate(run, Packed(prototype.folder, toml_text(settings), inputs, texts), target)
+    write_crate(run, prototype.folder, toml_text(settings), inputs, texts, target)
     return Exported([target])
 
 

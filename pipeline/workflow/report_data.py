@@ -61,7 +61,8 @@ def read_run(
         scores=tuple(row for row in rows if row["model"] in models),
         provenance=provenance(run, prototype),
         accepted=_accepted(run, prototype),
-        log_checks=_log_checks(run),
+        # A run of before they were made has no checks.
+        log_checks=tuple(run.read_document(layout.CHECK)["rows"]) if layout.CHECK in run.manifest.artifacts else (),
         choice=run.record(layout.MODELS).notes.get(CHOICE),
         studies=tuple(read_study(run, name, plant) for name in studies),
         measured_curves=measured_curves(run, prototype),
@@ -84,11 +85,6 @@ def measured_curves(run: RunFolder, prototype: Prototype) -> dict[str, FloatArra
     return {
         name: np.concatenate([table.get(name, np.full(len(table["q"]), np.nan)) for table in tables]) for name in names
     }
-
-
-def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:
-    """The rows of `debist check`; none in a run of before they were made."""
-    return tuple(run.read_document(layout.CHECK)["rows"]) if layout.CHECK in run.manifest.artifacts else ()
 
 
 def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:

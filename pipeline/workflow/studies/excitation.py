@@ -30,21 +30,6 @@ _COMMAND = "rig excite"
 
 
 @dataclass(frozen=True)
-class ExcitationLimits:
-    """Limits: voltage of a converter [V], field in an undeformed film [V/m].
-
-    Without a field that of the run's settings holds, or the paper's.
-    """
-
-    voltage: float = 3e3
-    field: float | None = None
-
-    def largest(self, thickness: float, field: float) -> float:
-        """The largest voltage [V] on a film of a thickness [m] that stands a field [V/m], if none is given here."""
-        return min(self.voltage, thickness * (self.field or field))
-
-
-@dataclass(frozen=True)
 class ExcitationSource:
     """Model that simulates the design: a parameter set, or a model of a run; the number of joints and the seed.
 
@@ -99,9 +84,10 @@ def excite(
     output: Path,
     source: ExcitationSource,
     wanted: Requirements,
-    limits: ExcitationLimits,
     rate: float,
     *,
+    voltage: float,
+    field: float | None = None,
     report: Callable[[float], None] | None = None,
 ) -> tuple[Design | NextLog, tuple[Path, ...]]:
     """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
@@ -114,10 +100,12 @@ def excite(
         Joint or run that it is designed for.
     wanted : Requirements
         Duration, bursts and candidates.
-    limits : ExcitationLimits
-        Largest voltage and field.
     rate : float
         Sampling rate of the file [Hz].
+    voltage : float
+        Largest voltage of a converter [V].
+    field : float, optional
+        Largest field in an undeformed film [V/m]; that of the run's settings, or the paper's, if left out.
     report : callable, optional
         Receives the share that is done.
 
@@ -137,8 +125,8 @@ def excite(
         raise InputError(f"{output}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")
     check_places(output.parent, (output.name, output.with_suffix(".json").name), _COMMAND, force=None)
     parameters = joint_parameters(source.parameters)
-    thickness, field = film(source, parameters)
-    wanted = replace(wanted, voltage=limits.largest(thickness, field))
+    thickness, usual_field = film(source, parameters)
+    wanted = replace(wanted, voltage=min(voltage, thickness * (field or usual_field)))
     design = _designed(source, parameters, wanted, report)
     t = np.arange(round(wanted.duration * rate)) / rate
     about = description(design) | {
