@@ -236,11 +236,7 @@ def run_lock(root: Path, name: str = LOCK) -> Iterator[None]:
         ) from None
     except OSError as error:
         raise _not_locked(root, error) from error
-    holder = {
-        "pid": os.getpid(),
-        "host": socket.gethostname(),
-        "since": datetime.now(UTC).isoformat(timespec="seconds"),
-    }
+    now = datetime.now(UTC).isoformat(timespec="seconds")
     try:
         with suppress(InputError):  # for the message to a second process; the lock works without it
             write_text(note, json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": now}), within=root)
