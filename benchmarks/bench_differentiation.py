@@ -254,7 +254,7 @@ def reweighted_fits(
 ) -> Iterator[tuple[float, float]]:
     """Errors of a solution and of those after each reweighting, parameters in steps."""
     from pipeline.numerics.linear_filters import finite_difference, finite_difference_at_jumps
-    from pipeline.signals.smoothing_parameter import jump_weights
+    from pipeline.signals.differentiate import jump_weights
 
     for k in range(reweightings + 1):
         fit = tvregdiff(

@@ -23,8 +23,7 @@ from pipeline.diagnostics.instruments import SIGNIFICANCE
 from pipeline.rig.fleet import Experiment, simulate_prototype
 from pipeline.settings.logs import Role
 from pipeline.settings.prototype import load_prototype
-from pipeline.signals.corrections import Corrections, corrected, exchanged, mirrored
-from pipeline.signals.log import Log
+from pipeline.signals.log import Corrections, Log, corrected, exchanged, mirrored
 from pipeline.signals.noise import noise_std
 from pipeline.store import layout
 from pipeline.store.run_folder import RunFolder

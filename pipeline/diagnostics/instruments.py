@@ -31,8 +31,7 @@ from ..fitting.descent import ObservedProblem, Prior
 from ..fitting.posterior import GROUPS, robust_spread, whiteness
 from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.metrics import rms
-from ..signals.corrections import Corrections, corrected, exchanged, mirrored
-from ..signals.log import MOST_SAMPLES, Log, within
+from ..signals.log import MOST_SAMPLES, Corrections, Log, corrected, exchanged, mirrored, within
 from ..signals.noise import noise_std
 
 SIGNIFICANCE = 4.0

@@ -1,7 +1,7 @@
 """The sentences of findings on logs: a row of the table for each, and what refuses a log."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 from ..signals.findings import Finding
 from ..signals.noise import below_resolution
@@ -10,6 +10,7 @@ from .log_facts import FIELD
 
 _SIDES = ("right (+)", "left (−)")
 _ON_CHANGE = "; an input ({}) that was recorded only when it changed takes `on_change = true` in [channels]"
+_NAME_DRIVEN = "name the channel that drives the device, or leave it out for a device with one input"
 SHARES = {
     "masked": (
         "of the rows are masked (gaps, rails, spikes, lost target)",
@@ -48,18 +49,8 @@ class ShownRow:
 
 def row(finding: Finding) -> ShownRow:
     """The row of a finding of the check; advice is of no meaning where it is good or unseen."""
-    return ROWS[finding.code](finding)
-
-
-def _shown(finding: Finding, name: str) -> str:
-    return quantity(finding.value(name), finding.numbers[name].unit)
-
-
-def _short(finding: Finding, name: str) -> str:
-    """A round number with its unit."""
-    number = finding.numbers[name]
-    shown, factor = scale(number.unit, number.value)
-    return f"{short(number.value * factor)} {shown}"
+    shown = ROWS[finding.code]
+    return ShownRow(*map(finding.filled, astuple(shown))) if isinstance(shown, ShownRow) else shown(finding)
 
 
 def _times(ratio: float) -> str:
@@ -68,68 +59,45 @@ def _times(ratio: float) -> str:
 
 
 def _range(finding: Finding) -> ShownRow:
-    limit = f"{_short(finding, 'least')} … {_short(finding, 'most')}" if "most" in finding.numbers else ""
+    limit = finding.filled("{least:short} … {most:short}") if "most" in finding.numbers else ""
     advice = ""
     if finding.code == "still":
         advice = "q does not move: name the channel of its sensor, and see whether that has its target"
     elif "times" in finding.numbers:
-        times = _times(finding.value("times"))
-        advice = f"check the unit of {finding.subject} in [channels]: its numbers look {times} as large as a joint's"
-    return ShownRow(f"range of {finding.subject}", _shown(finding, "range"), limit, advice)
-
-
-def _from_angle(_: Finding) -> ShownRow:
-    more = "by the kinematics of the joint at rest (plant.parameters); hybrid reads the angle itself"
-    return ShownRow("origin of q", "the logged angle", more=more)
+        advice = (
+            f"check the unit of {finding.subject} in [channels]: its numbers look {_times(finding.value('times'))} as "
+            "large as a joint's"
+        )
+    return ShownRow(f"range of {finding.subject}", finding.filled("{range}"), limit, advice)
 
 
 def _resolution(finding: Finding) -> ShownRow:
-    noise = f"noise {_shown(finding, 'noise')}" if "noise" in finding.numbers else ""
+    noise = finding.filled("noise {noise}") if "noise" in finding.numbers else ""
     if "resolution" not in finding.numbers:
         return ShownRow("resolution of q", "no steps", more=noise)
     if noise and below_resolution(finding.value("noise"), finding.value("resolution")):
         noise = "noise below that"
     advice = "velocities come in steps: use the sensor's finer range, or average before recording"
-    return ShownRow("resolution of q", _shown(finding, "resolution"), f"≤ {_short(finding, 'most')}", advice, noise)
-
-
-def _held(finding: Finding) -> ShownRow:
-    advice = (
-        f"q has new values at {_shown(finding, 'rate')} only, late by half of that: record it as its sensor delivers "
-        "it, or set [ingest] sample_interval no finer"
+    return ShownRow(
+        "resolution of q", f"{finding.numbers['resolution']}", f"≤ {finding.numbers['most']:short}", advice, noise
     )
-    return ShownRow("values of q held", f"for {finding.value('held'):.0f} samples", advice=advice)
-
-
-def _drift(finding: Finding) -> ShownRow:
-    advice = (
-        f"the places of rest move by {_shown(finding, 'moved')} over the log: let the sensor warm up, fix its mount, "
-        "or take the drift off q"
-    )
-    return ShownRow("drift of the rests", _shown(finding, "drift"), advice=advice)
 
 
 def _undriven_starts(finding: Finding) -> ShownRow:
-    starts = f"{finding.value('starts'):.0f}, the first at {finding.value('first'):.4g} s"
-    missing = "find out what does"
-    if finding.value("inputs") == 1:
-        missing = "name the second input as v2 (in [channels], or as an argument)"
-    advice = f"what moves q there is not among the inputs: {missing}"
-    return ShownRow("leaves rest though no input changes", starts, advice=advice)
-
-
-def _wrapped(finding: Finding) -> ShownRow:
-    advice = "unwrap it before it is logged or read (numpy.unwrap, MATLAB's unwrap): a turn is no motion of the device"
-    jumps = f"{finding.value('jumps'):.0f} by {_short(finding, 'turn')}"
-    return ShownRow("jumps of the angle", jumps, "none", advice)
+    second = "name the second input as v2 (in [channels], or as an argument)"
+    return ShownRow(
+        "leaves rest though no input changes",
+        finding.filled("{starts:.0f}, the first at {first:.4g} s"),
+        advice="what moves q there is not among the inputs: "
+        + (second if finding.value("inputs") == 1 else "find out what does"),
+    )
 
 
 def _rests(finding: Finding) -> ShownRow:
-    places = f"{_shown(finding, 'left')}, {_shown(finding, 'right')}"
+    places = finding.filled("{left}, {right}")
     if finding.severity == "good":
         return ShownRow("rests", places)
-    unit = finding.numbers["left"].unit
-    middle = quantity(-0.5 * (finding.value("left") + finding.value("right")), unit)
+    middle = quantity(-0.5 * (finding.value("left") + finding.value("right")), finding.numbers["left"].unit)
     advice = (
         "both wells are on one side of zero, where a joint, its parameter set and its mirror plane have the middle: "
         f"zero the sensor, or give `offset` in [channels] q (about {middle})"
@@ -137,20 +105,8 @@ def _rests(finding: Finding) -> ShownRow:
     return ShownRow("rests", places, "left < 0 < right", advice)
 
 
-def _unseen_direction(finding: Finding) -> ShownRow:
-    """Row of an input whose force a log does not show."""
-    name = finding.subject
-    reasons = {"idle_input": "nothing but noise", "never_on": "never on", "hardly_changes": "hardly ever changes"}
-    advice = "name the channel that drives the device, or leave it out for a device with one input"
-    if finding.code == "idle_input":
-        advice = f"where no training log drives {name}, leave it out of [channels]: nothing is known of its gain"
-    return ShownRow(f"direction of {name}", reasons[finding.code], advice=advice)
-
-
 def _direction(finding: Finding) -> ShownRow:
     what = f"direction of {finding.subject}"
-    if finding.code == "unsure_push":
-        return ShownRow(what, "not sure")
     side = _SIDES[0] if finding.value("push") > 0.0 else _SIDES[1]
     if finding.code == "push":
         return ShownRow(what, side)
@@ -159,15 +115,6 @@ def _direction(finding: Finding) -> ShownRow:
         "scale = -1 there; only if this device is wired the other way round, accept it"
     )
     return ShownRow(what, side, _SIDES[0] if finding.subject == "v1" else _SIDES[1], advice)
-
-
-def _input_noise(finding: Finding) -> ShownRow:
-    what = f"noise of {finding.subject}"
-    if finding.code == "command":
-        return ShownRow(
-            what, "none: a command?", more="a measurement has noise; an amplifier need not follow a command"
-        )
-    return ShownRow(what, _shown(finding, "noise"))
 
 
 def _late_answer(finding: Finding) -> ShownRow:
@@ -185,7 +132,7 @@ def _late_answer(finding: Finding) -> ShownRow:
             'estimates by how much, and rbf with drive = "lag" or "delay" in [identify.structure]'
         )
     delay = f"about {short(abs(number.value) * factor)} {shown} {'late' if later else 'early'}"
-    return ShownRow("answer of q", delay, f"± {_short(finding, 'most')}", advice)
+    return ShownRow("answer of q", delay, finding.filled("± {most:short}"), advice)
 
 
 def _coupling(finding: Finding) -> ShownRow:
@@ -197,36 +144,28 @@ def _coupling(finding: Finding) -> ShownRow:
     small, short, large = ("small", "short", "large") if ratio > 1.0 else ("large", "long", "small")
     root, most_off = significant(off**0.5, 2), significant(off, 2)
     of_all = f"v1 and v2 ({root} times too {small} do that), of time ({root} times too {short}), of q"
-    advice = f"check the units of {of_all} ({most_off} times too {large})"
     if finding.subject == "stated":
         what = f"coupling with {quantity(1e3 * mass, 'g') if mass < 1.0 else f'{significant(mass)} kg'}"
-        advice = f"check the units of {of_all} and of plant.mass ({most_off} times too {large})"
-    coupling = f"{significant(ratio, 2)} × as drawn"
-    advice = f"that is {_times(ratio)} the coupling of the joint as drawn: {advice}"
-    return ShownRow(what, coupling, f"{1.0 / most:.2g} … {most:g}", advice)
+        of_all += " and of plant.mass"
+    advice = (
+        f"that is {_times(ratio)} the coupling of the joint as drawn: check the units of {of_all} "
+        f"({most_off} times too {large})"
+    )
+    return ShownRow(what, f"{significant(ratio, 2)} × as drawn", f"{1.0 / most:.2g} … {most:g}", advice)
 
 
 def _coupling_ratio(finding: Finding) -> ShownRow:
     ratio = finding.value("ratio")
-    off = max(ratio, 1.0 / ratio)
     advice = (
-        f"voltages wrong by {significant(off**0.5, 2)} on one side do that: check the unit and `scale` of both "
-        "channels, and the ratio of both probes"
+        f"voltages wrong by {significant(max(ratio, 1.0 / ratio) ** 0.5, 2)} on one side do that: check the unit and "
+        "`scale` of both channels, and the ratio of both probes"
     )
     most = f"{finding.value('most'):g}"
     return ShownRow("coupling of v1 over v2", significant(ratio, 2), f"1/{most} … {most}", advice)
 
 
-def _correlated(finding: Finding) -> ShownRow:
-    advice = (
-        "v1 and v2 go together all the time, so their effects cannot be separated: drive them apart, or leave v2 out"
-    )
-    correlation = f"correlation {finding.value('correlation'):.4f}"
-    return ShownRow("v2 beside v1", correlation, f"< {finding.value('most'):g}", advice)
-
-
 def _field(finding: Finding) -> ShownRow:
-    film = _shown(finding, "film")
+    film = f"{finding.numbers['film']}"
     limit = finding.value("limit")
     advice = f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
     if finding.code == "field_units":
@@ -242,7 +181,7 @@ def _rest_level(finding: Finding) -> ShownRow:
         f"{name} never returns to zero: if its drive was off at some time, that is the probe's error; add "
         f"{quantity(-level.value, level.unit)} to its `offset` in [channels]"
     )
-    return ShownRow(f"rest level of {name}", _shown(finding, "level"), f"≤ {_short(finding, 'most')}", advice)
+    return ShownRow(f"rest level of {name}", f"{level}", finding.filled("≤ {most:short}"), advice)
 
 
 def _input_action(finding: Finding) -> ShownRow:
@@ -261,8 +200,10 @@ def _input_action(finding: Finding) -> ShownRow:
 
 
 def _shared_recording(finding: Finding) -> ShownRow:
-    advice = "what both hold counts twice in fits and scores: leave one of them out, or cut it"
-    return ShownRow(f"shared with {finding.subject}", shared_spans(finding), "none", advice)
+    return ShownRow(
+        f"shared with {finding.subject}", shared_spans(finding), "none",
+        "what both hold counts twice in fits and scores: leave one of them out, or cut it",
+    )  # fmt: skip
 
 
 def shared_spans(finding: Finding) -> str:
@@ -273,38 +214,61 @@ def shared_spans(finding: Finding) -> str:
     return f"{own} is {other} of it" if own != other else own
 
 
-ROWS: dict[str, Callable[[Finding], ShownRow]] = {
+ROWS: dict[str, ShownRow | Callable[[Finding], ShownRow]] = {
     "range": _range,
-    "from_angle": _from_angle,
+    "from_angle": ShownRow(
+        "origin of q", "the logged angle",
+        more="by the kinematics of the joint at rest (plant.parameters); hybrid reads the angle itself",
+    ),
     "still": _range,
     "resolution": _resolution,
-    "sampling_rate": lambda finding: ShownRow("sampling rate", _shown(finding, "rate")),
-    "held": _held,
-    "drift": _drift,
+    "sampling_rate": ShownRow("sampling rate", "{rate}"),
+    "held": ShownRow(
+        "values of q held", "for {held:.0f} samples",
+        advice="q has new values at {rate} only, late by half of that: record it as its sensor delivers it, or set "
+        "[ingest] sample_interval no finer",
+    ),
+    "drift": ShownRow(
+        "drift of the rests", "{drift}",
+        advice="the places of rest move by {moved} over the log: let the sensor warm up, fix its mount, or take the "
+        "drift off q",
+    ),
     "undriven_starts": _undriven_starts,
-    "wrapped": _wrapped,
+    "wrapped": ShownRow(
+        "jumps of the angle", "{jumps:.0f} by {turn:short}", "none",
+        "unwrap it before it is logged or read (numpy.unwrap, MATLAB's unwrap): a turn is no motion of the device",
+    ),
     "rests": _rests,
-    "no_rests": lambda finding: ShownRow("rests", finding.subject),
-    "idle_input": _unseen_direction,
-    "never_on": _unseen_direction,
-    "hardly_changes": _unseen_direction,
-    "unsure_push": _direction,
+    "no_rests": ShownRow("rests", "{subject}"),
+    "idle_input": ShownRow(
+        "direction of {subject}", "nothing but noise",
+        advice="where no training log drives {subject}, leave it out of [channels]: nothing is known of its gain",
+    ),
+    "never_on": ShownRow("direction of {subject}", "never on", advice=_NAME_DRIVEN),
+    "hardly_changes": ShownRow("direction of {subject}", "hardly ever changes", advice=_NAME_DRIVEN),
+    "unsure_push": ShownRow("direction of {subject}", "not sure"),
     "push": _direction,
     "side": _direction,
-    "command": _input_noise,
-    "input_noise": _input_noise,
+    "command": ShownRow(
+        "noise of {subject}", "none: a command?",
+        more="a measurement has noise; an amplifier need not follow a command",
+    ),
+    "input_noise": ShownRow("noise of {subject}", "{noise}"),
     "late_answer": _late_answer,
     "coupling": _coupling,
     "coupling_ratio": _coupling_ratio,
-    "correlated": _correlated,
+    "correlated": ShownRow(
+        "v2 beside v1", "correlation {correlation:.4f}", "< {most:g}",
+        "v1 and v2 go together all the time, so their effects cannot be separated: drive them apart, or leave v2 out",
+    ),
     "field": _field,
     "field_units": _field,
     "rest_level": _rest_level,
     "law": _input_action,
     "signed_monitor": _input_action,
     "shared_recording": _shared_recording,
-}
-"""Rows of the check by code."""
+}  # fmt: skip
+"""Rows of the check by code: templates for `Finding.filled`, or functions."""
 
 
 def of_row(finding: Finding) -> tuple[str, str]:
@@ -329,17 +293,15 @@ def line(log: str, what: str, found: str, more: str, limit: str) -> str:
     limit : str
         The limit.
     """
-    numbers = "; ".join(filter(None, (found, more)))
-    return f"{log}: {what}: {numbers}" + (f" (limit: {limit})" if limit else "")
+    return f"{log}: {what}: {'; '.join(filter(None, (found, more)))}" + (f" (limit: {limit})" if limit else "")
 
 
 def _share(finding: Finding) -> tuple[str, str]:
     what, advice = SHARES[str(finding.gate)]
     if finding.gate == "hum":
         what = what.format(finding.value("frequency"))
-    share = 100.0 * finding.value("share")
     few = [name for name in finding.numbers if name.startswith("v")]
-    text = f"{share:.3g} % {what} (at most {100.0 * finding.value('most'):g} %)"
+    text = f"{100.0 * finding.value('share'):.3g} % {what} (at most {100.0 * finding.value('most'):g} %)"
     return text, advice + (_ON_CHANGE.format(", ".join(few)) if few else "")
 
 
@@ -350,32 +312,6 @@ def _signal_missing(finding: Finding) -> tuple[str, str]:
     return text, advice + (_ON_CHANGE.format(finding.subject) if finding.value("not_finite") else "")
 
 
-def _coarse_input(finding: Finding) -> tuple[str, str]:
-    interval = finding.value("interval")
-    text = f"{finding.subject} has one sample every {finding.value('step'):.4g} s, but [ingest] sample_interval is "
-    advice = "record it as finely as q, or set a sample_interval as long" + _ON_CHANGE.format(finding.subject)
-    return f"{text}{interval:g} s", advice
-
-
-def _fast_motion(finding: Finding) -> tuple[str, str]:
-    half = finding.value("half")
-    interval = finding.value("interval")
-    text = f"half of the power of q lies above {half:.3g} Hz, which decimation to [ingest] sample_interval = "
-    return (
-        f"{text}{interval:g} s takes away",
-        f"set sample_interval = {finding.value('advised'):g}, or correct the unit of time",
-    )
-
-
-def _coarse_log(finding: Finding) -> tuple[str, str]:
-    step = finding.value("step")
-    lasts = finding.value("lasts")
-    text = f"one sample every {step:.4g} s for {lasts:.6g} s, by the settings, but [ingest] sample_interval is "
-    text += f"{finding.value('interval'):g} s (at most {finding.value('most'):g} intervals a sample)"
-    advice = "correct the unit of time in [channels] (ms is not s) or the sample_rate (in Hz), or set a sample_interval"
-    return text, f"{advice} as long as the log's step"
-
-
 def _other_rate(finding: Finding) -> tuple[str, str]:
     stated = [f"{name} states {number.value:.6g} Hz" for name, number in finding.numbers.items() if name != "settings"]
     return (
@@ -384,52 +320,46 @@ def _other_rate(finding: Finding) -> tuple[str, str]:
     )
 
 
-def _idle(finding: Finding) -> tuple[str, str]:
-    return "the displacement shows nothing but noise: no excitation", "drive the device through its whole stroke"
-
-
-def _undriven(finding: Finding) -> tuple[str, str]:
-    return (
-        f"input {finding.subject} never changes by more than its noise: nothing is known of its gain",
-        f"drive it, or leave it out of [channels] ({finding.subject})",
-    )
-
-
-def _visits(finding: Finding) -> tuple[str, str]:
-    visits = f"{finding.value('visits'):.0f} of at least {finding.value('least'):.0f} training samples"
-    return (
-        f"the basis centre at q = {_shown(finding, 'place')} has {visits}",
-        f"excite that place, or set fewer than {finding.value('centres'):.0f} [identify] basis_functions",
-    )
-
-
-def _rank(finding: Finding) -> tuple[str, str]:
-    condition = f"condition number {finding.value('condition'):.3g} (at most {finding.value('most'):g})"
-    return (
-        f"the regressor's columns cannot be separated: {condition}, {finding.value('silent'):.0f} zero",
-        "vary the inputs independently",
-    )
-
-
-def _one_well(finding: Finding) -> tuple[str, str]:
-    return (
-        "only one well is visited: of the other half of every curve the data say nothing",
-        "add pulses that snap the joint to the other side (`debist rig excite`)",
-    )
-
-
-CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {
+CODES: dict[str, tuple[str, str] | Callable[[Finding], tuple[str, str]]] = {
     **dict.fromkeys(ROWS, of_row),
     **dict.fromkeys([f"{gate}_share" for gate in SHARES], _share),
     "signal_missing": _signal_missing,
-    "coarse_input": _coarse_input,
-    "fast_motion": _fast_motion,
-    "coarse_log": _coarse_log,
+    "coarse_input": (
+        "{subject} has one sample every {step:.4g} s, but [ingest] sample_interval is {interval:g} s",
+        "record it as finely as q, or set a sample_interval as long" + _ON_CHANGE.format("{subject}"),
+    ),
+    "fast_motion": (
+        "half of the power of q lies above {half:.3g} Hz, which decimation to [ingest] sample_interval = "
+        "{interval:g} s takes away",
+        "set sample_interval = {advised:g}, or correct the unit of time",
+    ),
+    "coarse_log": (
+        "one sample every {step:.4g} s for {lasts:.6g} s, by the settings, but [ingest] sample_interval is "
+        "{interval:g} s (at most {most:g} intervals a sample)",
+        "correct the unit of time in [channels] (ms is not s) or the sample_rate (in Hz), or set a sample_interval as "
+        "long as the log's step",
+    ),
     "other_rate": _other_rate,
-    "idle": _idle,
-    "undriven": _undriven,
-    "visits": _visits,
-    "rank": _rank,
-    "one_well": _one_well,
+    "idle": (
+        "the displacement shows nothing but noise: no excitation",
+        "drive the device through its whole stroke",
+    ),
+    "undriven": (
+        "input {subject} never changes by more than its noise: nothing is known of its gain",
+        "drive it, or leave it out of [channels] ({subject})",
+    ),
+    "visits": (
+        "the basis centre at q = {place} has {visits:.0f} of at least {least:.0f} training samples",
+        "excite that place, or set fewer than {centres:.0f} [identify] basis_functions",
+    ),
+    "rank": (
+        "the regressor's columns cannot be separated: condition number {condition:.3g} (at most {most:g}), "
+        "{silent:.0f} zero",
+        "vary the inputs independently",
+    ),
+    "one_well": (
+        "only one well is visited: of the other half of every curve the data say nothing",
+        "add pulses that snap the joint to the other side (`debist rig excite`)",
+    ),
 }
-"""Sentences by code."""
+"""Sentences by code: templates for `Finding.filled`, or functions."""

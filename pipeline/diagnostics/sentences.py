@@ -40,7 +40,11 @@ def sentences(finding: Finding) -> tuple[str, str]:
     finding : Finding
         Its code must be one of `CODES`.
     """
-    return CODES[finding.code](finding)
+    shown = CODES[finding.code]
+    if isinstance(shown, tuple):
+        statement, advice = map(finding.filled, shown)
+        return statement, advice
+    return shown(finding)
 
 
 def _shown(number: Number) -> str:
@@ -55,54 +59,36 @@ def _generalisation(finding: Finding) -> tuple[str, str]:
     return f"{text}that on the training logs", ADVICE_BY_MODEL.get(finding.subject, RICHER)
 
 
-def _another_device(finding: Finding) -> tuple[str, str]:
-    return (
-        f"no instrument explains what is left of the {finding.log}: "
-        f"{significant(finding.value('residual_ratio'), 2)} times what the training logs leave"
-    ), "see whether this log is of this device, or whether the device was changed in between"
-
-
 def _exchanged(finding: Finding) -> tuple[str, str]:
-    what = {"inputs": "v1 and v2 exchanged", "sign": "q counted to the other side"}.get(finding.subject, "both")
-    both = "v1 and v2 exchanged and q counted to the other side" if what == "both" else what
-    return f"the {finding.log} fits with {both}", "see to the channels of this log, or of the training logs"
+    what = {"inputs": "v1 and v2 exchanged", "sign": "q counted to the other side"}.get(
+        finding.subject, "v1 and v2 exchanged and q counted to the other side"
+    )
+    return f"the {finding.log} fits with {what}", "see to the channels of this log, or of the training logs"
 
 
 def _instrument(finding: Finding) -> tuple[str, str]:
     number = finding.numbers["estimate"]
     size = _shown(Number(abs(number.value), number.unit, number.error))
     name = finding.subject.removeprefix("gain_")
-    if finding.subject == "zero_q":
-        text = f"the zero of q of the {finding.log} is {size} too {'high' if number.value > 0.0 else 'low'}"
-    elif finding.subject == "delay":
-        text = f"the voltages of the {finding.log} are recorded {size} {'late' if number.value > 0.0 else 'early'}"
-    elif finding.subject == "clock":
-        text = f"the clock of the {finding.log} runs {size} {'fast' if number.value > 0.0 else 'slow'}"
-    else:
-        text = f"{name} of the {finding.log} reads {size} {'high' if number.value > 0.0 else 'low'}"
+    of_log, more, less = {
+        "zero_q": (f"the zero of q of the {finding.log} is {size} too", "high", "low"),
+        "delay": (f"the voltages of the {finding.log} are recorded {size}", "late", "early"),
+        "clock": (f"the clock of the {finding.log} runs {size}", "fast", "slow"),
+    }.get(finding.subject, (f"{name} of the {finding.log} reads {size}", "high", "low"))
     correction = finding.numbers["correction"]
     line = KEYS[finding.subject].format(correction_text(finding.subject, correction.value, correction.unit))
     mend = {"zero_q": "set the laser", "delay": "mend the recorder", "clock": "mend the recorder"}
     advice = f"`{line}` at that log in [logs], or {mend.get(finding.subject, 'mend the probe')}"
-    return text, f"{advice}, unless the training logs are the wrong ones"
+    return f"{of_log} {more if number.value > 0.0 else less}", f"{advice}, unless the training logs are the wrong ones"
 
 
 def _disagreement(finding: Finding) -> tuple[str, str]:
-    number = finding.numbers["estimate"]
-    size = _shown(Number(number.value, number.unit, number.error))
     name = {"zero_q": "the zero of q", "delay": "the delay of the inputs", "clock": "the clock"}.get(
         finding.subject, f"the reading of {finding.subject.removeprefix('gain_')}"
     )
     return (
-        f"{name} differs by {size} between the {finding.log}",
+        f"{name} differs by {_shown(finding.numbers['estimate'])} between the {finding.log}",
         "find out which of both logs is right, and correct the other one in [logs]",
-    )
-
-
-def _unlike_training(finding: Finding) -> tuple[str, str]:
-    return (
-        f"the {finding.log} and the {finding.subject} are not of one device with equal channels",
-        "see to channels and wiring of both logs, and whether the device was changed in between",
     )
 
 
@@ -112,82 +98,28 @@ def correction_text(name: str, value: float, displacement: str) -> str:
     return f"{value:.5g}" if unit is None else quantity(value, unit).replace("−", "-")
 
 
-def _extrapolation(finding: Finding) -> tuple[str, str]:
-    share = _share(finding.value("value"))
-    return (
-        f"{share} of the samples of the {finding.log} lie in states (q, q̇) that no training sample was near",
-        "train on motions as large and as fast",
-    )
-
-
-def _one_passage(finding: Finding) -> tuple[str, str]:
-    share = percent(finding.value("share"))
-    when = moment(finding.value("time"))
-    return (
-        f"one passage over the barrier at t = {when} makes {share} of the squared error on the {finding.log}",
-        "there a small error decides the well: judge the rest of the log by itself, or train on such passages",
-    )
-
-
-def _share(value: float) -> str:
-    return percent(value) if value > 0.0 else "none"
-
-
-def _nrmse(finding: Finding) -> tuple[str, str]:
-    return (
-        f"free-run NRMSE of q of {finding.subject} is {percent(finding.value('value'))} on the {finding.log}",
-        "look where residuals grow: at one switch (friction, delay) or throughout (alpha, centres)",
-    )
-
-
 def _switch_accuracy(finding: Finding) -> tuple[str, str]:
-    share = finding.value("value")
+    share = finding.filled("{value:percent}") if finding.value("value") < 1.0 else "all"
     return (
-        f"{percent(share) if share < 1.0 else 'all'} of the pulses end in the well that was measured",
+        f"{share} of the pulses end in the well that was measured",
         "near the switching voltage the outcome is sensitive: train on pulses of that size",
-    )
-
-
-def _wells(finding: Finding) -> tuple[str, str]:
-    share = percent(finding.value("value"))
-    return (
-        f"modelled and measured rests differ by up to {share} of the distance of the wells",
-        "longer rests at zero voltage in both wells, for training",
-    )
-
-
-def _validation(finding: Finding) -> tuple[str, str]:
-    return (
-        "no validation log: errors are those of training",
-        f"add a log under [logs] validation: an error on the training data does not hold for new {finding.subject}",
-    )
-
-
-def _constant(finding: Finding) -> tuple[str, str]:
-    text = f"a constant, its mean, predicts the {finding.log} better than {finding.subject}: "
-    text += f"{percent(finding.value('constant'))} for {percent(finding.value('own'))}"
-    return text, (
-        "do not use this model; see whether the inputs act linearly or by their squares ([plant] inputs), and whether "
-        "a controller held the device where it is unstable: free runs of such a log part from it whatever the model"
     )
 
 
 def _rival(finding: Finding) -> tuple[str, str]:
     best, _, own = finding.subject.partition(", ")
-    error = percent(finding.value("error"))
     take = f"take {best} for predictions (`--model {best}`)"
     if "horizon" in finding.numbers:
-        after = f"{finding.value('horizon'):g} s after a measured state"
-        text = f"{best} predicts the {finding.log} surely better than {own} {after}: "
-        return f"{text}{error} for {percent(finding.value('own'))}", take
+        after = finding.filled("{horizon:g} s after a measured state: {error:percent} for {own:percent}")
+        return f"{best} predicts the {finding.log} surely better than {own} {after}", take
     advice = (
         f"{take}, or help {own}: more and longer logs, or decide what is known of the device in [identify.structure] "
         "(force, damping, drag, gain, friction, drive)"
     )
     if "own" not in finding.numbers:
-        return f"{best} predicts the {finding.log} with {error}, where {own} diverged", advice
-    own_error = percent(finding.value("own"))
-    return f"{best} predicts the {finding.log} surely better than {own}: {error} for {own_error}", advice
+        return finding.filled(f"{best} predicts the {{log}} with {{error:percent}}, where {own} diverged"), advice
+    errors = finding.filled("{error:percent} for {own:percent}")
+    return f"{best} predicts the {finding.log} surely better than {own}: {errors}", advice
 
 
 def _divergence(finding: Finding) -> tuple[str, str]:
@@ -200,14 +132,7 @@ def _divergence(finding: Finding) -> tuple[str, str]:
 
 def not_converged(model: str) -> tuple[str, str]:
     """The sentences on a fit that did not converge."""
-    return _converged(Finding("converged", "fair", subject=model))
-
-
-def _converged(finding: Finding) -> tuple[str, str]:
-    return (
-        f"the fit of {finding.subject} had not converged when it ended, so its error may be chance",
-        "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)",
-    )
+    return sentences(Finding("converged", "fair", subject=model))
 
 
 def _ambiguous(finding: Finding) -> tuple[str, str]:
@@ -219,17 +144,10 @@ def _ambiguous(finding: Finding) -> tuple[str, str]:
 
 
 def _rails(finding: Finding) -> tuple[str, str]:
-    text = f"{_share(finding.value('value'))} of the samples of q stay at its largest or smallest value"
+    text = finding.filled("{value:share} of the samples of q stay at its largest or smallest value")
     if finding.subject == "kept":
         return f'{text}, where it rests ([ingest] rails = "keep")', ""
     return text, RAILS
-
-
-def _no_wells(finding: Finding) -> tuple[str, str]:
-    return (
-        f"no two wells in the data: {finding.subject}",
-        "if the device is bistable, pulse both sides with rests of 1 s between",
-    )
 
 
 def _switches(finding: Finding) -> tuple[str, str]:
@@ -237,14 +155,6 @@ def _switches(finding: Finding) -> tuple[str, str]:
     return (
         f"the training logs switch wells {finding.value('value'):.0f} times",
         f"record more pulses that snap it both ways{design}",
-    )
-
-
-def _outside_range(finding: Finding) -> tuple[str, str]:
-    share = _share(finding.value("value"))
-    return (
-        f"{share} of the validation samples lie outside the range of the training data",
-        "train on a log with the larger strokes and inputs",
     )
 
 
@@ -262,13 +172,15 @@ def _coverage(finding: Finding) -> tuple[str, str]:
 def _noise(finding: Finding) -> tuple[str, str]:
     if finding.subject == "steps":
         share = significant(100.0 * finding.value("share"), 2)
-        text = (
-            f"q comes in steps of {_shown(finding.numbers['steps'])}, {share} % of its range; its noise is below that"
+        return (
+            f"q comes in steps of {finding.numbers['steps']}, {share} % of its range; its noise is below that",
+            "use the sensor's finer range",
         )
-        return text, "use the sensor's finer range"
     share = significant(100.0 * finding.value("value"), 2)
-    text = f"noise of q is {_shown(finding.numbers['noise'])} RMS, {share} % of its range"
-    return text, "average or shield the sensor, or raise alpha"
+    return (
+        f"noise of q is {finding.numbers['noise']} RMS, {share} % of its range",
+        "average or shield the sensor, or raise alpha",
+    )
 
 
 def _masked(finding: Finding) -> tuple[str, str]:
@@ -284,9 +196,8 @@ def _masked(finding: Finding) -> tuple[str, str]:
 def _measured_facts(finding: Finding) -> tuple[str, str]:
     if finding.severity == "good":
         count = int(finding.value("count"))
-        which = f"the {count} modelled facts that were measured too lie"
-        if count == 1:
-            which = "the one modelled fact that was measured too lies"
+        one = "the one modelled fact that was measured too lies"
+        which = one if count == 1 else f"the {count} modelled facts that were measured too lie"
         return f"{which} within {finding.value('value'):.1f} standard deviations", ""
     measured = finding.numbers["measured"]
     source = "free_run" if "free_run" in finding.numbers else "model"
@@ -301,35 +212,69 @@ def _measured_facts(finding: Finding) -> tuple[str, str]:
     )
 
 
-CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {
+CODES: dict[str, tuple[str, str] | Callable[[Finding], tuple[str, str]]] = {
     **log_sentences.CODES,
     "generalisation": _generalisation,
-    "another_device": _another_device,
+    "another_device": (
+        "no instrument explains what is left of the {log}: {residual_ratio:digits} times what the training logs leave",
+        "see whether this log is of this device, or whether the device was changed in between",
+    ),
     "exchanged": _exchanged,
     "instrument": _instrument,
     "disagreement": _disagreement,
-    "unlike_training": _unlike_training,
-    "outside": _extrapolation,
-    "one_passage": _one_passage,
-    "nrmse": _nrmse,
+    "unlike_training": (
+        "the {log} and the {subject} are not of one device with equal channels",
+        "see to channels and wiring of both logs, and whether the device was changed in between",
+    ),
+    "outside": (
+        "{value:share} of the samples of the {log} lie in states (q, q̇) that no training sample was near",
+        "train on motions as large and as fast",
+    ),
+    "one_passage": (
+        "one passage over the barrier at t = {time:moment} makes {share:percent} of the squared error on the {log}",
+        "there a small error decides the well: judge the rest of the log by itself, or train on such passages",
+    ),
+    "nrmse": (
+        "free-run NRMSE of q of {subject} is {value:percent} on the {log}",
+        "look where residuals grow: at one switch (friction, delay) or throughout (alpha, centres)",
+    ),
     "switch_accuracy": _switch_accuracy,
-    "wells": _wells,
-    "validation": _validation,
-    "constant": _constant,
+    "wells": (
+        "modelled and measured rests differ by up to {value:percent} of the distance of the wells",
+        "longer rests at zero voltage in both wells, for training",
+    ),
+    "validation": (
+        "no validation log: errors are those of training",
+        "add a log under [logs] validation: an error on the training data does not hold for new {subject}",
+    ),
+    "constant": (
+        "a constant, its mean, predicts the {log} better than {subject}: {constant:percent} for {own:percent}",
+        "do not use this model; see whether the inputs act linearly or by their squares ([plant] inputs), and whether "
+        "a controller held the device where it is unstable: free runs of such a log part from it whatever the model",
+    ),
     "rival": _rival,
     "divergence": _divergence,
-    "converged": _converged,
+    "converged": (
+        "the fit of {subject} had not converged when it ended, so its error may be chance",
+        "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)",
+    ),
     "ambiguous": _ambiguous,
     "rails": _rails,
-    "no_wells": _no_wells,
+    "no_wells": (
+        "no two wells in the data: {subject}",
+        "if the device is bistable, pulse both sides with rests of 1 s between",
+    ),
     "switches": _switches,
-    "extrapolation": _outside_range,
+    "extrapolation": (
+        "{value:share} of the validation samples lie outside the range of the training data",
+        "train on a log with the larger strokes and inputs",
+    ),
     "coverage": _coverage,
     "noise": _noise,
     "masked": _masked,
     "measured_facts": _measured_facts,
 }
-"""Sentences by code."""
+"""Sentences by code: templates for `Finding.filled`, or functions."""
 
 
 def judge(
@@ -362,8 +307,8 @@ def judge(
     refused = [finding for finding in findings if finding.gate not in (*settings.accept, *prior)]
     if refused:
         gates = dict.fromkeys((*settings.accept, *(finding.gate for finding in refused)))
-        names = ", ".join(f'"{gate}"' for gate in gates)
         reasons = "; ".join(": ".join(sentences(finding)) for finding in refused)
+        names = ", ".join(f'"{gate}"' for gate in gates)
         raise DataRefusedError(f"{where}: {reasons}. To use it knowingly, set [quality] accept = [{names}]")
     accepted = [(sentences(finding)[0], finding.gate) for finding in findings]
     return [

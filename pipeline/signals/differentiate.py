@@ -1,4 +1,4 @@
-"""Velocity and acceleration of a displacement record: one signature for all differentiators.
+"""Velocity and acceleration of a displacement record: one signature for all differentiators, and automatic parameters.
 
 The default penalises the variation of the third derivative (order 3): neither velocity nor acceleration has steps
 where the truth has none.  The derivatives of the regularised signal are taken by finite differences of high order
@@ -9,14 +9,218 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ..errors import InputError
 from ..numerics.arrays import FloatArray
 from ..numerics.linear_filters import finite_difference, finite_difference_at_jumps
 from ..numerics.metrics import rms
-from ..numerics.tvregdiff import Order, tvregdiff
+from ..numerics.tv_newton import effective_parameters
+from ..numerics.tvregdiff import Order, TvDerivative, VariationProblem, minimise_variation, tvregdiff
 from .noise import noise_std
-from .smoothing_parameter import SmoothingParameter, smoothing_parameter
+
+SHAPE = 0.3
+"""c² of the hyperbolic density; from 0.1 to 1 the errors of both derivatives change by a sixth at most."""
+SHAPE_REWEIGHTED = 2.0
+"""c² = nu + 1 of the density with reweighting; from 1 to 2 the errors change little."""
+_SAME_SCALE = 0.05
+_ROUNDS = 25
+_LONGEST_SECANT = 4.0
+_SEARCH_TOLERANCE = 1e-3
+"""Of a minimisation within the search, whose scale need not be known better than by a twentieth."""
+
+
+@dataclass(frozen=True)
+class SmoothingParameter:
+    """Parameters of `tvregdiff` for one record.
+
+    Attributes
+    ----------
+    alpha : float
+        Weight of the variation [signal·s^m].
+    epsilon : float
+        Rounding of the modulus [(signal/s^m)²].
+    noise_std : float
+        Estimated standard deviation sigma of the noise [signal].
+    settled : bool
+        True if the scale of the increments stopped changing.
+    weights : FloatArray, shape (N,), optional
+        Weights of the variation's terms, with reweighting.
+    """
+
+    alpha: float
+    epsilon: float
+    noise_std: float
+    settled: bool
+    weights: FloatArray | None = None
+
+
+def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighted: bool = False) -> SmoothingParameter:
+    """Choose alpha, epsilon and, with reweighting, the weights for a record that is not constant.
+
+    Parameters
+    ----------
+    samples : FloatArray, shape (N,)
+        Uniformly sampled record, N > order + 1, not constant.
+    dt : float
+        Sampling interval [s].
+    order : int
+        Derivative m whose variation is penalised.
+    reweighted : bool
+        True if the record may jump: Cauchy's density for the increments instead of the hyperbolic one.
+
+    Returns
+    -------
+    SmoothingParameter
+        Deterministic.  The cost is that of four to ten minimisations at a tolerance of 1e-3.
+
+    Notes
+    -----
+    With white noise of standard deviation sigma, the functional of order m is sigma² times the negative logarithm of a
+    posterior in which the increments w of derivative m are independent with the hyperbolic density
+
+        p(w) ∝ exp(−c² sqrt(1 + (w/s)²)),   so that   alpha = c² sigma²/s,   epsilon = s²,
+
+    Gaussian below s and exponential above. sigma comes from the record (`noise.noise_std`), the shape c² is fixed, and
+    the scale s follows from the record by MacKay's re-estimation: the data determine gamma of the M increments (the
+    effective number of parameters, `tv_chain.effective_parameters`), and so many should have the size that the prior
+    expects,
+
+        c² Σ w²/(s sqrt(s² + w²)) = gamma.
+
+    Where the signal may jump, that prior is too narrow: one large increment costs as much as it is high. The reweighted
+    variation (`jump_weights`) stands for Student's t with nu degrees of freedom, c² = nu + 1, whose EM algorithm it is:
+    each round weights the terms by the increments of the round before, and the weights enter the equation above. nu =
+    1, Cauchy's density.
+
+    With gamma = M this would be the scale of greatest likelihood of the increments themselves; but those of a smoothed
+    signal are smaller than the truth's, and the scale would shrink with them. Solving and re-estimating alternate,
+    accelerated by secants in log s, until s changes by less than a twentieth.
+
+    References
+    ----------
+    D. J. C. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415-447, doi:10.1162/neco.1992.4.3.415, eq.
+    4.9.
+    O. Barndorff-Nielsen, Exponentially decreasing distributions for the logarithm of particle size, Proc. R. Soc. A 353
+    (1977) 401-419, doi:10.1098/rspa.1977.0041.
+    K. L. Lange, R. J. A. Little, J. M. G. Taylor, Robust statistical modeling using the t distribution, J. Amer.
+    Statist. Assoc. 84 (1989) 881-896, doi:10.1080/01621459.1989.10478852.
+    """
+    sigma = noise_std(samples)
+    increments = samples.size - order - 1
+    shape = SHAPE_REWEIGHTED if reweighted else SHAPE
+    weights = np.ones(samples.size)
+    log_scale = float(np.log(sigma))
+    before = None
+    settled = True
+    t = None
+    for _ in range(_ROUNDS):
+        scale = float(np.exp(log_scale))  # of the differences in steps [signal]
+        if reweighted and t is not None:
+            weights = jump_weights(t, scale, order)
+        problem = VariationProblem(
+            b=samples - samples[0],
+            lam=shape * sigma**2 / scale,
+            delta=scale,
+            order=order,
+            fitted_start=True,
+            weights=weights,
+        )
+        t = minimise_variation(problem, tolerance=_SEARCH_TOLERANCE, max_iterations=100).t
+        determined = float(effective_parameters(t, problem.lam_of_terms(), problem.delta, order))
+        if round(determined) == 0 or not t.any():  # a polynomial and noise
+            break
+        target = increment_scale(t[order + 1 :], determined / increments, shape, weights[order + 1 :])
+        change = float(np.log(target)) - log_scale
+        if abs(change) < _SAME_SCALE:
+            break
+        factor = _step_factor(log_scale, change, before)
+        before = (log_scale, change)
+        log_scale += factor * change
+    else:
+        settled = False
+    return SmoothingParameter(
+        alpha=problem.lam * dt**order,
+        epsilon=(problem.delta / dt**order) ** 2,
+        noise_std=sigma,
+        settled=settled,
+        weights=weights if reweighted else None,
+    )
+
+
+def _step_factor(log_scale: float, change: float, before: tuple[float, float] | None) -> float:
+    """Factor on the re-estimated `change`: a secant while changes shrink, a half where they alternate."""
+    if before is None or abs(change) >= abs(before[1]):
+        return 1.0
+    if change * before[1] < 0.0:
+        return 0.5
+    return min(_LONGEST_SECANT, (log_scale - before[0]) / (before[1] - change))
+
+
+def increment_scale(increments: FloatArray, share: float, shape: float, weights: FloatArray) -> float:
+    """Scale s that solves ``c² mean(k w²/(s sqrt(s² + w²))) = share``, by Newton's method in log s from above.
+
+    Parameters
+    ----------
+    increments : FloatArray, shape (M,)
+        Increments w, not all zero, any unit.
+    share : float
+        Share of the increments that the data determine, gamma/M; 1 for increments that are known.
+    shape : float
+        c².
+    weights : FloatArray, shape (M,)
+        Weights k of the increments.
+
+    Returns
+    -------
+    float
+        s in the unit of `increments`.
+    """
+    squares = increments**2
+    s2 = shape * float(np.mean(weights * squares)) / share  # an upper bound, as sqrt(s² + w²) ≥ s
+    for _ in range(200):
+        root = np.sqrt(s2 + squares)
+        s = np.sqrt(s2)
+        balance = shape * float(np.mean(weights * squares / root)) / s
+        slope = balance + shape * float(np.mean(weights * squares * s2 / root**3)) / s
+        step = float(np.log(balance / share)) * balance / slope
+        s2 *= float(np.exp(2.0 * step))
+        if abs(step) < 1e-6:
+            break
+    return float(np.sqrt(s2))
+
+
+def jump_weights(t: FloatArray, delta: float, order: int) -> FloatArray:
+    """Weights that lift the penalty where the differences `t` of the last solution are large.
+
+    Solving again with the weight ``delta/sqrt(T_i² + delta²)``, T_i the largest modulus of the differences up to
+    `order` places from i, reweights the variation (Candès, Wakin & Boyd 2008): the fixed point minimises
+    ``½ log(t² + delta²)`` instead of the modulus, whose price for a jump hardly grows with its height, so that jumps
+    keep their height and the rest can be smoothed more.  Neighbours share the largest weight loss because a jump of a
+    lower derivative makes as many large differences of alternating sign.
+
+    Parameters
+    ----------
+    t : FloatArray, shape (N,)
+        Differences [signal], zero in the first ``order + 1`` places.
+    delta : float
+        Size [signal] above which a difference is large.
+    order : int
+        Order m of the difference whose variation is penalised.
+
+    Returns
+    -------
+    FloatArray, shape (N,)
+        In (0, 1].
+
+    References
+    ----------
+    E. J. Candès, M. B. Wakin, S. P. Boyd, Enhancing sparsity by reweighted l1 minimization, J. Fourier Anal. Appl. 14
+    (2008) 877-905, doi:10.1007/s00041-008-9045-x.
+    """
+    around = sliding_window_view(np.pad(np.abs(t), order), 2 * order + 1)
+    return np.asarray(delta / np.hypot(around.max(axis=1), delta))
+
 
 Method = Literal["tvregdiff", "savitzky-golay"]
 
@@ -100,7 +304,10 @@ def differentiate(
     if order not in (1, 2, 3, 4):
         raise InputError(f"order is {order!r}: use 1, 2, 3 or 4")
     if samples.size <= order + 2 or np.ptp(samples) == 0.0:
-        return _read_off(samples, dt, SmoothingParameter(0.0, 0.0, 0.0, settled=True))
+        return _kinematics(
+            SmoothingParameter(0.0, 0.0, 0.0, settled=True),
+            samples, finite_difference(samples, dt, 1), finite_difference(samples, dt, 2),
+        )  # fmt: skip
     if method != "tvregdiff":
         return _savitzky_golay(samples, dt, smoothing_parameter(samples, dt, 2))
     if alpha is None or epsilon is None:
@@ -122,38 +329,21 @@ def _tvregdiff(samples: FloatArray, dt: float, parameter: SmoothingParameter, or
         start="fitted",
         weights=parameter.weights,
     )
-    return _read_off(fit.integral, dt, parameter, fit.converged, fit.iterations)
+    difference = finite_difference if parameter.weights is None else finite_difference_at_jumps
+    x = fit.integral
+    return _kinematics(parameter, x, difference(x, dt, 1), difference(x, dt, 2), fit)
 
 
 def _tvregdiff_twice(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
     velocity = tvregdiff(samples, dt, alpha=parameter.alpha, epsilon=parameter.epsilon)
     acceleration = tvregdiff(velocity.derivative, dt, alpha=parameter.alpha, epsilon=parameter.epsilon)
-    return Kinematics(
-        q_smooth=velocity.integral,
-        qdot=velocity.derivative,
-        qddot=acceleration.derivative,
-        alpha=parameter.alpha,
-        epsilon=parameter.epsilon,
-        noise_std=parameter.noise_std,
-        converged=parameter.settled and velocity.converged and acceleration.converged,
-        iterations=velocity.iterations + acceleration.iterations,
+    return _kinematics(
+        parameter, velocity.integral, velocity.derivative, acceleration.derivative, velocity, acceleration
     )
 
 
-def _read_off(
-    x: FloatArray, dt: float, parameter: SmoothingParameter, converged: bool = True, iterations: int = 0
-) -> Kinematics:
-    difference = finite_difference if parameter.weights is None else finite_difference_at_jumps
-    return _kinematics(x, difference(x, dt, 1), difference(x, dt, 2), parameter, converged, iterations)
-
-
 def _kinematics(
-    q_smooth: FloatArray,
-    qdot: FloatArray,
-    qddot: FloatArray,
-    parameter: SmoothingParameter,
-    converged: bool = True,
-    iterations: int = 0,
+    parameter: SmoothingParameter, q_smooth: FloatArray, qdot: FloatArray, qddot: FloatArray, *fits: TvDerivative
 ) -> Kinematics:
     return Kinematics(
         q_smooth=q_smooth,
@@ -162,8 +352,8 @@ def _kinematics(
         alpha=parameter.alpha,
         epsilon=parameter.epsilon,
         noise_std=parameter.noise_std,
-        converged=parameter.settled and converged,
-        iterations=iterations,
+        converged=parameter.settled and all(fit.converged for fit in fits),
+        iterations=sum(fit.iterations for fit in fits),
     )
 
 
@@ -175,11 +365,10 @@ def _savitzky_golay(samples: FloatArray, dt: float, parameter: SmoothingParamete
     memory = (parameter.alpha / np.sqrt(parameter.epsilon) / dt**4) ** (1.0 / 6.0)
     window = max(_DEGREE + 2, 2 * int(_WINDOW * memory / 2.0) + 1)
     window = min(window, samples.size - 1 + samples.size % 2)
-    degree = min(_DEGREE, window - 1)
     smooth, qdot, qddot = (
-        savgol_filter(samples, window, degree, deriv=derivative, delta=dt) for derivative in (0, 1, 2)
+        savgol_filter(samples, window, min(_DEGREE, window - 1), deriv=derivative, delta=dt) for derivative in (0, 1, 2)
     )
-    return _kinematics(smooth, qdot, qddot, parameter)
+    return _kinematics(parameter, smooth, qdot, qddot)
 
 
 @dataclass(frozen=True)

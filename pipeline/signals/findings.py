@@ -5,15 +5,16 @@ displacement at its extremes 0.4 % of the samples, masked rows 1 %, no hum above
 no measurement.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Literal
 
 import numpy as np
 
 from ..numerics.arrays import FloatArray
 from ..settings.prototype import Gate
-from ..units.quantity import stamped
+from ..units.quantity import moment, percent, quantity, scale, short, significant, stamped
 from .columns import Missing
 from .noise import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
 from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
@@ -30,6 +31,25 @@ class Number:
     value: float
     unit: str = "1"
     error: float | None = None
+
+    def __format__(self, form: str) -> str:
+        """The number with its unit, or by one of `_FORMS` or a format of floats; ``short`` is round, with its unit."""
+        if form == "short":
+            shown, factor = scale(self.unit, self.value)
+            return f"{short(self.value * factor)} {shown}"
+        if form in _FORMS:
+            return _FORMS[form](self.value)
+        return format(self.value, form) if form else quantity(self.value, self.unit, self.error)
+
+
+def share(value: float) -> str:
+    """A share in percent, or in words that there is none."""
+    return percent(value) if value > 0.0 else "none"
+
+
+_FORMS: dict[str, Callable[[float], str]] = {
+    "percent": percent, "share": share, "moment": moment, "digits": partial(significant, digits=2),
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -62,6 +82,10 @@ class Finding:
     def value(self, name: str) -> float:
         """A number of the finding, in SI."""
         return self.numbers[name].value
+
+    def filled(self, template: str) -> str:
+        """A text with the finding's log, subject and numbers in its places, as in ``{log} after {time:moment}``."""
+        return template.format(log=self.log, subject=self.subject, **self.numbers)
 
 
 def refusal(gate: Gate, code: str, numbers: Mapping[str, Number] | None = None, subject: str = "") -> Finding:

@@ -10,8 +10,7 @@ from ..numerics.arrays import FloatArray, sample_interval
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
 from ..signals.columns import scaled
-from ..signals.corrections import Corrections
-from ..signals.log import UNKNOWN, Log, RawLog, log_of, voltages
+from ..signals.log import UNKNOWN, Corrections, Log, RawLog, log_of, voltages
 from ..store import layout
 from ..store.run_folder import RunFolder
 from ..store.tables import Table

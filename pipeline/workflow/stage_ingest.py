@@ -13,7 +13,7 @@ from ..diagnostics.sentences import accepted_settings
 from ..numerics.arrays import FloatArray
 from ..settings.logs import Role
 from ..settings.prototype import LogGate, Prototype
-from ..signals.corrections import Corrections
+from ..signals.log import Corrections
 from ..signals.uniform_record import Resampling
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written

@@ -11,8 +11,7 @@ from ..models.base import DynamicModel
 from ..models.model_type import model_from_tree
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
-from ..signals.corrections import Corrections
-from ..signals.log import Log
+from ..signals.log import Corrections, Log
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
 from .engine import Task

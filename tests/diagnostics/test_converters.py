@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.diagnostics.converters import LEAST_STEPS, converter_lag, step_lags
+from pipeline.diagnostics.events import LEAST_STEPS, converter_lag, step_lags
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Converter
 

@@ -16,8 +16,7 @@ from pipeline.models.hybrid.parameters import static_slope_ratio
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.excitation import command, random_excitation
-from pipeline.signals.corrections import Corrections, corrected, exchanged, mirrored
-from pipeline.signals.log import Log
+from pipeline.signals.log import Corrections, Log, corrected, exchanged, mirrored
 
 PRIOR_STD = {entry.name: entry.prior_std for entry in PARAMETERS}
 DURATION, INTERVAL, FINE, NOISE = 8.0, 0.01, 10, 2e-6

@@ -9,9 +9,8 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import finite_difference, finite_difference_at_jumps
 from pipeline.numerics.tv_newton import effective_parameters
 from pipeline.numerics.tvregdiff import tvregdiff
-from pipeline.signals.differentiate import Kinematics, alpha_study, differentiate
+from pipeline.signals.differentiate import Kinematics, alpha_study, differentiate, smoothing_parameter
 from pipeline.signals.noise import noise_std
-from pipeline.signals.smoothing_parameter import smoothing_parameter
 
 METHODS = [
     {"order": 1},

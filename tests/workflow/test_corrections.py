@@ -7,8 +7,7 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.settings.prototype import Prototype, parse_prototype
-from pipeline.signals.corrections import Corrections
-from pipeline.signals.log import RawLog
+from pipeline.signals.log import Corrections, RawLog
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard
 from pipeline.workflow.logs import corrected_log, corrections

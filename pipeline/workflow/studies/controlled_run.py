@@ -9,7 +9,7 @@ from typing import Any
 from ...control.ensemble import Converters
 from ...control.plant import ASSUMED_LAG, ControlledJoint, plant_of
 from ...device.device import JOINT, device
-from ...diagnostics.converters import converter_lag
+from ...diagnostics.events import converter_lag
 from ...errors import DataRefusedError, InputError
 from ...models.hybrid.angle_reading import ANGLE_IS_READ
 from ...models.hybrid.model import HybridModel
