@@ -196,10 +196,9 @@ def design(
             f"on the model, {name}: {_settles(step['settling_s'])}, overshoot "
             f"{prefixed(step['overshoot_m'], 'm', 2)} mm, RMS {prefixed(step['rms_m'], 'm', 3)} mm then"
         )
-    emit_text(_margins(document["margins"]))
-    for warning in document["warnings"]:
-        emit_text(f"warning: {warning}")
-    emit_text(f"next: debist export {shell_word(run)} --to controller")
+    warnings = (f"warning: {warning}" for warning in document["warnings"])
+    following = f"next: debist export {shell_word(run)} --to controller"
+    emit_text("\n".join((_margins(document["margins"]), *warnings, following)))
 
 
 def _margins(margins: Any) -> str:

@@ -147,11 +147,12 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
             ("no.", "rate [Hz]", "from [s]", "to [s]", "jitter [µs]", "gaps", "repeated", "backward", "not finite"),
             [_time_row(index, asdict(base)) for index, base in enumerate(inspection.time_bases)],
         )
-    for base in inspection.time_bases:
-        for start, stop in base.gaps_at:
-            emit_text(f"gap of {quantity(stop - start, 's')} from {stamped(start)} to {stamped(stop)} s")
-    for note in inspection.notes:
-        emit_text(note)
+    gaps = (
+        f"gap of {quantity(stop - start, 's')} from {stamped(start)} to {stamped(stop)} s"
+        for base in inspection.time_bases
+        for start, stop in base.gaps_at
+    )
+    emit_text("\n".join((*gaps, *inspection.notes)))
     if isinstance(excitation, str):
         emit_text(f"excitation: {excitation}")
     else:

@@ -166,12 +166,13 @@ def emit_members(members: "Sequence[Member]", *, as_json: bool) -> None:
     """Print the prototypes of a batch with their settings files and logs."""
     if as_json:
         emit_json({"prototypes": [asdict(member) for member in members]})
-        return
-    rows = [
-        (member.name, str(member.settings), member.error or ", ".join(log.name for log in member.logs))
-        for member in members
-    ]
-    emit_table(f"{len(members)} prototypes", ("prototype", "settings", "logs, or the mistake"), rows, numeric_from=None)
+    else:
+        rows = [
+            (member.name, str(member.settings), member.error or ", ".join(log.name for log in member.logs))
+            for member in members
+        ]
+        heading = ("prototype", "settings", "logs, or the mistake")
+        emit_table(f"{len(members)} prototypes", heading, rows, numeric_from=None)
 
 
 def summary(results: "Sequence[TaskStatus]") -> str:
@@ -189,10 +190,9 @@ def emit_tasks(
     if as_json:
         tasks = [{**vars(task), "up_to_date": task.up_to_date} for task in done]
         emit_json({"tasks": tasks} | ({} if results is None else {"results": results}))
-        return
-    for result in results or ():
-        emit_text(result_line(result), indent="  ")
-    typer.echo(summary(done))
+    else:
+        emit_text("\n".join(map(result_line, results or ())), indent="  ")
+        typer.echo(summary(done))
 
 
 def result_line(result: Mapping[str, Any]) -> str:
@@ -221,9 +221,9 @@ def emit_status(title: str, states: "Sequence[TaskStatus]", *, as_json: bool) ->
     """Print for each task whether it is up to date, and why not."""
     if as_json:
         emit_tasks(states, as_json=True)
-        return
-    rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in states]
-    emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=None)
+    else:
+        rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in states]
+        emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=None)
 
 
 _MOST_NAMED = 4

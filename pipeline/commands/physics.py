@@ -237,13 +237,13 @@ def reduce(joint: "JointParameters", motions: "Motions", figure: Path | None, as
     if as_json:
         seconds = {"full": motions.full_seconds, "reduced": motions.reduced_seconds}
         emit_json({"nrmse": motions.nrmse, "processor_time_s": seconds})
-        return
-    rows = [(f"NRMSE of {name} [%]", prefixed(value, "%", 2, "none")) for name, value in motions.nrmse.items()]
-    rows += [
-        ("processor time, full [s]", f"{motions.full_seconds:.3f}"),
-        ("processor time, reduced [s]", f"{motions.reduced_seconds:.4f}"),
-    ]
-    emit_table("Reduced against full model", ("quantity", "value"), rows)
+    else:
+        rows = [
+            *((f"NRMSE of {name} [%]", prefixed(value, "%", 2, "none")) for name, value in motions.nrmse.items()),
+            ("processor time, full [s]", f"{motions.full_seconds:.3f}"),
+            ("processor time, reduced [s]", f"{motions.reduced_seconds:.4f}"),
+        ]
+        emit_table("Reduced against full model", ("quantity", "value"), rows)
 
 
 @app.command()

@@ -183,9 +183,9 @@ def paper(
         recipe = run_paper(source, output, progress)
     if as_json:
         emit_json({"page": str(recipe.page), "figures": str(recipe.root / "paper"), "table_2": recipe.table})
-        return
-    emit_table_2(recipe.table)
-    typer.echo(f"page: {recipe.page}\nfigures: {recipe.root / 'paper'}")
+    else:
+        emit_table_2(recipe.table)
+        typer.echo(f"page: {recipe.page}\nfigures: {recipe.root / 'paper'}")
 
 
 def study(
@@ -230,9 +230,9 @@ def study(
         result = run_folds(run, progress, by=by or "blocks", folds=count, models=model or (), jobs=jobs)
     if as_json:
         emit_json(_study_document(result))
-        return
-    emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
-    emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
+    else:
+        emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
+        emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
 
 
 def _study_document(result: "StudyResult") -> Any:
@@ -375,10 +375,8 @@ def _emit_learnt(siblings: "LearntFile") -> None:
         f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other joints as "
         f"prior, the logs of a joint are exp({gains[len(gains) // 2]:.0f}) times as probable (median)"
     )
-    for odd in siblings.learnt.odd:
-        emit_text(f"odd: {odd.name}: {odd.quantity} {odd.size:+.3g} ± {odd.error:.2g} {odd.unit}")
-    if not siblings.learnt.odd:
-        emit_text("no joint is odd")
+    odd = [f"odd: {o.name}: {o.quantity} {o.size:+.3g} ± {o.error:.2g} {o.unit}" for o in siblings.learnt.odd]
+    emit_text("\n".join(odd or ["no joint is odd"]))
     emit_text(f"written: {siblings.path}; name it in [plant] siblings, or give it to debist batch --siblings")
 
 

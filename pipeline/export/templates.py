@@ -65,8 +65,7 @@ def reals(values: Iterable[float]) -> Code:
 
 def render(name: str, fields: dict[str, Any]) -> str:
     """The file that the template `name` makes of `fields`; its ending, as ``.c.j2``, decides the language."""
-    text: str = _environment(_LANGUAGES[name.split(".")[-2]]).get_template(name).render(fields)
-    return text
+    return _environment(_LANGUAGES[name.split(".")[-2]]).get_template(name).render(fields)
 
 
 def asset(name: str) -> str:

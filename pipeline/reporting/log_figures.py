@@ -87,8 +87,7 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart"
     if "raw_rows" in notes:
         caption += f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
-    caption += "."
-    caption += " Shaded: masked rows." if _masked(t, log.record["segment"]) else ""
+    caption += ". Shaded: masked rows." if _masked(t, log.record["segment"]) else "."
     return _timeline(data, log, wells, "signals", "Measured signals", caption, panels)
 
 
@@ -243,8 +242,8 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             if name in table
         ]
         panels.append(Panel(f"error of {HEADINGS[name]}", unit[name], (*lines[1:], *lines[:1])))
-    caption = "Errors are model minus measurement."
-    caption += " A model in the wrong well is off by the distance of the wells." if isinstance(wells, Wells) else ""
+    wrong = " A model in the wrong well is off by the distance of the wells." if isinstance(wells, Wells) else ""
+    caption = f"Errors are model minus measurement.{wrong}"
     panels = [_models(data, log, wells).panels[0], *panels, _inputs(data, log, low=True)]
     return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)
 

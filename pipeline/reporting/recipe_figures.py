@@ -157,8 +157,10 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
         Panel("condition number", "1", lines("condition"), log=True),
         Panel("NRMSE of q", "%", lines("nrmse")),
     )
-    caption = "Training error of the acceleration, conditioning, and free-run error on the logs held out"
-    caption += " (100 %: diverged, or missed everything)."
+    caption = (
+        "Training error of the acceleration, conditioning, and free-run error on the logs held out (100 %: diverged, "
+        "or missed everything)."
+    )
     return Figure("study-basis", "Basis functions and smoothing", caption, "basis functions M", "1", panels, whole=True)
 
 
@@ -190,8 +192,10 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
         )  # fmt: skip
         name = "constant F" if drift == 0.0 else f"F + {PERCENT * drift:g} %"
         panels.append(Panel(name, "%", lines, log=True))
-    caption = "Recursive least squares: error of the restoring force against that of the whole log, over its range. "
-    caption += "Below, a growth of the restoring force is planted in the log, and the estimate has to follow it."
+    caption = (
+        "Recursive least squares: error of the restoring force against that of the whole log, over its range. Below, a "
+        "growth of the restoring force is planted in the log, and the estimate has to follow it."
+    )
     return Figure("study-online", "Online identification", caption, "length of the stream", "s", tuple(panels))
 
 
@@ -223,6 +227,8 @@ def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
         Panel(f"NRMSE of {symbol}", "%", means(key), points=points(key))
         for key, symbol in (("nrmse", "q"), ("nrmse_qdot", "q̇"), ("nrmse_qddot", "q̈"))
     )
-    caption = "Each model fitted without the fold and run freely over it (100 %: diverged, or missed everything). "
-    caption += "Dashed: mean."
+    caption = (
+        "Each model fitted without the fold and run freely over it (100 %: diverged, or missed everything). Dashed: "
+        "mean."
+    )
     return Figure("study-folds", "Cross-validation", caption, "fold left out", "1", panels, whole=True)
