@@ -93,8 +93,10 @@ def settings(
     more : mapping
         Further tables of a settings file, such as ``{"identify": {…}}``.
     """
-    channels = {"q": {"channel": "q", "unit": "rad" if angle else "m"}}
-    channels |= {f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)}
+    channels = {
+        "q": {"channel": "q", "unit": "rad" if angle else "m"},
+        **{f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)},
+    }
     plant: dict[str, Any] = {"inputs": action}
     if mass is not None:
         turned = angle and parameters is None  # else the angle of a joint, which becomes its displacement
@@ -159,8 +161,8 @@ def log_in(table: Any) -> Log | None:
     """
     if not hasattr(table, "columns") or "segment" not in table:
         return None
-    names = {"t_s": "t", "v1_V": "v1", "v2_V": "v2", "segment": "segment"}
-    names |= {column_name(name, unit): name for unit in ("m", "rad") for name in ("q", "qdot", "qddot")}
+    motion_names = {column_name(name, unit): name for unit in ("m", "rad") for name in ("q", "qdot", "qddot")}
+    names = {"t_s": "t", "v1_V": "v1", "v2_V": "v2", "segment": "segment", **motion_names}
     columns = {names[name]: np.asarray(table[name]) for name in table.columns if name in names}
     if not {"t", "q", "qdot", "qddot", "v1"} <= columns.keys():
         return None

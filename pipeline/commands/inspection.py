@@ -126,9 +126,11 @@ def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
     shown = {name: value for name, value in asdict(excitation).items() if name not in left_out}
     q, v = excitation.plant.displacement.symbol, excitation.plant.inputs[0].symbol
     facts = asdict(excitation.excitation)
-    facts["wells"] = with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q))
-    values = {name: value for name, value in facts.items() if name not in ("signals", "displacement")}
-    values |= {"bandwidth": excitation.excitation.bandwidth, "ringing": excitation.excitation.ringing}
+    values = {name: value for name, value in facts.items() if name not in ("signals", "displacement")} | {
+        "wells": with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q)),
+        "bandwidth": excitation.excitation.bandwidth,
+        "ringing": excitation.excitation.ringing,
+    }
     units = {"centres": q, "largest": v, "interval": "s", "bandwidth": "Hz", "ringing": "Hz"}
     return {"excitation": with_units(values, units)} | with_units(shown, units)
 

@@ -108,24 +108,28 @@ def _files(
     for name, text in texts.items():
         (place / name).parent.mkdir(parents=True, exist_ok=True)
         (place / name).write_text(text, encoding="utf-8", newline="\n")
-    objects = [_file(crate, place / name, name, name) for name in texts]
-    objects += [_file(crate, source, name, f"Input {source.name}") for name, source in inputs.items()]
-    results = [_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts")]
-    results += [
-        _file(
-            crate,
-            run.checked(name),
-            f"run/{name}",
-            f"{record.recipe.stage}: {name}",
-            contentHash=record.content_hash,
-        )
-        for name, record in sorted(run.manifest.artifacts.items())
+    objects = [
+        *(_file(crate, place / name, name, name) for name in texts),
+        *(_file(crate, source, name, f"Input {source.name}") for name, source in inputs.items()),
     ]
-    results += [
-        _file(crate, run.path(name), f"run/{name}", f"Content hashes of the stage {stage}")
-        for stage in run.manifest.stages
-        if not run.stage_problem(stage)
-        for name in [stage_file(stage)]
+    results = [
+        _file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts"),
+        *(
+            _file(
+                crate,
+                run.checked(name),
+                f"run/{name}",
+                f"{record.recipe.stage}: {name}",
+                contentHash=record.content_hash,
+            )
+            for name, record in sorted(run.manifest.artifacts.items())
+        ),
+        *(
+            _file(crate, run.path(name), f"run/{name}", f"Content hashes of the stage {stage}")
+            for stage in run.manifest.stages
+            if not run.stage_problem(stage)
+            for name in [stage_file(stage)]
+        ),
     ]
     return objects, results
 

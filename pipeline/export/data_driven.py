@@ -254,11 +254,18 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
             qdot0[0] / float(d.scales[QDOT]) if lag.source == QDOT else u[lag.source - FIRST_INPUT] for lag in d.lags
         ]
 
-    table: dict[str, Any] = {"exponents": d.exponents, "coefficients": d.coefficients, "scales": d.scales}
-    table |= {"lag": np.array([lag.time for lag in d.lags]), "lag_source": np.array([lag.source for lag in d.lags])}
     return Realisation(
         functions=_functions(rates, start, d.scales[FIRST_INPUT:], d.squared, d.low, d.high, 2 + len(d.lags)),
-        constants=table | {"low": d.low, "high": d.high, "squared": int(d.squared)},
+        constants={
+            "exponents": d.exponents,
+            "coefficients": d.coefficients,
+            "scales": d.scales,
+            "lag": np.array([lag.time for lag in d.lags]),
+            "lag_source": np.array([lag.source for lag in d.lags]),
+            "low": d.low,
+            "high": d.high,
+            "squared": int(d.squared),
+        },
         inputs=d.inputs,
         states=(
             *_states(unit),

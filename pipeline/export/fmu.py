@@ -207,12 +207,11 @@ def _constant(name: str, value: float, unit: str, meaning: str) -> FmuVariable:
 def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     """All variables; their positions are the value references of the source."""
     unit = subject.validity.q_unit
-    v = subject.validity
     declared = [
-        FmuVariable(f"v{i}", symbol, f"input {i}, as measured", "input", "continuous", start=0.0)
-        for i, symbol in enumerate(v.v_units, start=1)
-    ]
-    declared += [
+        *(
+            FmuVariable(f"v{i}", symbol, f"input {i}, as measured", "input", "continuous", start=0.0)
+            for i, symbol in enumerate(subject.validity.v_units, start=1)
+        ),
         FmuVariable("q", unit, "displacement of the joint, positive to the right", "output", "continuous"),
         FmuVariable("qdot", f"{unit}/s", "its velocity", "output", "continuous"),
         FmuVariable("qddot", f"{unit}/s2", "its acceleration", "output", "continuous"),

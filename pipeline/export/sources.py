@@ -46,10 +46,7 @@ def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False)
 def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
     """Fields of the templates, except the functions."""
     validity = subject.validity
-    ranges = [("Q_MIN", validity.q[0]), ("Q_MAX", validity.q[1])]
-    ranges += [("QDOT_MIN", validity.qdot[0]), ("QDOT_MAX", validity.qdot[1])]
-    for i, (low, high) in enumerate(validity.v, start=1):
-        ranges += [(f"V{i}_MIN", low), (f"V{i}_MAX", high)]
+    spans = {"Q": validity.q, "QDOT": validity.qdot, **{f"V{i}": span for i, span in enumerate(validity.v, start=1)}}
     return {
         "title": f"Dynamic model of the joint {subject.prototype}",
         "version": program_version(),
@@ -62,7 +59,9 @@ def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
         "step": constant(realisation.step),
         "constant": constant,
         "bounds": bounds(subject),
-        "ranges": ranges,
+        "ranges": [
+            pair for name, (low, high) in spans.items() for pair in ((f"{name}_MIN", low), (f"{name}_MAX", high))
+        ],
         "k": realisation.inputs,
         "n": len(realisation.states),
         "base": realisation.base,
@@ -75,13 +74,15 @@ def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
 def bounds(subject: Subject) -> list[str]:
     """The validity range in words."""
     v = subject.validity
-    lines = [f"q from {v.q[0]:.6g} to {v.q[1]:.6g} {v.q_unit}"]
-    lines += [f"its velocity from {v.qdot[0]:.4g} to {v.qdot[1]:.4g} {v.q_unit}/s"]
-    lines += [
-        f"v{i} from {low:.6g} to {high:.6g} {unit}"
-        for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1)
+    return [
+        f"q from {v.q[0]:.6g} to {v.q[1]:.6g} {v.q_unit}",
+        f"its velocity from {v.qdot[0]:.4g} to {v.qdot[1]:.4g} {v.q_unit}/s",
+        *(
+            f"v{i} from {low:.6g} to {high:.6g} {unit}"
+            for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1)
+        ),
+        f"samples every {v.sample_interval:g} s",
     ]
-    return [*lines, f"samples every {v.sample_interval:g} s"]
 
 
 _DESCRIPTION_BYTES = 116

@@ -45,15 +45,15 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     if sheet.curves:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
-    portrait = _phase_portrait(data, sheet)
-    figures |= {"phase-portrait": portrait} if portrait is not None else {}
     places = places_among(data.models.get(sheet.main_model), data.siblings)
-    figures |= {"siblings": siblings_figure(places)} if places else {}
-    instruments = instruments_figure(data.instruments)
-    figures |= {"instruments": instruments} if instruments is not None else {}
-    figures |= residual_figures(data, sheet.wells)
-    figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
-    return figures
+    others = {
+        "phase-portrait": _phase_portrait(data, sheet),
+        "siblings": siblings_figure(places) if places else None,
+        "instruments": instruments_figure(data.instruments),
+        **residual_figures(data, sheet.wells),
+        **{f"study-{study.name}": _study(data, study) for study in data.studies},
+    }
+    return figures | {name: figure for name, figure in others.items() if figure is not None}
 
 
 def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
@@ -104,9 +104,9 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
     cut = (
         "where hardly any sample lies and a curve runs away" if data.device.joint else "where a curve leaves the frame"
     )
-    caption = f"Over the range of the training data; cut {cut}.{band}{per_mass}"
-    caption += f" Mostly outside the frame: {'; '.join(outside)}." if outside else ""
-    caption += " Circles: measured." if data.measured_curves else ""
+    hidden = f" Mostly outside the frame: {'; '.join(outside)}." if outside else ""
+    circles = " Circles: measured." if data.measured_curves else ""
+    caption = f"Over the range of the training data; cut {cut}.{band}{per_mass}{hidden}{circles}"
     return Figure(
         "curves", "Characteristic curves", caption, "q", data.device.displacement.symbol, tuple(panels), columns=2
     )
@@ -227,10 +227,12 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
     largest = np.max([data.device.peaks(log.motion.v) for log in data.logs], axis=0)
     roles = ("measured", "v1", "v2")
-    cases = [(f"no {data.device.input_word}", np.zeros(len(curves.gains)))]
-    cases += [
-        (f"v{k + 1} = {quantity(float(largest[k]), data.device.inputs[0].symbol)}", np.eye(len(curves.gains))[k])
-        for k in range(len(curves.gains))
+    cases = [
+        (f"no {data.device.input_word}", np.zeros(len(curves.gains))),
+        *(
+            (f"v{k + 1} = {quantity(float(largest[k]), data.device.inputs[0].symbol)}", np.eye(len(curves.gains))[k])
+            for k in range(len(curves.gains))
+        ),
     ]
     lines = []
     points = []

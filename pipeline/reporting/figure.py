@@ -313,23 +313,29 @@ def x_range(figure: Figure, of: Panel | None = None) -> tuple[float, float]:
     """Least and largest x of all that is drawn, or of a panel with a horizontal axis of its own."""
     if of is not None and of.x_limits is not None:
         return of.x_limits
-    arrays: list[FloatArray] = []
-    for panel in (of,) if of is not None and of.x is not None else figure.panels:
-        arrays += [line.x for line in panel.lines]
-        arrays += [band.x for band in panel.bands]
-        arrays += [points.x for points in panel.points]
-        arrays += [panel.cells.x] if panel.cells is not None else []
-    return _range(arrays)
+    panels = (of,) if of is not None and of.x is not None else figure.panels
+    return _range(
+        [
+            *(line.x for panel in panels for line in panel.lines),
+            *(band.x for panel in panels for band in panel.bands),
+            *(points.x for panel in panels for points in panel.points),
+            *(panel.cells.x for panel in panels if panel.cells is not None),
+        ]
+    )
 
 
 def y_range(panel: Panel) -> tuple[float, float]:
     """Least and largest y of a panel, with a margin of 4 %; cells fill it."""
     if panel.y_limits is not None:
         return panel.y_limits
-    arrays = [line.y for line in panel.lines] + [points.y for points in panel.points]
-    arrays += [edge for band in panel.bands for edge in (band.low, band.high)]
-    arrays += [panel.cells.y] if panel.cells is not None else []
-    low, high = _range(arrays)
+    low, high = _range(
+        [
+            *(line.y for line in panel.lines),
+            *(points.y for points in panel.points),
+            *(edge for band in panel.bands for edge in (band.low, band.high)),
+            *([panel.cells.y] if panel.cells is not None else []),
+        ]
+    )
     if panel.log:
         return low, high * (high / low) ** MARGIN
     margin = 0.0 if panel.cells is not None else MARGIN * (high - low)

@@ -156,8 +156,8 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     at = np.array([row["estimate"] for row in measured]) / limits
     half = SIGNIFICANCE * np.array([row["standard_error"] for row in measured]) / limits
     bars = error_bars(f"± {SIGNIFICANCE:g} standard errors", at, half, y)
-    points = [Points("a log", "measured", at[~beyond], y[~beyond])]
-    points += [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
+    off = [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
+    points = [Points("a log", "measured", at[~beyond], y[~beyond]), *off]
     panel = rows_panel(names, bars, "limit", np.array([-1.0, 1.0]), points)
     caption = f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}"
     return Figure(

@@ -51,7 +51,6 @@ from matplotlib.artist import Artist  # noqa: E402
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.figure import Figure as Canvas  # noqa: E402
-from matplotlib.figure import SubFigure  # noqa: E402
 
 SERIF = ("STIXGeneral", "DejaVu Serif", "DejaVu Sans")
 SANS = ("DejaVu Sans Figures", "DejaVu Sans")
@@ -261,7 +260,7 @@ def _cells(on: Axes, cells: Cells, fx: float, fy: float) -> None:
         on.contourf(cells.x * fx, cells.y * fy, ahead, levels=[0.0, 2.0], colors=[CELL_COLOURS[number]], zorder=0.2)
 
 
-def _legend(canvas: Canvas | SubFigure, figure: Figure, models: Sequence[str], look: Look) -> int:
+def _legend(canvas: Canvas, figure: Figure, models: Sequence[str], look: Look) -> int:
     """The legend over the panels, none of a single line; the number of its rows."""
     named = entries(figure, models, marks=True)
     if len(named) < 2:

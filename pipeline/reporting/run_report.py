@@ -42,9 +42,12 @@ SCORES_OF_WELLS = ("well_agreement", "switch_accuracy", "outcomes", "rise_error_
 
 def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     """Every figure of a run by its name: those of the logs in their order, then those of the device."""
-    figures = [overlay(data, judged_log(data), sheet.wells)]
-    figures += [figure for log in data.logs for figure in log_figures(data, log, sheet.wells).values()]
-    figures += [*device_figures(data, sheet).values(), *control_figures(data.control).values()]
+    figures = (
+        overlay(data, judged_log(data), sheet.wells),
+        *(figure for log in data.logs for figure in log_figures(data, log, sheet.wells).values()),
+        *device_figures(data, sheet).values(),
+        *control_figures(data.control).values(),
+    )
     return {figure.name: figure for figure in figures}
 
 

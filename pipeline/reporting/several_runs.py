@@ -70,9 +70,9 @@ def _free_runs(runs: Sequence[DrawnRun]) -> Iterator[Figure]:
     for number, key in enumerate(dict.fromkeys(key for run in runs for key in run.logs)):
         having = [run for run in runs if key in run.logs]
         t, measured, _ = having[0].logs[key]
-        lines = [Line("measured", "measured", t, measured, wide=True)]
-        lines += [Line(run.name, run.name, run.logs[key][0], run.logs[key][2]) for run in having]
-        panel = Panel("q", having[0].displacement, tuple(lines))
+        simulated = (Line(run.name, run.name, run.logs[key][0], run.logs[key][2]) for run in having)
+        lines = (Line("measured", "measured", t, measured, wide=True), *simulated)
+        panel = Panel("q", having[0].displacement, lines)
         yield Figure(f"log-{number}", f"Free runs of the {key[0]}", "Measured and simulated.", "t", "s", (panel,))
 
 

@@ -19,8 +19,6 @@ from ..store.atomic import make_folder, run_lock, write_text
 from ..store.manifest import MANIFEST
 from ..store.outputs import note_written
 from ..store.run_folder import RunFolder
-from ..store.schemas import FLEET
-from ..store.schemas import FLEET_FACTS as FLEET_FACT_TABLE
 from ..system.isolation import Isolated, Send, death, largest_memory, next_ready, preload
 from ..system.package import full_name
 from .members import FLEET_CSV, FLEET_FACTS, FLEET_FILES, FLEET_REPORT, FLEET_TABLE, Member, Shard
@@ -304,8 +302,8 @@ def write_fleet(output: Path, outcomes: Iterable[Outcome]) -> None:
     write_fleet_tables(output, ordered)
     summaries = [_member(output, outcome.name, outcome.reason) for outcome in ordered]
     facts = [(member.name, key, value, unit) for member in summaries for key, (value, unit) in member.facts.items()]
-    columns = {column.key: [fact[k] for fact in facts] for k, column in enumerate(FLEET_FACT_TABLE.columns)}
-    tables.write_table(output / FLEET_FACTS, FLEET_FACT_TABLE, columns)
+    columns = {column.key: [fact[k] for fact in facts] for k, column in enumerate(schemas.FLEET_FACTS.columns)}
+    tables.write_table(output / FLEET_FACTS, schemas.FLEET_FACTS, columns)
     write_text(output / FLEET_REPORT, fleet_report(summaries, output.resolve().name))
     note_written(output, FLEET_FILES, "batch")
 
@@ -320,8 +318,8 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
         except DebistError as error:  # changed or damaged since it ended well
             scores, head = [{}], head | {"exit_code": error.exit_code, "reason": str(error)}
         rows += [{column.key: None for column in schemas.SCORES.columns} | score | head for score in scores]
-    columns = {column.key: [row[column.key] for row in rows] for column in FLEET.columns}
-    tables.write_table(output / FLEET_TABLE, FLEET, columns)
+    columns = {column.key: [row[column.key] for row in rows] for column in schemas.FLEET.columns}
+    tables.write_table(output / FLEET_TABLE, schemas.FLEET, columns)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)

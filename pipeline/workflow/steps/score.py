@@ -210,9 +210,12 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
         more |= {f"nrmse_{name}": error["nrmse"]} | {f"nrmse_{name}_{end}": band[end] for end in ("low", "high")}
     if isinstance(wells, Wells):
         switches = response_errors(*compared.pairs["q"], v, interval, wells, rng, plant=plant)
-        more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
-        more |= _band("rise_error", switches.rise_interval, "_s")
-        more |= _band("settling_error", switches.settling_interval, "_s")
+        more |= {
+            "rise_error_s": switches.rise_s,
+            "settling_error_s": switches.settling_s,
+            **_band("rise_error", switches.rise_interval, "_s"),
+            **_band("settling_error", switches.settling_interval, "_s"),
+        }
     return [
         _score_row(score) | {"unit": units[score.signal]} | (more if score.signal == "q" else {}) for score in scores
     ]

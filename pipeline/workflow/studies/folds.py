@@ -204,8 +204,11 @@ class _Judge:
         rests = stable_rests(fitted, [log.q for log in logs])
         wells = believed_wells(self.wells, self.model, rests, plant=device(self.prototype))
         score = fold_score(fitted, _segments(cut[1]), self.ranges, wells)
-        row |= {key: score.nrmse[signal] for key, signal in NRMSE_COLUMNS.items()}
-        row |= {"well_agreement": score.well_agreement, "status": "diverged" if score.diverged else "ok"}
+        row |= {
+            **{key: score.nrmse[signal] for key, signal in NRMSE_COLUMNS.items()},
+            "well_agreement": score.well_agreement,
+            "status": "diverged" if score.diverged else "ok",
+        }
         return row, "", seconds
 
 

@@ -127,9 +127,9 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
     with run_lock(root):
         run = RunFolder.create(root, recipe.model_dump(mode="json"), prototype_file)
         stages = [name for name in STAGE_NAMES if name != "report"]
-        tasks = list(tasks_of(of_stages(plan(Planned(run, recipe, prototype_file)), stages)))
-        tasks += [study_task(recipe, "basis", 1), _task(recipe, prototype_file)]
-        done = bring_up_to_date(run, tasks, observer)
+        tasks = tasks_of(of_stages(plan(Planned(run, recipe, prototype_file)), stages))
+        own = (study_task(recipe, "basis", 1), _task(recipe, prototype_file))
+        done = bring_up_to_date(run, [*tasks, *own], observer)
     return PaperRun(root, root / layout.PAPER, done, run.record(layout.PAPER).notes["table_2"])
 
 
@@ -168,9 +168,9 @@ def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> 
 
     data = read_run(run, prototype, validate.scored_models(run, prototype))
     figures: dict[str, tuple[Figure, Sequence[str]]] = {
-        name: (figure, COLOURED) for name, figure in joint_figures(parameters).items()
+        **{name: (figure, COLOURED) for name, figure in joint_figures(parameters).items()},
+        **{name: (figure, DRAWN) for name, figure in _recipe_figures(run, prototype, data).items()},
     }
-    figures |= {name: (figure, DRAWN) for name, figure in _recipe_figures(run, prototype, data).items()}
     written: dict[str, Written] = {}
     pictures: dict[str, bytes] = {}
     for name, (figure, roles) in figures.items():
