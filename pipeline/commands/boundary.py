@@ -141,8 +141,7 @@ class WholeLines(TyperGroup):
 
     def list_commands(self, ctx: Any) -> list[str]:
         """The commands in the order of the work; those that it does not name come last, as they were added."""
-        names = super().list_commands(ctx)
-        return sorted(names, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER))
+        return sorted(super().list_commands(ctx), key=lambda name: (*ORDER, name).index(name))
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
         """Write the name of each command and the first line of its help, wrapped to the terminal."""

@@ -52,9 +52,8 @@ def _emit_first_log(design: "Design") -> None:
     """Print the visits per centre, and the criteria beside those of plain pulses."""
     designed = design.designed
     plain = design.plain
-    names = ("left", "right")
     title = "Simulated samples per basis centre, one every 10 ms"
-    emit_visits(title, 1e3 * design.weights.centres, designed.visits.table, names, "mm")
+    emit_visits(title, 1e3 * design.weights.centres, designed.visits.table, ("left", "right"), "mm")
     rows = [
         ("information per weight [nats]", f"{designed.log_information:.2f}", f"{plain.log_information:.2f}"),
         (

@@ -24,9 +24,8 @@ from .templates import constant, render
 
 def write_c(subject: Subject, folder: Path) -> Exported:
     """Write ``IDENTIFIER.h`` and ``IDENTIFIER.c``."""
-    realisation = subject.realisation()
     written = []
-    for name, text in c_sources(subject, realisation).items():
+    for name, text in c_sources(subject, subject.realisation()).items():
         write_text(folder / name, text)
         written.append(folder / name)
     return Exported(written)

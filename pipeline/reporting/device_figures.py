@@ -235,7 +235,7 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         ),
     ]
     lines = []
-    points = []
+    points = list[Points]()
     ceiling = 0.0
     rows = slice(None, None, 4)
     low, high = visited_range(data)
@@ -254,15 +254,15 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     return Figure("energy", "Energy landscape", caption, "q", data.device.displacement.symbol, panels, half=True)
 
 
-def _marked(places_of_rest: Sequence[CurveEquilibrium], role: str, q: FloatArray, heights: FloatArray) -> list[Points]:
+def _marked(
+    places_of_rest: Sequence[CurveEquilibrium], role: str, q: FloatArray, heights: FloatArray
+) -> Iterator[Points]:
     """Equilibria on a curve over q: dots where stable, rings where not."""
-    points = []
     for marker, kind in (("dot", True), ("ring", False)):
         places = np.array([e.q for e in places_of_rest if e.stable is kind])
         if places.size:
             at = np.interp(places, q, heights)
-            points.append(Points(_EQUILIBRIA[kind], role, places, at, marker))  # type: ignore[arg-type]
-    return points
+            yield Points(_EQUILIBRIA[kind], role, places, at, marker)  # type: ignore[arg-type]
 
 
 def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
@@ -271,12 +271,12 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
         Line(log.title, "measured" if log.role == "train" else "raw", *unforced(data, log))
         for log in (*data.role("validation"), *data.role("train"))
     )
-    points: list[Points] = []
+    points: tuple[Points, ...] = ()
     cells = None
     caption = f"Measured motion without {data.device.input_word}."
     if sheet.model is not None:
         curves = sheet.curves[sheet.model]
-        points = _marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1))
+        points = tuple(_marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1)))
         wells = outer_wells(curves, plant=data.device)
         if wells is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
@@ -286,7 +286,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
             )
     if cells is None and not moves_unforced(data):
         return None
-    panel = Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=tuple(points), cells=cells)
+    panel = Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=points, cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"
     return Figure("phase-portrait", title, caption, "q", data.device.displacement.symbol, (panel,), tall=1.5)
 

@@ -1,5 +1,6 @@
 """Figures 1b and 3 to 7 of the paper from the analytical model, and those of `debist physics`."""
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -31,14 +32,12 @@ def _role(state: str) -> Role:
     return _ROLES.get(state, state)
 
 
-def _by_stability(label: str, role: Role, x: FloatArray, y: FloatArray, stable: BoolArray) -> list[Line]:
+def _by_stability(label: str, role: Role, x: FloatArray, y: FloatArray, stable: BoolArray) -> Iterator[Line]:
     """Solid where stable, dotted where not; the pieces share their end points."""
-    lines = []
     for marked, dash in ((stable, "solid"), (~stable, "dotted")):
         shown = marked | np.concatenate(([False], marked[:-1]))
         if marked.any():
-            lines.append(Line(label, role, x, np.where(shown, y, np.nan), dash, wide=True))  # type: ignore[arg-type]
-    return lines
+            yield Line(label, role, x, np.where(shown, y, np.nan), dash, wide=True)  # type: ignore[arg-type]
 
 
 def _equilibria(result: "Characteristics") -> Panel:

@@ -60,13 +60,12 @@ def basis_study_figure(
     figure = study_figure("basis", columns, units)
     here = (columns["basis_functions"] == chosen[0]) & (columns["smoothing"] == chosen[1])
     x = columns["basis_functions"][here]
-    values = ("mse", "condition", "nrmse")
     factors = {"nrmse": PERCENT}
     panels = tuple(
         replace(
             panel, points=(Points("the recipe", "measured", x, factors.get(key, 1.0) * columns[key][here], "ring"),)
         )
-        for key, panel in zip(values, figure.panels, strict=True)
+        for key, panel in zip(("mse", "condition", "nrmse"), figure.panels, strict=True)
     )
     return replace(figure, panels=panels)
 

@@ -95,11 +95,10 @@ def series_rows(series: Series) -> list[tuple[str, ...]]:
 def change(fact: SeriesFact, unit: str) -> str:
     """Trend of a fact in words; `unit` is that of the time."""
     trend = fact.trend
-    large = float(np.abs(fact.values).max())
     if trend.kind == "unknown" or trend.slope is None:
         return f"{len(fact.at)} runs: too few"
     if trend.kind == "step":
-        step = quantity(trend.step, fact.unit, trend.step_error, large)
+        step = quantity(trend.step, fact.unit, trend.step_error, float(np.abs(fact.values).max()))
         return f"step of {step} between {unit}s {trend.after:g} and {trend.before:g}"
     slope = quantity(trend.slope, fact.unit, trend.slope_error)
     return f"{slope} a {unit}" if trend.kind == "line" else f"none shown ({slope} a {unit})"

@@ -343,10 +343,9 @@ def _member(output: Path, name: str, reason: str) -> Summary:
     try:
         held = RunFolder.open(output / name).manifest.artifacts
         document = load_datasheet(output / name) if layout.DATASHEET in held else _scores_alone(output / name)
-        paged = layout.REPORT in held
     except DebistError as error:
         return Summary(name, str(error))
-    return summary(name, document, f"{name}/{layout.REPORT}" if paged else None)
+    return summary(name, document, f"{name}/{layout.REPORT}" if layout.REPORT in held else None)
 
 
 def _scores_alone(run: Path) -> dict[str, Any]:

@@ -79,13 +79,12 @@ def export_run(
 
 def stale_exports(root: Path) -> list[str]:
     """Files in ``RUN/exports`` that were made from another model, or design, than the run now holds."""
-    run = RunFolder.open(root)
+    held = RunFolder.open(root).manifest.artifacts
     stale = []
     for name, entry in written_files(root / layout.EXPORTS).items():
         origin = entry.get("made_from")
         if not isinstance(origin, dict) or not (root / layout.EXPORTS / name).is_file():
             continue
-        held = run.manifest.artifacts
         if any(artifact not in held or held[artifact].content_hash != content for artifact, content in origin.items()):
             stale.append(f"{layout.EXPORTS}/{name}")
     return stale

@@ -147,8 +147,7 @@ def _csv_rows(table: Path) -> Iterator[list[Any]]:
     except UnicodeDecodeError:
         raise InputError(f"{table}: not UTF-8; save it as 'CSV UTF-8'") from None
     lines = text.splitlines(keepends=True)
-    heading = lines[0] if lines else ""
-    separator = max((",", ";", "\t"), key=heading.count)
+    separator = max((",", ";", "\t"), key=(lines[0] if lines else "").count)
     try:
         yield from csv.reader(lines, delimiter=separator, strict=True)
     except csv.Error as error:

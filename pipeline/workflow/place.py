@@ -120,10 +120,9 @@ def refuse_training_as_validation(prototype: Prototype, prototype_file: Path) ->
     """
     try:
         raw = layout.raw_logs(prototype, prototype_file)
-        train = raw[: len(prototype.logs.train)]
-        validation = raw[len(prototype.logs.train) :]
-        sizes = [(*log, log[1].stat().st_size) for log in train]
-        for log, path, span in validation:
+        trained = len(prototype.logs.train)
+        sizes = [(*log, log[1].stat().st_size) for log in raw[:trained]]
+        for log, path, span in raw[trained:]:
             size = path.stat().st_size
             for other, place, its_span, its_size in sizes:
                 if size != its_size or max(span[0], its_span[0]) >= min(span[1], its_span[1]):

@@ -272,14 +272,12 @@ def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
 def _si(recording: Recording, log_column: LogColumn, unit: SiUnit, name: str, notes: list[str]) -> FloatArray:
     """A column in SI units, NaN in place of codes for no value, which are noted under its name in a record."""
     read = recording.channel(log_column.channel)
-    factor = unit.factor * log_column.scale
-    offset = unit.factor * log_column.offset
     if log_column.scale == 1.0:  # else the log's own unit is that of its data acquisition
         _check_unit(recording.path, read.name, read.unit, log_column.unit, unit)
         notes += [f"{name}: {note}" for note in recording.unapplied(log_column.channel) if not log_column.offset]
     codes = codes_in(read.samples, log_column.missing, of_time=unit.symbol == "s")
     notes += [f"{name}: {text}" for text in code_remarks(codes)]
-    samples = scaled(masked(read.samples, codes), factor, offset)
+    samples = scaled(masked(read.samples, codes), unit.factor * log_column.scale, unit.factor * log_column.offset)
     part = log_column.part if isinstance(log_column, Channel) else "all"
     return samples if part == "all" else one_sign(samples, 1.0 if part == "positive" else -1.0)
 

@@ -59,9 +59,14 @@ def _identify(
     jobs: int,
 ) -> dict[str, Written]:
     plant = device(prototype)
-    data = load_logs(run, prototype, "train")
-    prior = prior_knowledge_of(run, prototype, parameters)
-    models, notes = identified(data, prototype, parameters, prior, on_progress, jobs)
+    models, notes = identified(
+        load_logs(run, prototype, "train"),
+        prototype,
+        parameters,
+        prior_knowledge_of(run, prototype, parameters),
+        on_progress,
+        jobs,
+    )
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),

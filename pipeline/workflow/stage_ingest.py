@@ -149,8 +149,8 @@ def differentiate_tasks(prototype: Prototype) -> list[Task]:
 
 
 def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Mapping[str, Written]:
-    signals = run.read_table(layout.signals(role, log))
-    fine = run.read_table(layout.record(role, log))
-    columns, notes = kinematics(signals, fine, prototype)
+    columns, notes = kinematics(
+        run.read_table(layout.signals(role, log)), run.read_table(layout.record(role, log)), prototype
+    )
     name = layout.kinematics(role, log)
     return {name: run.write_table(name, schemas.schema_of(schemas.KINEMATICS, device(prototype)), columns, notes)}

@@ -188,10 +188,9 @@ def joint_figures(parameters: JointParameters) -> dict[str, Figure]:
     """Figures 1b and 3 to 7: the analytical model of the parameter set."""
     from ...reporting import joint_figures as draw
 
-    curves = characteristics(parameters)
     motions = simulate_both(parameters, *pulse_sequence())
     return {
-        **draw.paper_joint_figures(curves),
+        **draw.paper_joint_figures(characteristics(parameters)),
         "fig-06": draw.modes_figure(parameters, beam_modes(motions.full.qm, parameters.l), motions.full.t),
         "fig-07": draw.motion_figure(motions),
     }
