@@ -19,16 +19,12 @@ from ..store.manifest import to_json
 from ..system.package import program_version
 from ..units.units import MASS
 from .subject import SCALARS, Exported, Realisation, Subject, curve_tables
-from .templates import constant, render
+from .templates import constant, render, write_texts
 
 
 def write_c(subject: Subject, folder: Path) -> Exported:
     """Write ``IDENTIFIER.h`` and ``IDENTIFIER.c``."""
-    written = []
-    for name, text in c_sources(subject, subject.realisation()).items():
-        write_text(folder / name, text)
-        written.append(folder / name)
-    return Exported(written)
+    return Exported(write_texts(folder, c_sources(subject, subject.realisation())))
 
 
 def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False) -> dict[str, str]:

@@ -31,12 +31,18 @@ def basis_figure(q: FloatArray, bells: FloatArray, weights: FloatArray) -> Figur
 def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
     """Rank and condition number at each accepted step of the search for T_z (§ 4.2)."""
     lag = search["lag_s"]
-    panels = []
-    for title, key in (("rank", "rank"), ("condition number", "condition")):
-        path = Line("accepted steps", "measured", lag, search[key], "solid")
-        taken = Points("taken", "rbf-paper", lag[-1:], search[key][-1:], "ring")
-        panels.append(Panel(title, "1", (path,), points=(taken,), log=key == "condition", whole=key == "rank"))
-    return Figure("lag-search", "Search for T_z", "", "T_z", "s", tuple(panels), columns=2, x_log=True)
+    panels = tuple(
+        Panel(
+            title,
+            "1",
+            (Line("accepted steps", "measured", lag, search[key], "solid"),),
+            points=(Points("taken", "rbf-paper", lag[-1:], search[key][-1:], "ring"),),
+            log=key == "condition",
+            whole=key == "rank",
+        )
+        for title, key in (("rank", "rank"), ("condition number", "condition"))
+    )
+    return Figure("lag-search", "Search for T_z", "", "T_z", "s", panels, columns=2, x_log=True)
 
 
 def signals_figure(log: LogData) -> Figure:

@@ -110,13 +110,13 @@ def assessment(checks: Sequence[Check]) -> str:
 
 
 def _subtitle(data: RunData) -> str:
-    parts = []
-    for role in ("train", "validation"):
-        logs = data.role(role)
-        if logs:
-            length = sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs)
-            parts.append(f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, {short(length, 4)} s")
-    return " · ".join([*parts, f"models {', '.join(data.model_names)}"])
+    parts = (
+        f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, "
+        f"{short(sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs), 4)} s"
+        for role in ("train", "validation")
+        if (logs := data.role(role))
+    )
+    return " · ".join((*parts, f"models {', '.join(data.model_names)}"))
 
 
 def _log_checks(data: RunData) -> dict[str, Any]:

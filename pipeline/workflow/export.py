@@ -79,15 +79,13 @@ def export_run(
 
 def stale_exports(root: Path) -> list[str]:
     """Files in ``RUN/exports`` that were made from another model, or design, than the run now holds."""
-    held = RunFolder.open(root).manifest.artifacts
-    stale = []
-    for name, entry in written_files(root / layout.EXPORTS).items():
-        origin = entry.get("made_from")
-        if not isinstance(origin, dict) or not (root / layout.EXPORTS / name).is_file():
-            continue
-        if any(artifact not in held or held[artifact].content_hash != content for artifact, content in origin.items()):
-            stale.append(f"{layout.EXPORTS}/{name}")
-    return stale
+    held = {name: record.content_hash for name, record in RunFolder.open(root).manifest.artifacts.items()}
+    return [
+        f"{layout.EXPORTS}/{name}"
+        for name, entry in written_files(root / layout.EXPORTS).items()
+        if isinstance(origin := entry.get("made_from"), dict) and (root / layout.EXPORTS / name).is_file()
+        if any(held.get(artifact) != content for artifact, content in origin.items())
+    ]
 
 
 def _origin(run: RunFolder, prototype: Prototype, target: Target, model: str | None) -> dict[str, str]:

@@ -1,6 +1,6 @@
 """The models that a run holds: their names, the main model first, how one is loaded, and what control made of them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -101,18 +101,16 @@ def made_control(run: RunFolder) -> tuple[str, ...]:
     return tuple(t for t, name in names if name in artifacts and present in artifacts[name].recipe.inputs.values())
 
 
-def failed_validations(run: RunFolder, name: str) -> list[str]:
+def failed_validations(run: RunFolder, name: str) -> Iterator[str]:
     """Sentences on validation logs on which a model diverges, or errs by more than `WORST`; none without scores."""
     if layout.SCORES not in run.manifest.artifacts:
-        return []
+        return
     table = run.read_table(layout.SCORES)
     rows = (table["model"] == name) & (table["role"] == "validation") & (table["signal"] == "q")
-    failures = []
     for log, status, error in zip(table["log"][rows], table["status"][rows], table["nrmse"][rows], strict=True):
         if status != "ok" or not error <= WORST:
             failure = "diverges" if status != "ok" else f"has an NRMSE of {100.0 * error:.0f} % of q"
-            failures.append(f"the model {name} {failure} on the validation log {log}")
-    return failures
+            yield f"the model {name} {failure} on the validation log {log}"
 
 
 def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> DynamicModel:

@@ -107,16 +107,16 @@ def _ingest(
     signals = corrected_log(raw, by) if by.act else raw
     on_progress("examining", 0.0)
     log_seen = examined(signals, prototype, str(path))
-    written = {}
     kinds = (schemas.RECORD, schemas.SIGNALS)
-    for name, kind, resampling in zip(outputs, kinds, resamplings(log_seen, prototype.ingest), strict=True):
-        written[name] = run.write_pieces(
+    return {
+        name: run.write_pieces(
             name,
             schemas.schema_of(kind, device(prototype)),
             _pieces(resampling, tuple(signals.beside), on_progress),
             asdict(resampling.report) | log_seen.notes,
         )
-    return written
+        for name, kind, resampling in zip(outputs, kinds, resamplings(log_seen, prototype.ingest), strict=True)
+    }
 
 
 def _pieces(

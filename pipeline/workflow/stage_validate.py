@@ -162,12 +162,15 @@ def _score(
     rows = []
     wells = _wells(run, [measured for _, _, measured in logs], plant, layout.logs(prototype)[0][:2], models)
     for role, log, measured in logs:
-        runs = {}
-        for model in models:
-            name = layout.predictions(role, log, model)
-            runs[model] = ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
-        for row in rows_of_log(plant, measured, runs, wells):
-            rows.append({"log": log, "role": role, "headline": row["model"] == models[0]} | row)
+        runs = {
+            model: ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
+            for model in models
+            for name in [layout.predictions(role, log, model)]
+        }
+        rows += [
+            {"log": log, "role": role, "headline": row["model"] == models[0]} | row
+            for row in rows_of_log(plant, measured, runs, wells)
+        ]
     columns = {column.key: [row.get(column.key) for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
 
