@@ -97,12 +97,12 @@ def settings(
         "q": {"channel": "q", "unit": "rad" if angle else "m"},
         **{f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)},
     }
-    plant: dict[str, Any] = {"inputs": action}
-    if mass is not None:
-        turned = angle and parameters is None  # else the angle of a joint, which becomes its displacement
-        plant["mass"] = {"value": mass, "unit": "kg m^2" if turned else "kg"}
-    if parameters is not None:
-        plant["parameters"] = parameters
+    turned = angle and parameters is None  # else the angle of a joint, which becomes its displacement
+    plant = {
+        "inputs": action,
+        "mass": None if mass is None else {"value": mass, "unit": "kg m^2" if turned else "kg"},
+        "parameters": parameters,
+    }
     document: dict[str, Any] = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
     if entry(model) is None and model != AUTO:
         raise InputError(f"no model {model!r}; there are {', '.join((AUTO, *(each.name for each in ENTRIES)))}")

@@ -162,13 +162,12 @@ class Model:
         refuse_other_units({"q0": abs(q0), "v": float(abs(volts).max(initial=0.0))}, self._prototype)
         self._warn_beyond([*volts.T], q0)
         run = self.core.simulate(times, volts, q0, qdot0)
-        columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
-        if tube:
-            core = self.core
-            drawn = core.simulate_draws(times, volts, q0, qdot0)[0] if isinstance(core, HasDraws) else None
-            columns |= wanted_tubes(run.q, drawn, core)
-        columns |= {f"v{k}": column for k, column in enumerate(volts.T, start=1)}
-        table = frame(columns, *self._units)
+        core = self.core
+        drawn = core.simulate_draws(times, volts, q0, qdot0)[0] if tube and isinstance(core, HasDraws) else None
+        tubes = wanted_tubes(run.q, drawn, core) if tube else {}
+        inputs = {f"v{k}": column for k, column in enumerate(volts.T, start=1)}
+        motion = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
+        table = frame({**motion, **tubes, **inputs}, *self._units)
         table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
         return table
 

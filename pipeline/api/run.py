@@ -277,11 +277,10 @@ class Run:
         measured = load_motion(self._folder, self._prototype, self._role(name), name)
         core = self.model(model).core
         run = free_run(measured, core)
-        columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
-        if tube:
-            columns |= wanted_tubes(run.q, drawn_runs(measured, core), core)
-        columns |= {f"v{k}": column for k, column in enumerate(measured.v.T, start=1)}
-        result = frame(columns | {"q_measured": measured.q}, *self._units)
+        tubes = wanted_tubes(run.q, drawn_runs(measured, core), core) if tube else {}
+        inputs = {f"v{k}": column for k, column in enumerate(measured.v.T, start=1)}
+        motion = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
+        result = frame({**motion, **tubes, **inputs, "q_measured": measured.q}, *self._units)
         result.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
         return result
 

@@ -171,10 +171,9 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
         for check in assessment["checks"]
     ]
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
-    if document["facts_from"] == document["judged_model"] and is_refused(assessment["checks"]):
-        source += NOT_USED
+    refused = document["facts_from"] == document["judged_model"] and is_refused(assessment["checks"])
     return ShownDatasheet(
-        f"{document['name']}: {source}",
+        f"{document['name']}: {source}{NOT_USED if refused else ''}",
         [texts(row, lambda cell: cell.value) for row in sheet],
         [texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
         element_rows(document.get("elements", ())),

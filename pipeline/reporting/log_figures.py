@@ -84,10 +84,11 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         _inputs(data, log),
     ]
     notes = log.record_notes
-    caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart"
+    raw = ""
     if "raw_rows" in notes:
-        caption += f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
-    caption += ". Shaded: masked rows." if _masked(t, log.record["segment"]) else "."
+        raw = f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
+    shaded = " Shaded: masked rows." if _masked(t, log.record["segment"]) else ""
+    caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart{raw}.{shaded}"
     return _timeline(data, log, wells, "signals", "Measured signals", caption, panels)
 
 

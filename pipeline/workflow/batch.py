@@ -97,11 +97,8 @@ class Worker(Isolated):
         answer = messages[-1] if messages else {}
         code = answer["exit_code"] if answer else self.exit_code()
         printed = self.words()
-        reason = reason_of(code, printed)
-        if self.late:
-            reason = (
-                f"stopped after the time limit of {self._time_limit:g} s; raise --time-limit, the same command goes on"
-            )
+        late = f"stopped after the time limit of {self._time_limit:g} s; raise --time-limit, the same command goes on"
+        reason = late if self.late else reason_of(code, printed)
         if code not in (0, RunLockedError.exit_code):  # a locked run is another process's
             keep_failure(self._output, self.name, code, reason, printed)
             if code == 1:

@@ -97,10 +97,10 @@ def _centres(excitation: Excitation, factor: float, unit: str) -> Iterator[Short
         finding = f"{_places(excitation, rows, factor, unit)}: {fewest} samples, below {FEW}"
         if rows.start == 0 or rows.stop == len(poor):
             add = "full pulses in quick succession, so that it overshoots; or fewer basis functions"
+        elif isinstance(excitation.wells, Wells):
+            add = "pulses near the switching voltage and chirps, which linger between the wells"
         else:
             add = "chirps, random steps and pulses of all sizes, which lead it there"
-            if isinstance(excitation.wells, Wells):
-                add = "pulses near the switching voltage and chirps, which linger between the wells"
         yield Shortfall(finding, add)
 
 

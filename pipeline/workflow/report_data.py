@@ -94,9 +94,8 @@ def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
         for role, name, _ in layout.logs(prototype)
         for text in run.record(layout.record(role, name)).notes.get("accepted", ())
     ]
-    if layout.CHECK in run.manifest.artifacts:
-        accepted += run.record(layout.CHECK).notes.get("accepted", ())
-    return (*accepted, *run.record(layout.MODELS).notes.get("accepted", ()))
+    held = [artifact for artifact in (layout.CHECK, layout.MODELS) if artifact in run.manifest.artifacts]
+    return (*accepted, *(text for artifact in held for text in run.record(artifact).notes.get("accepted", ())))
 
 
 def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:

@@ -72,9 +72,8 @@ def _identify(
         "settings_json": json.dumps(settings, sort_keys=True),
         **{name: model.to_tree() for name, model in models.items()},
         MAIN_MODEL: notes[IDENTIFIED][0],
+        **({"choice_json": json.dumps(notes[CHOICE], sort_keys=True)} if CHOICE in notes else {}),
     }
-    if CHOICE in notes:
-        tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
     columns = columns_of(plant, {name: type(model) for name, model in models.items()})
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}
 

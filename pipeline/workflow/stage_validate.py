@@ -106,11 +106,14 @@ def _write(
     tubes: Tubes | None,
     notes: Mapping[str, Any],
 ) -> Written:
-    columns = {"t": result.t, "q": result.q, "qdot": result.qdot, "qddot": result.qddot}
-    if tubes is not None:
-        columns |= tube_columns(tubes)
-    if rotation is not None:
-        columns["phi"] = rotation(result.q)
+    columns = {
+        "t": result.t,
+        "q": result.q,
+        "qdot": result.qdot,
+        "qddot": result.qddot,
+        **({} if tubes is None else tube_columns(tubes)),
+        **({} if rotation is None else {"phi": rotation(result.q)}),
+    }
     outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s}
     schema = schemas.schema_of(schemas.PREDICTIONS, plant, phi=rotation is not None, tubes=tubes is not None)
     return run.write_table(artifact, schema, columns, {**outcome, **notes})
