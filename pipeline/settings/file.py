@@ -59,26 +59,21 @@ def translated(stored: Mapping[str, Any], *, used: bool = False) -> dict[str, An
         True if an artifact was made with them. Then a value that no setting has any more stays, so that it counts as a
         change.
     """
-    tables = {name: dict(table) if isinstance(table, Mapping) else table for name, table in stored.items()}
+    tables = {name: dict(table) for name, table in stored.items() if isinstance(table, Mapping)}
     for name, defaults in _DEFAULTS.items():
-        table = tables.get(name)
-        if not isinstance(table, dict):
-            continue
-        for key in defaults.keys() & table.keys():
-            if not used or table[key] == defaults[key]:
-                del table[key]
-    if isinstance(prototype := tables.get("prototype"), dict):
-        tables["prototype"] = translated(prototype, used=used)
-    quality = tables.get("quality")
-    if not used and isinstance(quality, dict) and isinstance(accepted := quality.get("accept"), list | tuple):
-        quality["accept"] = [gate for gate in accepted if gate not in GATES]
-    differentiate = tables.get("differentiate")
-    identify = tables.get("identify")
-    if not used and isinstance(differentiate, dict) and differentiate.get("method") == "rts":
-        del differentiate["method"]
-    if isinstance(identify, dict) and (moved := {key: identify.pop(key) for key in STRUCTURE if key in identify}):
+        for key in defaults.keys() & tables.get(name, {}).keys():
+            if not used or tables[name][key] == defaults[key]:
+                del tables[name][key]
+    if "prototype" in tables:
+        tables["prototype"] = translated(tables["prototype"], used=used)
+    if not used and isinstance(accepted := tables.get("quality", {}).get("accept"), list | tuple):
+        tables["quality"]["accept"] = [gate for gate in accepted if gate not in GATES]
+    if not used and tables.get("differentiate", {}).get("method") == "rts":
+        del tables["differentiate"]["method"]
+    identify = tables.get("identify", {})
+    if moved := {key: identify.pop(key) for key in STRUCTURE if key in identify}:
         identify["structure"] = moved
-    return tables
+    return {**stored, **tables}
 
 
 Options = TypeVar("Options", bound=BaseModel)

@@ -209,11 +209,6 @@ def instruments_shown(root: Path) -> tuple[list[dict[str, Any]], Mapping[tuple[s
     return in_snapshot(root, shown)
 
 
-def load_instruments(root: Path) -> list[dict[str, Any]]:
-    """The errors of the instruments of a run's logs as records, null where they are not measured."""
-    return in_snapshot(root, lambda run: list(_instruments(run)))
-
-
 def load_datasheet(root: Path) -> dict[str, Any]:
     """The document ``datasheet.json`` of a run, checked against the manifest.
 

@@ -360,7 +360,8 @@ def _own_bases(recording: Recording, channels: list[Channel], rate: float | None
         if base is None and rate is not None:
             counted[channel.channel] = read.samples.size
             base = next((other for other in bases if other.size == read.samples.size), None)
-            base = _counted(read.samples.size, rate) if base is None else base
+            stamps = (np.arange(rows.start, rows.stop) / rate for rows in chunks(read.samples.size))
+            base = column(read.samples.size, stamps, np.float64) if base is None else base
         if base is None:
             raise InputError(
                 f"{recording.path}: the format carries no time base; name the time channel as [channels] time, "
@@ -436,11 +437,6 @@ def _rate_of_column(column: RecordedChannel, wanted: float) -> dict[str, float]:
     steps = (float(numbers[-1] - numbers[0]) / (numbers.size - 1), nominal_step(numbers))  # with gaps, or coarse stamps
     rates = [1.0 / (step * factor) for factor in factors for step in steps]
     return {column.name: next((rate for rate in rates if abs(rate / wanted - 1.0) <= _RATES_AGREE), 1.0 / steps[0])}
-
-
-def _counted(size: int, rate: float) -> FloatArray:
-    """Stamps [s] of so many samples at a rate [Hz]."""
-    return column(size, (np.arange(rows.start, rows.stop) / rate for rows in chunks(size)), np.float64)
 
 
 _UNIT_IN_NAME = re.compile(r"[\[(](?P<unit>[^\[\]()]+)[\])]$")

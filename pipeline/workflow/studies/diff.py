@@ -1,5 +1,6 @@
 """Diff: runs side by side: settings, versions, raw logs, scores, facts of the device and artifacts."""
 
+import itertools
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -126,19 +127,17 @@ def paired_logs(
     """The logs of a second run beside those of the first: of one role and content, then of one name, then in order."""
     pairs: dict[tuple[str, str], str] = {}
     left = dict(first)
-
-    def pair(fits: Callable[[tuple[str, str], tuple[str, str]], bool]) -> None:
-        """Pair what is left of one role and fits."""
-        for log in second:
-            if log not in pairs:
-                partner = next((other for other in left if other[0] == log[0] and fits(log, other)), None)
-                if partner is not None:
-                    pairs[log] = partner[1]
-                    del left[partner]
-
-    pair(lambda log, other: bool(second[log]) and second[log] == first[other])
-    pair(lambda log, other: log == other)
-    pair(lambda log, other: True)
+    rules: tuple[Callable[[tuple[str, str], tuple[str, str]], bool], ...] = (
+        lambda log, other: bool(second[log]) and second[log] == first[other],
+        lambda log, other: log == other,
+        lambda log, other: True,
+    )
+    for fits, log in itertools.product(rules, second):
+        if log not in pairs:
+            partner = next((other for other in left if other[0] == log[0] and fits(log, other)), None)
+            if partner is not None:
+                pairs[log] = partner[1]
+                del left[partner]
     return pairs
 
 
