@@ -228,8 +228,7 @@ def reasons_of(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
     for name in outputs_of(run, task):
         if name not in run.manifest.artifacts:
             return [FIRST_TIME]
-        problem = run.problem(name)
-        if problem:
+        if problem := run.problem(name):
             return [f"{name} {problem}"]
     return recipe.differences(run.manifest.artifacts[task.outputs[0]].recipe)
 
@@ -352,9 +351,8 @@ class _Schedule:
 
     def _must_wait(self) -> bool:
         """True if the plan is not known beyond this place, or this process alone does the tasks read so far."""
-        if self._processes.jobs == 1 and self._waiting:
-            return True
-        return self._mark is not None and self._mark.artifact in self._unfinished(self._read)
+        alone = self._processes.jobs == 1 and bool(self._waiting)
+        return alone or (self._mark is not None and self._mark.artifact in self._unfinished(self._read))
 
     def _unfinished(self, before: int) -> set[str]:
         """The artifacts that tasks before a place of the plan have still to write."""

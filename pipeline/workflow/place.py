@@ -92,14 +92,12 @@ def require_sources(tasks: Sequence[Task]) -> None:
     sources = {path: task for task in tasks for path in (task.sources or {}).values()}
     for path, task in sources.items():
         try:
-            regular = stat.S_ISREG(path.stat().st_mode)
+            if not stat.S_ISREG(path.stat().st_mode):
+                mistakes.append(f"{path}: cannot be read: is no regular file; correct its name in {task.named_in}")
         except FileNotFoundError:
             mistakes.append(missing_source(path, task))
         except OSError as error:
             mistakes.append(unreadable_source(path, error))
-        else:
-            if not regular:
-                mistakes.append(f"{path}: cannot be read: is no regular file; correct its name in {task.named_in}")
     if len(mistakes) == 1:
         raise InputError(mistakes[0])
     if mistakes:
