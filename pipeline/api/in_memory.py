@@ -189,8 +189,7 @@ def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None
     plant = device(prototype)
     for name, size in sizes.items():
         unit = plant.displacement.symbol if name.startswith("q") else plant.inputs[0].symbol
-        factor = scale_suspicion(size, plant.plausible_span(unit))
-        if factor is not None and factor > 1.0:
+        if (factor := scale_suspicion(size, plant.plausible_span(unit))) is not None and factor > 1.0:
             raise InputError(
                 f"{name} is up to {size:.4g}, which looks {factor:g} times too large for {unit}: give SI units"
             )

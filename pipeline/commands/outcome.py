@@ -316,8 +316,7 @@ def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool)
         for outcome in outcomes
     ]
     emit_table(f"{output}", ("prototype", "state", "validation NRMSE of q, or the reason"), rows, numeric_from=None)
-    cost = sum(outcome.processor_seconds for outcome in outcomes)
-    if cost:
+    if cost := sum(outcome.processor_seconds for outcome in outcomes):
         memory = max(outcome.memory_bytes for outcome in outcomes)
         counted = f"; at most {memory / 1e6:.0f} MB of memory in a process" if memory else ""
         typer.echo(f"{cost:.1f} s of processor time{counted}")

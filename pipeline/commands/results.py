@@ -88,8 +88,7 @@ def _emit_differences(runs: "RunDifferences") -> None:
             )
     for name, compared in zip(runs.names[1:], runs.artifacts, strict=True):
         _emit_artifacts(f"artifacts of {name}", [c for c in compared if c.state not in ("equal", "drawn")])
-    same = [title for title, _, rows in tables if not rows]
-    if same:
+    if same := [title for title, _, rows in tables if not rows]:
         emit_text(f"equal: {', '.join(same)}{', artifacts' if runs.equal else ''}")
 
 

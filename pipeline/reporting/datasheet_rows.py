@@ -126,8 +126,7 @@ def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
 def structure_summary(data: RunData, sheet: Datasheet) -> str:
     """Sentences on the main model: its type, the reason, the count of its basis functions and their effect."""
     description = data.descriptions.get(sheet.main_model, {})
-    count = description.get("basis_functions")
-    if count is None:
+    if (count := description.get("basis_functions")) is None:
         return ""
     physical = description.get("physical_parameters", 0)
     sentences = [_WHAT.get((sheet.main_model, bool(count)), "").format(count=count, physical=physical)]

@@ -157,8 +157,7 @@ class _Curve(NamedTuple):
 def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) -> list[_Curve]:
     chosen = []
     for model, curves in sheet.curves.items():
-        y = pick(curves)
-        if y is None:
+        if (y := pick(curves)) is None:
             continue
         drawn = [c for draw in sheet.draws.get(model, ()) if (c := pick(draw)) is not None]
         low, high = np.quantile(drawn, [(1 - COVERAGE) / 2, (1 + COVERAGE) / 2], axis=0) if drawn else (y, y)
@@ -259,8 +258,7 @@ def _marked(
 ) -> Iterator[Points]:
     """Equilibria on a curve over q: dots where stable, rings where not."""
     for marker, kind in (("dot", True), ("ring", False)):
-        places = np.array([e.q for e in places_of_rest if e.stable is kind])
-        if places.size:
+        if (places := np.array([e.q for e in places_of_rest if e.stable is kind])).size:
             at = np.interp(places, q, heights)
             yield Points(_EQUILIBRIA[kind], role, places, at, marker)  # type: ignore[arg-type]
 
@@ -277,8 +275,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
     if sheet.model is not None:
         curves = sheet.curves[sheet.model]
         points = tuple(_marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1)))
-        wells = outer_wells(curves, plant=data.device)
-        if wells is not None:
+        if (wells := outer_wells(curves, plant=data.device)) is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (
                 f"Measured motion while no {data.device.input_word} is on, over the basins of {sheet.model} without "

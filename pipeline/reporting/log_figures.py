@@ -257,8 +257,7 @@ def residual_figures(data: RunData, wells: Wells | NoWells) -> dict[str, Figure]
     """Correlations and spectrum for the worst validation log (training log without any); none of a short record."""
     log = judged_log(data)
     model = data.model_names[0]
-    residual = main_residual(data, log)
-    if residual is None:
+    if (residual := main_residual(data, log)) is None:
         return {}
     return {
         "residual-correlation": _correlation(data, log, model, residual, rings=isinstance(wells, Wells)),

@@ -125,8 +125,7 @@ def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, A
 
     def store(values: FloatArray) -> str:
         """The name under which a series is stored."""
-        content = hashlib.blake2b(values.tobytes()).digest()
-        if content not in names:
+        if (content := hashlib.blake2b(values.tobytes()).digest()) not in names:
             names[content] = f"s{len(names)}"
             series[names[content]] = packed(values)
         return names[content]

@@ -319,8 +319,7 @@ _LEFT_OUT = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|<!--.*?-->|
 
 def _lay_out(canvas: Canvas) -> None:
     """Find the places of a figure's parts, which saving would otherwise draw it once more for."""
-    engine = canvas.get_layout_engine()
-    if engine is not None:
+    if (engine := canvas.get_layout_engine()) is not None:
         engine.execute(canvas)
     canvas.set_layout_engine(None)
 

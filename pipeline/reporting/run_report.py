@@ -101,8 +101,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
 def assessment(checks: Sequence[Check]) -> str:
     """The assessment in one sentence: the worst of what is wrong, or that nothing is."""
     for grade in ("poor", "fair"):
-        failing = [check for check in checks if check.grade == grade]
-        if failing:
+        if failing := [check for check in checks if check.grade == grade]:
             rest = len([check for check in checks if check.grade != "good"]) - 1
             more = f" And {rest} more below." if rest else ""
             return f"{failing[0].statement[:1].upper()}{failing[0].statement[1:]}: {failing[0].advice}.{more}"

@@ -155,8 +155,7 @@ def _advice(path: Path, error: str) -> str:
     """Advice where the line that is no TOML shows a common slip; else empty."""
     if "Unescaped" in error:
         return "; write paths with / or between single quotes"
-    place = re.search(r"at line (\d+)", error)
-    if place is None:
+    if (place := re.search(r"at line (\d+)", error)) is None:
         return ""
     line = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
     return next((f"; {advice}" for slip, advice in _SLIPS if slip.search(line)), "")
@@ -273,8 +272,7 @@ def _hint(location: list[str], settings: type[BaseModel]) -> str:
 
 def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:
     """Names of the keys that the table at a place must have; all of them where none is mandatory."""
-    table = _table_at(location, settings)
-    if table is None:
+    if (table := _table_at(location, settings)) is None:
         return []
     return [name for name, field in table.model_fields.items() if field.is_required()] or list(table.model_fields)
 

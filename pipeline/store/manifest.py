@@ -27,7 +27,7 @@ from ..settings.file import translated
 from ..system.names import shell_word
 from ..system.package import program_version
 from ..system.plain_files import read_plain
-from .atomic import move, not_written, reading, refuse_link, sweep, write_text
+from .atomic import move, reading, refuse_link, sweep, write_text, writing
 from .hashing import file_sha256, flatten, json_sha256
 from .schemas import ADVICE, Document, first_mistake
 
@@ -281,10 +281,8 @@ def _complete(root: Path, manifest: Manifest, names: Iterable[str]) -> None:
     with reading(root):
         lost = [path for path in (root / STAGES).glob("*.json") if path.stem not in manifest.stages]
     for path in lost:
-        try:
+        with writing(path):
             path.unlink()
-        except OSError as error:
-            raise not_written(path, error) from error
     for name in names:
         move(staging_place(root / name), root / name, within=root)
     move(root / NEXT_MANIFEST, root / MANIFEST, within=root)

@@ -296,8 +296,7 @@ class _InOrder:
 
     def _pass_on(self) -> None:
         while self._waiting.get(self._first):
-            event = self._waiting[self._first].pop(0)
-            if event is None:
+            if (event := self._waiting[self._first].pop(0)) is None:
                 del self._waiting[self._first]
                 self._first += 1
             else:
@@ -338,8 +337,7 @@ class _Schedule:
     def goes_on(self) -> bool:
         """True if a task waits or runs, after the plan was read as far as it is known."""
         while self.failed is None and not self._must_wait():
-            entry = next(self._plan, None)
-            if entry is None:
+            if (entry := next(self._plan, None)) is None:
                 break
             if isinstance(entry, After):
                 self._mark = entry

@@ -195,8 +195,7 @@ def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], di
         if file_sha256(source) != recorded:
             raise InputError(f"{source}: changed since the run was made; run it again before it is packed")
     for table, key in (("plant", "curves"), ("plant", "siblings"), ("compare", "curves")):
-        name = settings[table][key]
-        if name is not None:
+        if (name := settings[table][key]) is not None:
             settings[table][key] = f"inputs/{table}/{Path(name).name}"
             inputs[settings[table][key]] = layout.source(name, home)
     return settings, inputs

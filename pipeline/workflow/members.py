@@ -356,8 +356,7 @@ def members(prototypes: Sequence[Path]) -> list[Member]:
     reserved = (*FLEET_FILES, SETTINGS, FAILED)
     for path in prototypes:
         member = _member(path)
-        folded = member.name.casefold()
-        if folded in reserved:
+        if (folded := member.name.casefold()) in reserved:
             raise InputError(
                 f"{path}: {member.name!r} is the name of a file of the fleet; name the prototype otherwise"
             )

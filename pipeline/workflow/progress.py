@@ -55,8 +55,7 @@ def fleet_progress(output: Path) -> list[MemberState]:
     InputError
         The folder cannot be read, or holds no runs.
     """
-    names = sorted({*_runs(output), *failed_names(output)})
-    if not names:
+    if not (names := sorted({*_runs(output), *failed_names(output)})):
         raise InputError(f"{output}: holds no runs; name the DIR of `debist batch`")
     return [_member(output, name) for name in names]
 

@@ -202,8 +202,7 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
         compared.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, plant=plant, rng=rng
     )
     more: dict[str, Any] = {c.key: compared.notes[c.key] for c in NOTED_COLUMNS if c.key in compared.notes}
-    outcomes = compared.notes.get("outcomes")
-    if outcomes:
+    if outcomes := compared.notes.get("outcomes"):
         more |= {"outcomes": len(outcomes["ambiguous"]), "ambiguous_outcomes": sum(outcomes["ambiguous"])}
     for name, error in compared.notes.get("horizons", {}).items():
         band = error["interval"] or {"low": None, "high": None}

@@ -175,8 +175,7 @@ def _rests(run: RunFolder, prototype: Prototype) -> tuple[float, float] | None:
 
 
 def _refuse_bad_model(run: RunFolder, name: str, model: HybridModel, limit: float) -> None:
-    missed = float(model.diagnostics.get("training_rms_m", 0.0))
-    if missed > limit:
+    if (missed := float(model.diagnostics.get("training_rms_m", 0.0))) > limit:
         raise DataRefusedError(
             f"{run.root}: the model {name} misses its training data by {1e3 * missed:.1f} mm; control on it would be a "
             f"guess (limit {1e3 * limit:.1f} mm); see `debist show {shell_word(run.root)}`"

@@ -272,8 +272,7 @@ def _drawn(name: str, pairs: Pairs, run: RunFolder) -> DrawnRun:
     units = {key: plant.curve_units["dC" if key.startswith("dC") else key] for key in curves}
     logs = {}
     for role, log, _ in layout.logs(prototype):
-        simulated = layout.predictions(role, log, main_model)
-        if simulated in run.manifest.artifacts:
+        if (simulated := layout.predictions(role, log, main_model)) in run.manifest.artifacts:
             source = ", ".join(run.record(layout.record(role, log)).recipe.inputs.values())
             motion = run.read_table(layout.kinematics(role, log))
             free = run.read_table(simulated)

@@ -235,8 +235,7 @@ def drawn_simulators(parameters: JointParameters, rng: np.random.Generator, coun
     -----
     Cost: some 50 ms a joint; a run of 37.5 s takes 4 ms.
     """
-    first = _simulator(parameters)
-    if first is None:
+    if (first := _simulator(parameters)) is None:
         raise InputError("the parameter set has no two wells at zero voltage; see `debist physics equilibria`")
     made = (_simulator(_made(parameters, rng)) for _ in range(_MOST_DRAWS))
     simulators = [first, *islice((simulator for simulator in made if simulator is not None), count - 1)]

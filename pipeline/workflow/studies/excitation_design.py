@@ -413,8 +413,7 @@ def design_next_log(
     Cost: about 20 places × candidates × 0.1 s.
     """
     t, v = _voltages(programme, wanted, rng)
-    unsure = uncertainty(model, t, v, start, interval)
-    if unsure is None:
+    if (unsure := uncertainty(model, t, v, start, interval)) is None:
         raise InputError(f"--programme {programme}: the free run of the model diverges; take another programme")
     expected = partial(_expected, unsure, start)
     bursts = greedy_bursts(lambda bursts, end: -2.0 * np.log(expected(bursts, end)), rng, wanted, report=report)
