@@ -20,6 +20,7 @@ from .templates import asset, render
 
 _NAMESPACE = uuid.UUID("6b1d7c4e-5f0e-5e6e-9a59-6d0f3b7a9c11")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
+"""Time of all files in the archive."""
 FLAGS = ("-std=c99", "-O2", "-ffp-contract=off")
 """Flags of every compiler; without contraction the digits are those of debist on any processor."""
 
@@ -78,7 +79,11 @@ def packed(sources: dict[str, str], description: str, identifier: str, folder: P
     ]
     files |= {f"binaries/{system}/{identifier}{COMPILERS[system].ending}": code for system, code in binaries.items()}
     target = folder / f"{identifier}.fmu"
-    write_bytes(target, _zipped(files))
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in sorted(files):
+            archive.writestr(zipfile.ZipInfo(name, _EPOCH), files[name], zipfile.ZIP_DEFLATED)
+    write_bytes(target, buffer.getvalue())
     return Exported([target], notes)
 
 
@@ -138,15 +143,6 @@ def _library(place: Path, identifier: str, compiler: "Compiler") -> bytes | None
 
 _COMPILING = 120.0
 """Seconds after which a compiler is given up; it takes two."""
-
-
-def _zipped(files: dict[str, bytes]) -> bytes:
-    """A ZIP archive without times."""
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name in sorted(files):
-            archive.writestr(zipfile.ZipInfo(name, _EPOCH), files[name], zipfile.ZIP_DEFLATED)
-    return buffer.getvalue()
 
 
 _BASE_UNITS: dict[str, dict[str, int]] = {

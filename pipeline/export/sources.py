@@ -89,10 +89,16 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
     The MAT file holds breakpoints and tables for Simulink's 1-D Lookup Table blocks under the names `q_bp`, `F_table`,
     `d_table`, …, the structs `units` and `validity`, and in `check` a log with the model's own run.
     """
+    from scipy.io import savemat
+
     script = folder / f"{subject.identifier}.m"
     data = folder / f"{subject.identifier}_data.mat"
     write_text(script, function_source(subject))
-    write_bytes(data, _mat_bytes(variables(subject), f"debist {program_version()}, {subject.identifier}"))
+    buffer = io.BytesIO()
+    savemat(buffer, variables(subject), long_field_names=True, oned_as="row")  # type: ignore[arg-type]  # takes streams
+    title = f"debist {program_version()}, {subject.identifier}".encode("ascii", "replace")  # for the time of writing
+    header = title[:_DESCRIPTION_BYTES].ljust(_DESCRIPTION_BYTES)
+    write_bytes(data, header + buffer.getvalue()[_DESCRIPTION_BYTES:])
     return Exported([script, data])
 
 
@@ -139,18 +145,6 @@ def variables(subject: Subject) -> dict[str, Any]:
     return arrays | {"units": units, "source": f"{subject.prototype}, {subject.name}, {subject.origin}"}
 
 
-def _mat_bytes(arrays: dict[str, Any], title: str) -> bytes:
-    """A MAT v5 file whose header has a title in place of the time of writing."""
-    from scipy.io import savemat
-
-    buffer = io.BytesIO()
-    savemat(buffer, arrays, long_field_names=True, oned_as="row")  # type: ignore[arg-type]  # takes streams too
-    content = buffer.getvalue()
-    return (
-        title.encode("ascii", "replace")[:_DESCRIPTION_BYTES].ljust(_DESCRIPTION_BYTES) + content[_DESCRIPTION_BYTES:]
-    )
-
-
 FORMAT = "debist-model/1"
 _BETWEEN = {"linear": "linear", "cubic": "cubic spline", "zero": "held"}
 CHECK_SAMPLES = 500
@@ -166,6 +160,9 @@ def write_json(subject: Subject, folder: Path) -> Exported:
 
 def document(subject: Subject) -> dict[str, Any]:
     """The document; every number in SI, units beside the numbers or in the keys."""
+    t = subject.t[:CHECK_SAMPLES]
+    v = subject.v[:CHECK_SAMPLES]
+    run = subject.model.simulate(t, v, *subject.start)
     facts: dict[str, Any] = to_json(
         {
             "format": FORMAT,
@@ -176,7 +173,14 @@ def document(subject: Subject) -> dict[str, Any]:
             "description": subject.model.describe(),
             "equations": _equations(subject),
             "curves": [vars(table) for table in curve_tables(subject)],
-            "check": _check(subject),
+            "check": {
+                "t_s": t,
+                "v": v,
+                "q0": subject.start[0],
+                "qdot0": subject.start[1],
+                "q": run.q,
+                "status": run.status,
+            },
         }
     )
     return facts
@@ -200,12 +204,3 @@ def _equations(subject: Subject) -> dict[str, Any] | None:
             "delay_s": realisation.delay,
         },
     }
-
-
-def _check(subject: Subject) -> dict[str, Any]:
-    """The start of a log with the model's own run."""
-    rows = slice(0, CHECK_SAMPLES)
-    t = subject.t[rows]
-    v = subject.v[rows]
-    run = subject.model.simulate(t, v, *subject.start)
-    return {"t_s": t, "v": v, "q0": subject.start[0], "qdot0": subject.start[1], "q": run.q, "status": run.status}

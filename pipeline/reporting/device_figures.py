@@ -95,7 +95,9 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
         curves = _curves_of(sheet, pick)
         frame = _frame(curves, visited, widened=not data.device.joint)
         panels.append(_curve_panel(name, unit, curves, frame, measured))
-        gone = [] if data.device.joint else _outside(curves, visited, frame)
+        # Models whose curve is visible in less than half of the visited part.
+        inside = {c.model: ((c.y >= frame[0]) & (c.y <= frame[1]))[c.inner(visited)] for c in curves}
+        gone = [m for m, visible in inside.items() if not data.device.joint and np.mean(visible) < 0.5]
         outside += [f"{name} of {', '.join(gone)}"] if gone else []
     band = (
         f" Bands: central {prefixed(COVERAGE, '%', 0)} % of what the training data leave open." if sheet.draws else ""
@@ -203,12 +205,6 @@ def _curve_panel(
         lines.append(Line(model, model, q[rows], inside[rows]))
     # The main model is drawn last, over its baselines.
     return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), _circles(measured, lines, frame))
-
-
-def _outside(curves: Sequence[_Curve], visited: tuple[float, float], frame: tuple[float, float]) -> list[str]:
-    """Models whose curve is visible in less than half of the visited part."""
-    inside = {c.model: (c.y >= frame[0]) & (c.y <= frame[1]) for c in curves}
-    return [c.model for c in curves if np.mean(inside[c.model][c.inner(visited)]) < 0.5]
 
 
 def _circles(

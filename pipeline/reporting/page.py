@@ -52,15 +52,12 @@ def packed(y: FloatArray, longest: int = LONGEST) -> dict[str, Any]:
     codes[finite] = np.rint((y[finite] - low) / step)
     change = np.diff(codes, prepend=0) % 65536
     planes = np.concatenate((change & 255, change >> 8)).astype(np.uint8)
-    data = base64.b64encode(_deflated(planes.tobytes())).decode("ascii")
-    return {"n": int(y.size), "low": low, "step": step, "data": data}
-
-
-def _deflated(data: bytes) -> bytes:
-    """Deflated for repetitions or for noise, whichever is shorter."""
+    # For repetitions or for noise, whichever is shorter.
     strategies = (zlib.Z_DEFAULT_STRATEGY, zlib.Z_FILTERED)
     packers = [zlib.compressobj(level=DEFLATION, strategy=strategy) for strategy in strategies]
-    return min((packer.compress(data) + packer.flush() for packer in packers), key=len)
+    deflated = min((packer.compress(planes.tobytes()) + packer.flush() for packer in packers), key=len)
+    data = base64.b64encode(deflated).decode("ascii")
+    return {"n": int(y.size), "low": low, "step": step, "data": data}
 
 
 def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) -> str:

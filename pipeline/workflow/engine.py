@@ -287,20 +287,17 @@ class _InOrder:
     def add(self, number: int, *events: Event | None) -> None:
         """Events of the task at a place of the plan; None behind the last of them."""
         self._waiting.setdefault(number, []).extend(events)
-        self._pass_on()
-
-    def at_once(self, number: int, event: Event) -> None:
-        """An event that is of no interest later, such as progress."""
-        if number == self._first:
-            event(self._observer)
-
-    def _pass_on(self) -> None:
         while self._waiting.get(self._first):
             if (event := self._waiting[self._first].pop(0)) is None:
                 del self._waiting[self._first]
                 self._first += 1
             else:
                 event(self._observer)
+
+    def at_once(self, number: int, event: Event) -> None:
+        """An event that is of no interest later, such as progress."""
+        if number == self._first:
+            event(self._observer)
 
 
 @dataclass

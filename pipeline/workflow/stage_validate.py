@@ -15,8 +15,7 @@ from ..device.device import Device, device
 from ..device.parameters import JointParameters, parameter_values
 from ..diagnostics.characteristics import believed_wells, stable_rests
 from ..models.analytical.statics import RotationMap, rotation_map
-from ..models.base import FreeRun
-from ..models.free_runs import Tubes, free_run, tube_columns
+from ..models.free_runs import free_run, tube_columns
 from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
 from ..scoring.wells import NoWells, Wells, wells_of
@@ -93,30 +92,18 @@ def _predict(
             free_run(log.parts()[0].part(0, 3), model)
         result, tubes, notes = validated(log, model, wells, trained, plant)
         artifact = layout.predictions(role, log_name, name)
-        written[artifact] = _write(run, artifact, plant, rotation, result, tubes, {"stable_rests": seen} | notes)
+        columns = {
+            "t": result.t,
+            "q": result.q,
+            "qdot": result.qdot,
+            "qddot": result.qddot,
+            **({} if tubes is None else tube_columns(tubes)),
+            **({} if rotation is None else {"phi": rotation(result.q)}),
+        }
+        outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s, "stable_rests": seen}
+        schema = schemas.schema_of(schemas.PREDICTIONS, plant, phi=rotation is not None, tubes=tubes is not None)
+        written[artifact] = run.write_table(artifact, schema, columns, outcome | notes)
     return written
-
-
-def _write(
-    run: RunFolder,
-    artifact: str,
-    plant: Device,
-    rotation: RotationMap | None,
-    result: FreeRun,
-    tubes: Tubes | None,
-    notes: Mapping[str, Any],
-) -> Written:
-    columns = {
-        "t": result.t,
-        "q": result.q,
-        "qdot": result.qdot,
-        "qddot": result.qddot,
-        **({} if tubes is None else tube_columns(tubes)),
-        **({} if rotation is None else {"phi": rotation(result.q)}),
-    }
-    outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s}
-    schema = schemas.schema_of(schemas.PREDICTIONS, plant, phi=rotation is not None, tubes=tubes is not None)
-    return run.write_table(artifact, schema, columns, {**outcome, **notes})
 
 
 SCORES_ALGORITHM = "11"

@@ -60,7 +60,10 @@ class ControlSettings:
 
 @dataclass(frozen=True)
 class ControlRun:
-    """A run whose joint is to be controlled."""
+    """A run whose joint is to be controlled.
+
+    Its `rests` are the readings [m] at which the logs show the joint at rest; None where they show no two wells.
+    """
 
     run: RunFolder
     prototype: Prototype
@@ -162,16 +165,11 @@ def control_run(root: Path) -> ControlRun:
         raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
     if model.joint.angle:
         raise InputError(f"{root}: {ANGLE_IS_READ.format(name=name, what='controllers', way_out='measure q')}")
-    rests = _rests(run, prototype)
-    _refuse_bad_model(run, name, model, _MISSED * (rests[1] - rests[0]) if rests else _UNSEEN)
-    return ControlRun(run, prototype, model, name, artifact, rests)
-
-
-def _rests(run: RunFolder, prototype: Prototype) -> tuple[float, float] | None:
-    """Readings [m] at which the logs show the joint at rest; None where they show no two wells."""
     logs = [log_of(run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
     wells = wells_of(logs, plant=JOINT)
-    return (wells.left, wells.right) if isinstance(wells, Wells) else None
+    rests = (wells.left, wells.right) if isinstance(wells, Wells) else None
+    _refuse_bad_model(run, name, model, _MISSED * (rests[1] - rests[0]) if rests else _UNSEEN)
+    return ControlRun(run, prototype, model, name, artifact, rests)
 
 
 def _refuse_bad_model(run: RunFolder, name: str, model: HybridModel, limit: float) -> None:

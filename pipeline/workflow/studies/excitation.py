@@ -20,7 +20,7 @@ from ...numerics.arrays import FloatArray
 from ...rig.excitation import BURSTS, ENDINGS, BurstKind, Sequence, command, save_sequence
 from ...settings.logs import Number, SettingsTable, Whole
 from ...settings.models import CENTRES
-from ...settings.prototype import FIELD_LIMIT, Prototype
+from ...settings.prototype import FIELD_LIMIT
 from ...store.outputs import check_places, new_outputs, rebased
 from ...store.run_folder import RunFolder
 from ..run_models import subject
@@ -146,7 +146,13 @@ def _designed(
     """A log after those of the run's `hybrid`, or a first log for another model or a drawing."""
     rng = np.random.default_rng(source.seed)
     if source.run is not None:
-        prototype, joint = _of_run(source.run, source.model)
+        run = RunFolder.open(source.run)
+        prototype = run.prototype
+        if not prototype.may_be_a_joint:
+            raise InputError(
+                f"{source.run}: an excitation is designed for a joint with two squared inputs; this device has others"
+            )
+        joint = subject(run, prototype, source.model)
         if isinstance(joint.model, HybridModel):
             programme = source.programme or "validation"
             interval = prototype.ingest.sample_interval
@@ -196,17 +202,6 @@ def _figures(assessment: Assessment) -> dict[str, Any]:
         "samples_per_centre_driven": assessment.visits.driven,
         "crossings": assessment.crossings,
     }
-
-
-def _of_run(root: Path, name: str | None) -> tuple[Prototype, Subject]:
-    """The settings of a run, and its model from where one of its logs starts, at rest."""
-    run = RunFolder.open(root)
-    prototype = run.prototype
-    if not prototype.may_be_a_joint:
-        raise InputError(
-            f"{root}: an excitation is designed for a joint with two squared inputs; this device has others"
-        )
-    return prototype, subject(run, prototype, name)
 
 
 def _moving(joint: Subject) -> Simulator:
