@@ -185,20 +185,22 @@ def design(
     places = document["places_m"]
     predicted = document["predicted"]["steps"]
     left, saddle, right = (prefixed(places[name], "m", 2) for name in ("left", "saddle", "right"))
-    emit_text(
+    lags = " and ".join(prefixed(lag, "m", 1) for lag in document["lags_s"])
+    targets = ("to the right", "to the left", "to the unstable equilibrium")
+    lines = (
         f"model {document['model']}: wells at {left} and {right} mm, unstable equilibrium at {saddle} mm; at most "
-        f"{prefixed(document['largest_voltage_V'], 'k', 2)} kV"
-    )
-    left, right = (prefixed(lag, "m", 1) for lag in document["lags_s"])
-    emit_text(f"the converters' lags: {left} and {right} ms, {document['lags_known']}")
-    for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
-        emit_text(
-            f"on the model, {name}: {_settles(step['settling_s'])}, overshoot "
+        f"{prefixed(document['largest_voltage_V'], 'k', 2)} kV",
+        f"the converters' lags: {lags} ms, {document['lags_known']}",
+        *(
+            f"on the model, {target}: {_settles(step['settling_s'])}, overshoot "
             f"{prefixed(step['overshoot_m'], 'm', 2)} mm, RMS {prefixed(step['rms_m'], 'm', 3)} mm then"
-        )
-    warnings = (f"warning: {warning}" for warning in document["warnings"])
-    following = f"next: debist export {shell_word(run)} --to controller"
-    emit_text("\n".join((_margins(document["margins"]), *warnings, following)))
+            for target, step in zip(targets, predicted, strict=True)
+        ),
+        _margins(document["margins"]),
+        *(f"warning: {warning}" for warning in document["warnings"]),
+        f"next: debist export {shell_word(run)} --to controller",
+    )
+    emit_text("\n".join(lines))
 
 
 def _margins(margins: Any) -> str:

@@ -327,6 +327,5 @@ def _summary(run: Path) -> str:
     from ..workflow.report_data import load_scores
 
     scores = [s for s in load_scores(run) if s["role"] == "validation" and s["signal"] == "q"]
-    if not scores:
-        return "no validation log"
-    return ", ".join(f"{s['model']} {percent(s['nrmse']) if s['status'] == 'ok' else 'diverged'}" for s in scores)
+    errors = (f"{s['model']} {percent(s['nrmse']) if s['status'] == 'ok' else 'diverged'}" for s in scores)
+    return ", ".join(errors) or "no validation log"

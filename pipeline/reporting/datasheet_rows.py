@@ -274,9 +274,7 @@ def _text(value: Any, unit: str) -> str:
         return quantity(float(value), unit) if unit != "1" else str(value).replace("-", "−")
     if isinstance(value, float):
         return quantity(value, unit)
-    if isinstance(value, list | tuple):
-        return _list(value, unit)
-    return str(value)
+    return _list(value, unit) if isinstance(value, list | tuple) else str(value)
 
 
 def _list(values: Sequence[Any], unit: str, between: str = ", ") -> str:

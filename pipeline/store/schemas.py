@@ -138,9 +138,8 @@ def misfit(name: str, table: Mapping[str, np.ndarray[Any, Any]]) -> str | None:
 
 
 def _fits(values: np.ndarray[Any, Any], dtype: Dtype) -> bool:
-    if values.dtype.kind not in _KINDS[dtype]:
-        return False
-    return values.dtype.kind != "O" or all(x is None or type(x) in _ENTRIES[dtype] for x in values)
+    kind = values.dtype.kind
+    return kind in _KINDS[dtype] and (kind != "O" or all(x is None or type(x) in _ENTRIES[dtype] for x in values))
 
 
 ADVICE = "restore it, or move the folder away and run again"

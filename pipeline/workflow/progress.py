@@ -42,9 +42,8 @@ class MemberState:
 
 def is_fleet(folder: Path) -> bool:
     """True if a folder is no run but holds runs, or failures of a batch."""
-    if not folder.is_dir() or (folder / MANIFEST).exists():
-        return False
-    return bool(_runs(folder) or failed_names(folder))
+    alone = folder.is_dir() and not (folder / MANIFEST).exists()
+    return alone and bool(_runs(folder) or failed_names(folder))
 
 
 def fleet_progress(output: Path) -> list[MemberState]:
