@@ -29,15 +29,11 @@ def log_label(value: float, *, powers: bool) -> str:
     So is one that would be too long as a number.
     """
     exponent = round(math.log10(value))
-    plain = tick_label(value)
+    # With the digits that it needs, at most three.
+    digits = next((d for d in (1, 2) if math.isclose(float(f"{value:.{d - 1}e}"), value, rel_tol=1e-9)), 3)
+    plain = significant(value, digits)
     short = plain.replace(".", "").isdecimal() and not powers
     return plain if short or not math.isclose(value, 10.0**exponent, rel_tol=1e-9) else f"10{power(exponent)}"
-
-
-def tick_label(value: float) -> str:
-    """A round number with the digits that it needs, at most three."""
-    digits = next((d for d in (1, 2) if math.isclose(float(f"{value:.{d - 1}e}"), value, rel_tol=1e-9)), 3)
-    return significant(value, digits)
 
 
 @dataclass(frozen=True)

@@ -111,11 +111,8 @@ def conclusion(series: Series) -> str:
     changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
     scattered = [fact.title for fact in series.facts if fact.title not in changed and _scatter(fact) > _WIDE]
     text = f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
-    if scattered:
-        text += (
-            f"; scattered by over {_WIDE:g} times their errors: {', '.join(scattered)}; are these runs of one device?"
-        )
-    return text
+    doubt = f"; scattered by over {_WIDE:g} times their errors: {', '.join(scattered)}; are these runs of one device?"
+    return text + (doubt if scattered else "")
 
 
 _WIDE = 10.0
