@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from ..system.names import shell_word
+from ..units.quantity import percent, quantity
 from .console import brief, emit_json, emit_table, emit_text, printable
 
 if TYPE_CHECKING:
@@ -197,8 +198,6 @@ def emit_tasks(
 
 def result_line(result: Mapping[str, Any]) -> str:
     """Line for the result of a stage for one log or model (`pipeline.workflow.report_data`)."""
-    from ..units.quantity import quantity
-
     if "rows" in result:
         lost = f", {result['masked_rows']} of them masked" if result["masked_rows"] else ""
         gaps = f"{result['gaps']} gap{'s' if result['gaps'] != 1 else ''}"
@@ -323,7 +322,6 @@ def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool)
 
 
 def _summary(run: Path) -> str:
-    from ..units.quantity import percent
     from ..workflow.report_data import load_scores
 
     scores = [s for s in load_scores(run) if s["role"] == "validation" and s["signal"] == "q"]

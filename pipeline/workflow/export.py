@@ -4,9 +4,10 @@ from collections.abc import Iterator, Mapping
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, get_args
+from typing import Any, get_args
 
 from ..errors import CorruptArtifactError, InputError
+from ..export.subject import Exported, Subject
 from ..settings.file import toml_text
 from ..settings.logs import ROLES, log_label
 from ..settings.prototype import Prototype
@@ -19,9 +20,6 @@ from ..system.names import Target, log_name
 from .prior_knowledge import named_curves
 from .run_models import failed_validations, load_design, model_artifact, subject
 
-if TYPE_CHECKING:
-    from ..export.subject import Exported, Subject
-
 _TAKES_NONE = {
     "crate": "it is the whole run",
     "controller": "it is what `debist control design` made, on the joint's equations",
@@ -32,7 +30,7 @@ MODELS = ("c", "fmu", "json", "matlab")
 
 def export_run(
     root: Path, target: Target, *, model: str | None = None, output: Path | None = None, force: bool = False
-) -> "Exported":
+) -> Exported:
     """Write a model of a run for another tool.
 
     Parameters
@@ -98,7 +96,7 @@ def _origin(run: RunFolder, prototype: Prototype, target: Target, model: str | N
     return {name: run.record(name).content_hash for name in origin}
 
 
-def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
+def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> Exported:
     if target == "crate":
         return export_crate(run, prototype, folder)
     if target == "controller":
@@ -108,7 +106,7 @@ def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | No
     return replace(exported, notes=[*exported.notes, *(f"{problem}: do not trust its free runs" for problem in failed)])
 
 
-def write_model(target: str, subject: "Subject", folder: Path) -> "Exported":
+def write_model(target: str, subject: Subject, folder: Path) -> Exported:
     """Write a model in the form of one of `MODELS`."""
     from ..export import fmu, sources
 
@@ -116,7 +114,7 @@ def write_model(target: str, subject: "Subject", folder: Path) -> "Exported":
     return writers[target](subject, folder)
 
 
-def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
+def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> Exported:
     from ..control.law import Law
     from ..export.controller import ControllerSubject, write_controller
 
@@ -133,7 +131,7 @@ def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported
     return write_controller(subject, folder)
 
 
-def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
+def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> Exported:
     """Write the run with its inputs as ``NAME.crate.zip``.
 
     Raises
@@ -144,7 +142,6 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
         An artifact does not have the bytes that were written.
     """
     from ..export.crate import write_crate
-    from ..export.subject import Exported
 
     settings, inputs = _relocated(run, prototype)
     texts: dict[str, str] = {}

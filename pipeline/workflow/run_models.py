@@ -1,12 +1,13 @@
 """The models that a run holds: their names, the main model first, how one is loaded, and what control made of them."""
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..device.device import device
 from ..errors import InputError
+from ..export.subject import Subject, Validity
 from ..models.base import DynamicModel
 from ..models.free_runs import start_of
 from ..models.model_type import model_from_tree
@@ -17,9 +18,6 @@ from ..store.run_folder import RunFolder
 from ..system.names import shell_word
 from .logs import load_logs, load_motion
 from .steps.identify import EQUATIONS, IDENTIFIED
-
-if TYPE_CHECKING:
-    from ..export.subject import Subject, Validity
 
 WORST = 0.15
 """NRMSE of q on a validation log above which a model does not know where the device is."""
@@ -125,7 +123,7 @@ def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None
     return model_from_tree(chosen, run.read_tree(artifact, chosen))
 
 
-def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
+def subject(run: RunFolder, prototype: Prototype, name: str | None) -> Subject:
     """A model of the run, the main model if none is named, and what travels along with it."""
     chosen, artifact = model_artifact(run, prototype, name)
     model = model_from_tree(chosen, run.read_tree(artifact, chosen))
@@ -138,7 +136,7 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
 
 def subject_on(
     check: Log, model: DynamicModel, prototype: Prototype, logs: Sequence[Log], name: str, origin: str
-) -> "Subject":
+) -> Subject:
     """A model called `name`, identified from the kinematics of `logs`, with the log `check` that travels along.
 
     The clock of that log begins at zero, as an exported model does: `hybrid` takes a later one for time in use.
@@ -158,8 +156,6 @@ def subject_on(
     origin : str
         Content hash of what holds it.
     """
-    from ..export.subject import Subject
-
     start = start_of(check, model)
     return Subject(
         prototype=prototype.name,
@@ -174,10 +170,8 @@ def subject_on(
     )
 
 
-def validity_of(logs: Sequence[Log], prototype: Prototype) -> "Validity":
+def validity_of(logs: Sequence[Log], prototype: Prototype) -> Validity:
     """Ranges of the training logs."""
-    from ..export.subject import Validity
-
     plant = device(prototype)
 
     def span(values: list[np.ndarray]) -> tuple[float, float]:

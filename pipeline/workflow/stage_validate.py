@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from ..models.analytical.statics import RotationMap, rotation_map
 from ..models.free_runs import free_run, tube_columns
 from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
+from ..reporting.tables import Format, NrmseTable, behaviour_table, nrmse_table, render, scores_csv
 from ..scoring.wells import NoWells, Wells, wells_of
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
@@ -32,9 +33,6 @@ from .engine import Task
 from .logs import load_motion, sources
 from .run_models import identified_models
 from .steps.score import ComparedRun, rows_of_log, validated
-
-if TYPE_CHECKING:
-    from ..reporting.tables import Format, NrmseTable
 
 ALGORITHM = "29"
 
@@ -183,10 +181,8 @@ def _pairs(
     return {name: pairs[name] for name in SIGNALS if name in pairs}
 
 
-def score_text(root: Path, form: "Format") -> str:
+def score_text(root: Path, form: Format) -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
-    from ..reporting.tables import render, scores_csv
-
     if form == "csv":
         return scores_csv(
             *in_snapshot(root, lambda run: ((records := run.read_records(layout.SCORES)), _times(run, records)))
@@ -194,10 +190,8 @@ def score_text(root: Path, form: "Format") -> str:
     return "\n".join(render(table, form) for table in score_tables(root))
 
 
-def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
+def score_tables(root: Path) -> tuple[NrmseTable, ...]:
     """Errors with fitting and simulation times, and behaviour of all models on all logs."""
-    from ..reporting.tables import behaviour_table, nrmse_table
-
     times, shown = in_snapshot(
         root, lambda run: (_times(run, records := run.read_records(layout.SCORES)), _shown(run, records))
     )
