@@ -27,12 +27,64 @@ COMMANDS = {
     "repair": "`debist run PROTOTYPE.toml -o RUN` sets aside what is damaged and makes it anew",
     "study settings": "`debist batch TABLE.csv -o DIR` runs a row for each combination of settings",
 }
-_EXPERIMENT = "{} in the TOML file of --experiment"
-_SCENARIO = "{} in the TOML file of --scenario"
-_DESIGN = "{} in the TOML file of --design"
-_SEARCH = "{} in the TOML file of --search"
 _NO_FORCE = "name another place, or remove the file"
+_IN_FILES = {
+    "physics calibrate": ("search", {"starts": "starts", "seed": "seed", "jobs": "threads"}),
+    "rig": (
+        "experiment",
+        {
+            "faults": 'faults = ["gaps"]',
+            "charging-time": "charging_time_s",
+            "size": "size",
+            "train": "training_logs",
+            "validation": "validation_logs",
+            "excitation": "excitation",
+            "age": "age_days",
+            "drift": "the table [drift]",
+        },
+    ),
+    "rig simulate": ("experiment", {"play": "play"}),
+    "rig excite": (
+        "design",
+        {
+            "model": "model",
+            "joints": "joints",
+            "seed": "seed",
+            "max-field": "max_field_V_per_um",
+            "rest": "rest_s",
+            "rate": "rate_Hz",
+            "kinds": 'kinds = ["pulse"]',
+            "basis-functions": "basis_functions",
+            "candidates": "candidates",
+        },
+    ),
+    "rig closed-loop": (
+        "scenario",
+        {
+            "from": 'start = "left"',
+            "format": "format",
+            "lag": "lag_s",
+            "highest": "highest_V",
+            "push": "[[pushes]] start_s, force_N, length_s",
+            "hand": "[[hands]] start_s, force_N, length_s",
+            "shake": "[[shakes]] start_s, force_N, frequency_Hz, length_s",
+            "drag": "drag_N",
+            "friction": "friction",
+            "lost": "[[lost]] start_s, length_s",
+            "frozen": "[[frozen]] start_s, length_s",
+            "barrier": "barrier_percent",
+            "noise": "noise",
+            "seed": "seed",
+        },
+    ),
+}
+"""Options that are entries of a TOML file now, by command: the option that names the file, and the entries."""
 OPTIONS = {
+    **{
+        f"{command} --{option}": f"{entry} in the TOML file of --{file}"
+        for command, (file, entries) in _IN_FILES.items()
+        for option, entry in entries.items()
+    },
     "--output": "-o",
     "--file": "-o",
     "--quiet": "-q",
@@ -52,44 +104,9 @@ OPTIONS = {
     "verify --all": "a loop of the shell over the runs",
     "verify --subset": "leave it out: all files are checked",
     "physics calibrate --set": 'a TOML file for --parameters: base = "nominal", then the values',
-    "physics calibrate --starts": _SEARCH.format("starts"),
-    "physics calibrate --seed": _SEARCH.format("seed"),
-    "physics calibrate --jobs": _SEARCH.format("threads"),
     "physics calibrate --force": _NO_FORCE,
     "physics calibrate --figure": "the table, or the correlations of --json",
-    "rig --faults": _EXPERIMENT.format('faults = ["gaps"]'),
-    "rig --charging-time": _EXPERIMENT.format("charging_time_s"),
-    "rig --size": _EXPERIMENT.format("size"),
-    "rig --train": _EXPERIMENT.format("training_logs"),
-    "rig --validation": _EXPERIMENT.format("validation_logs"),
-    "rig --excitation": _EXPERIMENT.format("excitation"),
-    "rig --age": _EXPERIMENT.format("age_days"),
-    "rig --drift": _EXPERIMENT.format("the table [drift]"),
     "rig --force": _NO_FORCE,
-    "rig simulate --play": _EXPERIMENT.format("play"),
-    "rig excite --model": _DESIGN.format("model"),
-    "rig excite --joints": _DESIGN.format("joints"),
-    "rig excite --seed": _DESIGN.format("seed"),
-    "rig excite --max-field": _DESIGN.format("max_field_V_per_um"),
-    "rig excite --rest": _DESIGN.format("rest_s"),
-    "rig excite --rate": _DESIGN.format("rate_Hz"),
-    "rig excite --kinds": _DESIGN.format('kinds = ["pulse"]'),
-    "rig excite --basis-functions": _DESIGN.format("basis_functions"),
-    "rig excite --candidates": _DESIGN.format("candidates"),
-    "rig closed-loop --from": _SCENARIO.format('start = "left"'),
-    "rig closed-loop --format": _SCENARIO.format("format"),
-    "rig closed-loop --lag": _SCENARIO.format("lag_s"),
-    "rig closed-loop --highest": _SCENARIO.format("highest_V"),
-    "rig closed-loop --push": _SCENARIO.format("[[pushes]] start_s, force_N, length_s"),
-    "rig closed-loop --hand": _SCENARIO.format("[[hands]] start_s, force_N, length_s"),
-    "rig closed-loop --shake": _SCENARIO.format("[[shakes]] start_s, force_N, frequency_Hz, length_s"),
-    "rig closed-loop --drag": _SCENARIO.format("drag_N"),
-    "rig closed-loop --friction": _SCENARIO.format("friction"),
-    "rig closed-loop --lost": _SCENARIO.format("[[lost]] start_s, length_s"),
-    "rig closed-loop --frozen": _SCENARIO.format("[[frozen]] start_s, length_s"),
-    "rig closed-loop --barrier": _SCENARIO.format("barrier_percent"),
-    "rig closed-loop --noise": _SCENARIO.format("noise"),
-    "rig closed-loop --seed": _SCENARIO.format("seed"),
 }
 """Advice by the option, alone or after the command or group that had it."""
 
