@@ -347,7 +347,7 @@ def joints(fleet: Path, runs: Path) -> Iterator[Compared]:
             for key, values in known.items()
         }
         for model in (run.model(each).core for each in ("hybrid", "rbf") if each in run.models):
-            unit = moving_mass(joint) if abs(getattr(model, "mass", 1.0) - 1.0) < UNIT else 1.0
+            unit = moving_mass(joint) if abs(getattr(model, "mass_kg", 1.0) - 1.0) < UNIT else 1.0
             yield Compared(f"{name.partition('-')[0]} {model.name}", model, q, truth, unit)
 
 

@@ -85,7 +85,7 @@ def lookup_run(what: Subject) -> FloatArray:
     """Displacement by m q̈ = −F(q) − d(q) q̇ + ½ C'(q) v² with the lookup tables, as Simulink would give it."""
     tables = {table.name: table for table in curve_tables(what)}
     assert isinstance(what.model, WITH_CURVES)
-    t, mass, h = what.t - what.t[0], what.model.mass, 1e-3
+    t, mass, h = what.t - what.t[0], what.model.mass_kg, 1e-3
     fine = np.arange(2 * round(t[-1] / h) + 1) * 0.5 * h
     u = CubicSpline(t, what.v)(np.minimum(fine, t[-1])) ** 2
 

@@ -11,7 +11,7 @@ import numpy as np
 from ..device.device import device
 from ..errors import CorruptArtifactError, InputError
 from ..export.subject import Exported, Subject, Validity
-from ..models.model_file import ModelFile, Sizes, Span, Table, Unit, columns_of
+from ..models.model_file import ModelFile, Sizes, Span, Table, Unit, columns_of, read_part
 from ..models.model_type import StoredModel, model_from_tree
 from ..numerics.arrays import FloatArray
 from ..settings.file import translated
@@ -93,7 +93,7 @@ def load_saved(path: Path) -> tuple[Subject, Prototype]:
     tree = read_tree(path) if h5py.is_hdf5(path) else {}
     if not isinstance(tree.get(_CHECK), dict):
         raise CorruptArtifactError(f"{path}: is no saved model; {advice}")
-    held = _File.read(tree[_CHECK], "in the file", "identify")
+    held = read_part(_File, tree[_CHECK], "in the file", "identify")
     if not isinstance(model_tree := tree.get(held.name), dict):
         raise CorruptArtifactError(f"{path}: holds no model {held.name!r}, which it names; save it again")
     try:

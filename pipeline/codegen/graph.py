@@ -49,7 +49,9 @@ class Graph:
         """The parsed text."""
         return [_parsed(line) for line in self.text.strip().replace("\n", " ").split("; ")]
 
-    def inline(self, functions: Callable[[str, list[Any]], Any], number: Callable[[float], Any], **arrays: Any) -> Any:
+    def inline(
+        self, functions: Callable[[str, list[Any]], Any], number: Callable[[float], Any], **arrays: Any
+    ) -> dict[str, list[Any]]:
         """The outputs as lists, with inputs of any kind: `functions` does an operation, `number` makes a constant."""
         values: list[Any] = []
         outputs: dict[str, list[Any]] = {name: [number(0.0)] * size for name, size in self.outputs.items()}
@@ -80,13 +82,11 @@ class Graph:
 
 def _parsed(line: str) -> Operation:
     name, *rest = line.split()
-    if name == "input":
-        return Operation(name, (), (rest[0], int(rest[1])))
     if name == "constant":
         return Operation(name, (), value=float(rest[0]))
-    if name in ("store", "fetch"):
-        return Operation(name, (int(rest[2]),), (rest[0], int(rest[1])))
-    return Operation(name, tuple(int(operand) for operand in rest))
+    if name in ("input", "store", "fetch"):
+        return Operation(name, tuple(map(int, rest[2:])), (rest[0], int(rest[1])))
+    return Operation(name, tuple(map(int, rest)))
 
 
 def text_of(operations: list[Operation]) -> str:
@@ -95,15 +95,9 @@ def text_of(operations: list[Operation]) -> str:
 
 
 def _line(operation: Operation) -> str:
-    operands = " ".join(str(i) for i in operation.operands)
-    match operation.name:
-        case "input":
-            return f"input {operation.place[0]} {operation.place[1]}"
-        case "constant":
-            return f"constant {operation.value!r}"
-        case "store" | "fetch":
-            return f"{operation.name} {operation.place[0]} {operation.place[1]} {operands}"
-    return f"{operation.name} {operands}"
+    place = operation.place if operation.place[0] else ()
+    value = [operation.value] if operation.name == "constant" else []
+    return " ".join([operation.name, *map(str, place), *map(repr, value), *map(str, operation.operands)])
 
 
 class Builder:
@@ -122,6 +116,10 @@ class Builder:
             self._known[operation] = len(self.operations)
             self.operations.append(operation)
         return self._known[operation]
+
+    def input(self, name: str, entry: int) -> int:
+        """An entry of an input."""
+        return self.add("input", place=(name, entry))
 
     def constant(self, value: float) -> int:
         """A number."""
@@ -174,38 +172,33 @@ class Value:
         self.place = place
 
     def __add__(self, other: Number) -> "Value":
-        return _done("add", self, other)
+        return function("add", self, other)
 
     def __sub__(self, other: Number) -> "Value":
-        return _done("sub", self, other)
+        return function("sub", self, other)
 
     def __rsub__(self, other: Number) -> "Value":
-        return _done("sub", other, self)
+        return function("sub", other, self)
 
     def __mul__(self, other: Number) -> "Value":
-        return _done("mul", self, other)
+        return function("mul", self, other)
 
     def __truediv__(self, other: Number) -> "Value":
-        return _done("div", self, other)
+        return function("div", self, other)
 
     def __rtruediv__(self, other: Number) -> "Value":
-        return _done("div", other, self)
+        return function("div", other, self)
 
     def __neg__(self) -> "Value":
-        return _done("neg", self)
+        return function("neg", self)
 
     __radd__ = __add__
     __rmul__ = __mul__
 
 
-def function(name: str, *operands: Number) -> "Value":
-    """An operation by name: exp, expm1, tanh, sin, cos, sqrt, abs, floor, min, max, lt, le, and, or, not, finite."""
-    return _done(name, *operands)
-
-
 def choose(condition: Number, first: Number, other: Number) -> "Value":
     """`first` where the condition holds."""
-    return _done("choose", condition, first, other)
+    return function("choose", condition, first, other)
 
 
 def fetch(table: str, entry: int, index: Value) -> Value:
@@ -215,7 +208,7 @@ def fetch(table: str, entry: int, index: Value) -> Value:
 
 def clip(x: Number, low: Number, high: Number) -> "Value":
     """The value x within [low, high]."""
-    return _done("min", high, _done("max", low, x))
+    return function("min", high, function("max", low, x))
 
 
 def square(x: "Value") -> "Value":
@@ -223,7 +216,8 @@ def square(x: "Value") -> "Value":
     return x * x
 
 
-def _done(name: str, *operands: Number) -> "Value":
+def function(name: str, *operands: Number) -> "Value":
+    """An operation by name: exp, expm1, tanh, sin, cos, sqrt, abs, floor, min, max, lt, le, and, or, not, finite."""
     builder = next(operand.builder for operand in operands if isinstance(operand, Value))
     places = [x.place if isinstance(x, Value) else builder.constant(float(x)) for x in operands]
     constants = [builder.operations[i].value if builder.operations[i].name == "constant" else None for i in places]
@@ -248,10 +242,7 @@ def trace(traced: Callable[..., dict[str, list[Any]]], **sizes: int) -> Graph:
         Length of each input.
     """
     builder = Builder()
-    inputs = {
-        name: [Value(builder, builder.add("input", place=(name, i))) for i in range(size)]
-        for name, size in sizes.items()
-    }
+    inputs = {name: [Value(builder, builder.input(name, i)) for i in range(size)] for name, size in sizes.items()}
     outputs = traced(**inputs)
     stores = [
         Operation("store", (x.place if isinstance(x, Value) else builder.constant(float(x)),), (name, i))
@@ -270,10 +261,9 @@ def inline(graph: Graph, **arrays: list[Any]) -> dict[str, list[Any]]:
         name: [x if isinstance(x, Value) else Value(builder, builder.constant(float(x))) for x in array]
         for name, array in arrays.items()
     }
-    outputs: dict[str, list[Any]] = graph.inline(
-        lambda name, operands: _done(name, *operands), lambda x: Value(builder, builder.constant(x)), **given
+    return graph.inline(
+        lambda name, operands: function(name, *operands), lambda x: Value(builder, builder.constant(x)), **given
     )
-    return outputs
 
 
 def apply(graph: Graph, *numbers: Any) -> list[Any]:
@@ -320,13 +310,12 @@ class GraphSequence:
     @cached_property
     def local(self) -> dict[str, int]:
         """Length of every array that is not given."""
-        sizes: dict[str, int] = {}
-        for name, other in self.calls:
-            for array, size in self.graphs[name].outputs.items():
-                place = other.get(array, array)
-                if place not in self.given:
-                    sizes[place] = size
-        return sizes
+        return {
+            place: size
+            for name, other in self.calls
+            for array, size in self.graphs[name].outputs.items()
+            if (place := other.get(array, array)) not in self.given
+        }
 
     def changed(self) -> list[str]:
         """Given arrays that are written."""

@@ -72,7 +72,9 @@ def sequence_kernel(sequence: GraphSequence) -> Any:
                 space = builder.alloca(ir.ArrayType(_REAL, size))
             pointers[name] = builder.bitcast(space, _REAL.as_pointer())
         for call in sequence.calls:
-            function = _exact_function(builder.module, call[0], sequence.graphs[call[0]])
+            graph = sequence.graphs[call[0]]
+            # Without the compiler's liberties the digits are those of C.
+            function = _function(builder.module, graph, graph.arguments, 1, None, (), _REAL, flags=())
             builder.call(function, [pointers[array] for array in sequence.places(call)])
         return context.get_dummy_value()
 
@@ -97,18 +99,18 @@ def _of_arrays(names: Sequence[str], number: Any, returned: Any, generate: Any) 
 
 def _addresses(context: Any, builder: Any, names: Sequence[str], kinds: Any, arrays: Any) -> dict[str, Any]:
     """Address of the numbers of each array of a tuple."""
-    values = [builder.extract_value(arrays, i) for i in range(len(names))]
     return {
-        name: context.make_array(kind)(context, builder, value).data
-        for name, kind, value in zip(names, kinds, values, strict=True)
+        name: context.make_array(kind)(context, builder, builder.extract_value(arrays, i)).data
+        for i, (name, kind) in enumerate(zip(names, kinds, strict=True))
     }
 
 
 def _function(
-    module: Any, graph: Graph, names: list[str], width: int, value: str | None, common: tuple[str, ...], real: Any
-) -> Any:
+    module: Any, graph: Graph, names: list[str], width: int, value: str | None, common: tuple[str, ...], real: Any,
+    flags: tuple[str, ...] = _FLAGS,
+) -> Any:  # fmt: skip
     """The function of a graph in a module: written once, and called from wherever the graph is used."""
-    digest = hashlib.sha256(f"{graph.text} {names} {value} {common}".encode()).hexdigest()[:16]
+    digest = hashlib.sha256(f"{graph.text} {names} {value} {common} {flags}".encode()).hexdigest()[:16]
     returned = ir.VoidType() if value is None else real
     kind = ir.FunctionType(returned, [real.as_pointer()] * len(names))
     function = function_of(module, kind, f"graph.{digest}.{width}.{real}")
@@ -117,7 +119,7 @@ def _function(
         function.attributes.add("noinline")
         function.attributes.add("nounwind")
         builder = ir.IRBuilder(function.append_basic_block())
-        writer = _Writer(builder, dict(zip(names, function.args, strict=True)), width, common=common, real=real)
+        writer = _Writer(builder, dict(zip(names, function.args, strict=True)), width, flags, common, real)
         writer.write(graph)
         builder.ret_void() if value is None else builder.ret(writer.value)
     return function
@@ -164,20 +166,6 @@ def formula(graph: Graph) -> Any:
         return context.make_tuple(builder, signature.return_type, values)
 
     return run
-
-
-def _exact_function(module: Any, name: str, graph: Graph) -> Any:
-    """The function of one graph of one joint in a module that is being made; its digits are those of C."""
-    symbol = f"graph_{name}"
-    if symbol not in module.globals:
-        names = graph.arguments
-        kind = ir.FunctionType(ir.VoidType(), [_REAL.as_pointer()] * len(names))
-        function = ir.Function(module, kind, symbol)
-        function.linkage = "internal"
-        builder = ir.IRBuilder(function.append_basic_block("entry"))
-        _Writer(builder, dict(zip(names, function.args, strict=True)), 1, ()).write(graph)
-        builder.ret_void()
-    return module.globals[symbol]
 
 
 class _Writer:

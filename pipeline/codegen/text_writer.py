@@ -90,8 +90,7 @@ def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
         for array in graph.arguments
     ]
     used = {i for operation in graph.operations if not _kept(graph, operation) for i in operation.operands}
-    stores = [operation for operation in graph.operations if operation.name == "store"]
-    stored = {operation.place[0] for operation in stores if not _kept(graph, operation)}
+    stored = {each.place[0] for each in graph.operations if each.name == "store" and not _kept(graph, each)}
     read = stored | {operation.place[0] for i, operation in enumerate(graph.operations) if i in used}
     unused = [f"(void){array};" for array in graph.arguments if array not in read]
     body = "\n".join(f"    {line}" for line in [*unused, *_lines(graph, C99, scalars)])
@@ -102,8 +101,7 @@ def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
 def matlab_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
     """A MATLAB function that takes the same arguments and returns the outputs."""
     body = "\n".join(f"    {line}" for line in _lines(graph, MATLAB, scalars))
-    results = ", ".join(graph.outputs)
-    return Code(f"function [{results}] = {name}({', '.join(graph.arguments)})\n{body}\nend\n")
+    return Code(f"function [{', '.join(graph.outputs)}] = {name}({', '.join(graph.arguments)})\n{body}\nend\n")
 
 
 def c_sequence(name: str, sequence: GraphSequence) -> Code:

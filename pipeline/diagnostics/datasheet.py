@@ -274,7 +274,7 @@ def simulated_ring_downs(
     facts: dict[str, float | None] = {}
     t = np.arange(0.0, RING_TIME, RING_STEP)
     amplitude = RING_AMPLITUDE * float(curves.q[-1] - curves.q[0])
-    mass = float(getattr(model, "mass", 1.0))
+    mass = float(getattr(model, "mass_kg", 1.0))
     for side, rest in RESTS.items():
         place = values.get(rest)
         stiffness = values.get(f"stiffness{side}")

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..numerics.arrays import FloatArray, longest_run, samples_of
+from ..numerics.arrays import FloatArray, runs_of, samples_of
 from ..numerics.metrics import NORMAL_99
 from .run_data import LogData, RunData
 
@@ -71,7 +71,8 @@ def analyse_residual(
     interval : float
         Sample interval [s].
     """
-    rows = longest_run(np.isfinite(measured) & np.isfinite(calculated))
+    runs = runs_of(np.isfinite(measured) & np.isfinite(calculated))
+    rows = max(runs, key=lambda rows: rows.stop - rows.start, default=slice(0, 0))
     length = rows.stop - rows.start
     second = samples_of(LONGEST_LAG, interval)
     count = max(second if SHARE * second <= len(measured) else 1, min(FEWEST_LAGS, length // SHARE))

@@ -191,16 +191,14 @@ def rates(s: CondensedSymbols, friction: Expression) -> Expression:
     total = ca.vertcat(acting.force, acting.moment, acting.interior) + inertia.centrifugal
     accelerations = ca.mtimes(ca.inv_minor(inertia.mass), total)
     derivatives = [each for i in range(3) for each in (s.speeds[i], accelerations[i])]
-    for i in range(BRANCHES):
-        for side in range(2):
-            derivatives.append(
-                elements.maxwell_rate(acting.thinning[side], k(f"relaxation_{i}"), x[FIRST_STRAIN + 2 * i + side])
-            )
-    for i in range(CREEPS):
-        derivatives.append(elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[FIRST_ELEMENT + i]))
+    derivatives += [
+        elements.maxwell_rate(acting.thinning[side], k(f"relaxation_{i}"), x[FIRST_STRAIN + 2 * i + side])
+        for i in range(BRANCHES)
+        for side in range(2)
+    ]
+    derivatives += [elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[FIRST_ELEMENT + i]) for i in range(CREEPS)]
     derivatives.append(elements.softening_rate(k("softening_rate"), x[SOFTENING]))
-    for element in tip_elements():
-        derivatives += [state.rate(*_tip(s, element)) for state in element.states]
+    derivatives += [state.rate(*_tip(s, element)) for element in tip_elements() for state in element.states]
     return ca.vertcat(*derivatives)
 
 

@@ -184,8 +184,7 @@ def shortening(s: CondensedSymbols) -> tuple[Expression, Expression]:
 
 def raised(s: CondensedSymbols) -> Expression:
     """Slopes of the height −½ (q, τ, β) R (q, τ, β)ᵀ [m] by which a beam that bends lifts its tip, (3,) [1, m, m]."""
-    matrix = bends(s)
-    return ca.mtimes(-matrix, s.shape)
+    return ca.mtimes(-bends(s), s.shape)
 
 
 def bends(s: CondensedSymbols) -> Expression:

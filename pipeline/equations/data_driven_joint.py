@@ -158,7 +158,6 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     # All follow from the energy ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint,
     # and the same coupling stands in both equations. So no element can create energy.
     relaxing = elements.maxwell_rate(coupling * p, rate, load)
-    slid = elements.dahl_move(state, travel, length)
     return {
         "POWERS": ({"x": x}, _with_slopes(powers(x), x)),
         "TURNING_ARM": ({"x": x, "arm": angle}, _with_slopes(turning_arm(x, angle), x)),
@@ -183,7 +182,7 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
         ),
         "DAHL_MOVE": (
             {"state": state, "travel": travel, "length": length},
-            _with_slopes(slid, ca.vertcat(state, travel, length)),
+            _with_slopes(elements.dahl_move(state, travel, length), ca.vertcat(state, travel, length)),
         ),
         "STOP_FORCE": (
             {"x": x, "p": p, "stops": stops},

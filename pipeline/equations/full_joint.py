@@ -16,7 +16,7 @@ import casadi as ca
 
 from ..device.parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
 from . import elements
-from .beam import Expression, Polynomial, Powers, bending_density, shortening_density
+from .beam import Expression, Polynomial, Powers, bending_density
 from .elements import Mounts, Tip, dahl_rate, maxwell_rate
 
 
@@ -53,7 +53,8 @@ def _beam() -> tuple[Powers, Powers, Powers, Powers]:
     slope = w.derivative()
     bend = slope.derivative()
     bent = bending_density(slope, bend + curvature * -1.0)
-    return shortening_density(slope).integral(), (w * w).integral(), (bend * bend).integral(), bent.integral()
+    # Half of ∫w'² is the axial shortening. Eq. 2 prints ∂w²/∂x.
+    return (slope * slope).integral(), (w * w).integral(), (bend * bend).integral(), bent.integral()
 
 
 _SHORTENING, _TRANSLATION, _BENDING_SQUARED, _BENT = _beam()
@@ -127,11 +128,9 @@ def elastic_energy(s: FullSymbols) -> Expression:
 
 def capacitances(s: FullSymbols) -> Expression:
     """C_i = C0 / λ3² = C0 λ1 [F] (eq. 11, uniaxial), shape (2,)."""
-    values = []
-    for side, stretch in zip(("left", "right"), stretches(s), strict=True):
-        undeformed = capacitance(*(s.parameter(f"{side}.{name}") for name in ("n", "eps_r", "beta", "A0", "d0")))
-        values.append(undeformed * stretch)
-    return ca.vertcat(*values)
+    names = ("n", "eps_r", "beta", "A0", "d0")
+    undeformed = [capacitance(*(s.parameter(f"{side}.{name}") for name in names)) for side in ("left", "right")]
+    return ca.vertcat(*(c * stretch for c, stretch in zip(undeformed, stretches(s), strict=True)))
 
 
 def viscous_dissipation(s: FullSymbols) -> Expression:
@@ -147,12 +146,11 @@ def viscous_dissipation(s: FullSymbols) -> Expression:
 def internal_rates(s: FullSymbols) -> Expression:
     """ż of both Maxwell strains and of Dahl's friction, shape (3,)."""
     lambda3_dot = ca.jtimes(thickness_stretches(s), s.qm, s.qm_dot)
-    q_dot = ca.jtimes(tip(s)[0], s.qm, s.qm_dot)
     rates = [
         maxwell_rate(lambda3_dot[i], s.parameter(f"{side}.Y_MW") / s.parameter(f"{side}.eta_MW"), s.z[i])
         for i, side in enumerate(("left", "right"))
     ]
-    return ca.vertcat(*rates, dahl_rate(q_dot, s.z[2], s.parameter("s_c")))
+    return ca.vertcat(*rates, dahl_rate(ca.jtimes(tip(s)[0], s.qm, s.qm_dot), s.z[2], s.parameter("s_c")))
 
 
 def coupling(s: FullSymbols) -> Expression:
@@ -200,7 +198,6 @@ def _shape_kernels(s: FullSymbols) -> dict[str, Kernel]:
     values = ca.vertcat(q, ca.atan(slope), u_y, *stretches(s))
     at = {"qm": s.qm, "v_squared": s.v_squared, "p": s.p}
     unloaded = {"qm": s.qm, "p": s.p}
-    damping = _symmetric(ca.hessian(viscous_dissipation(s), s.qm_dot)[0])
     return {
         "statics": (
             "U − ½ΣC_i v_i² [J], returned; its gradient (4,) and Hessian (4, 4) in q_m.",
@@ -226,7 +223,7 @@ def _shape_kernels(s: FullSymbols) -> dict[str, Kernel]:
             "Damping matrix D (4, 4), coupling of z to the forces (4, 3), ∂λ_{3,i}/∂q_m (2, 4).",
             unloaded,
             {
-                "damping": damping,
+                "damping": _symmetric(ca.hessian(viscous_dissipation(s), s.qm_dot)[0]),
                 "coupling": coupling(s),
                 "thickness_jacobian": ca.jacobian(thickness_stretches(s), s.qm),
             },

@@ -99,13 +99,11 @@ def _condensed() -> str:
         "CREEPS",
         "BRANCHES",
     ]
-    constants = {name: getattr(condensed_parts, name) for name in names}
     integrals = {name: beam.products(order) for order, name in enumerate(("SHAPES", "SLOPES", "BENDS"))}
-    upright = graph({"k": s.k}, {"load": j.upright_load(s)})
     return _module(
         "The condensed joint: rates, forces at rest, inertia, stop operators after a step.",
-        graphs(kernels, "k") | {"UPRIGHT": upright},
-        constants | integrals,
+        graphs(kernels, "k") | {"UPRIGHT": graph({"k": s.k}, {"load": j.upright_load(s)})},
+        {name: getattr(condensed_parts, name) for name in names} | integrals,
     )
 
 
@@ -227,7 +225,7 @@ def _trace(
             continue
         if kind == ca.OP_INPUT:
             which, entry = function.instruction_input(i)
-            value = builder.add("input", place=(names[which], entry))
+            value = builder.input(names[which], entry)
         elif kind == ca.OP_CONST:
             value = builder.constant(float(function.instruction_constant(i)))
         else:
@@ -263,10 +261,8 @@ def _constant_operations(builder: Builder, hoisted: str) -> list[bool]:
     """Flag of each operation: true if it depends on numbers and the constants alone."""
     constant: list[bool] = []
     for operation in builder.operations:
-        if operation.name == "input":
-            constant.append(operation.place[0] == hoisted)
-        else:
-            constant.append(all(constant[i] for i in operation.operands))
+        given = operation.name != "input" or operation.place[0] == hoisted
+        constant.append(given and all(constant[i] for i in operation.operands))
     return constant
 
 
@@ -289,8 +285,7 @@ def _kernel(
             elif operation.operands and all(source[j].name == "constant" for j in operation.operands):
                 moved[i] = own.add(operation.name, *(visit(j) for j in operation.operands))
             else:
-                place = prepared.setdefault(i, len(prepared))
-                moved[i] = own.add("input", place=("p", place))
+                moved[i] = own.input("p", prepared.setdefault(i, len(prepared)))
         else:
             moved[i] = own.add(operation.name, *(visit(j) for j in operation.operands), place=operation.place)
         return moved[i]

@@ -9,8 +9,7 @@ from ..codegen.graph import Graph, apply, choose, function, trace
 from ..generated.terms import BENT, DAHL_RATE, LAG, PAST_ZONE
 from ..models.paper.model import RbfPaperModel, lagged_rates
 from ..models.polynomial_dynamics import FIRST_INPUT, QDOT, polynomial_rates, steps_between_samples
-from ..models.rbf.coefficients import Coefficients, no_sensitivities
-from ..models.rbf.dynamics import free_rates, resting_elements, slide
+from ..models.rbf.dynamics import Coefficients, free_rates, no_sensitivities, resting_elements, slide
 from ..models.rbf.model import RbfModel
 from ..models.rbf.observed_run import WALL
 from ..models.rbf.problem import steps_per_sample as rbf_steps

@@ -19,8 +19,8 @@ from ..generated.condensed_joint import (
     STOPS,
 )
 from ..generated.terms import FIRST_BELL, LAG, NEXT_BELL
-from ..models.hybrid.angle_reading import ANGLE_IS_READ
 from ..models.hybrid.kernels import CURVED, CURVES, INDEX, VALUES, WIDTHS, prepare
+from ..models.hybrid.log_reading import ANGLE_IS_READ
 from ..models.hybrid.model import HybridModel
 from ..numerics.arrays import FloatArray
 from .subject import Realisation, Variable, lagged_nodes

@@ -140,7 +140,7 @@ def variables(subject: Subject) -> dict[str, Any]:
         arrays[f"{table.name}_table"] = table.values[None, :]
         units[f"{table.name}_table"] = table.unit.replace("·", ".")
     if "q_bp" in arrays:
-        arrays["mass"] = float(getattr(subject.model, "mass", 1.0))
+        arrays["mass"] = float(getattr(subject.model, "mass_kg", 1.0))
         units["mass"] = MASS[v.q_unit].replace("·", ".").replace("²", "2")
     return arrays | {"units": units, "source": f"{subject.prototype}, {subject.name}, {subject.origin}"}
 

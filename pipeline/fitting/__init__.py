@@ -14,7 +14,7 @@ free run.
 - `homotopy`: the levels of the observer, and the checks that a level has not lost its log.
 - `posterior`: whiteness of the residual, covariance of θ, repeatable draws, and the bands of the curves.
 - `regression`: radial basis functions and regressor of the paper (eqs. 34 to 40), least squares by pseudo-inverse.
-- `coverage`: visits per basis centre, and the share of another log outside the data. `information`: of a motion.
+- `information`: of a motion on the weights, visits per basis centre, and the share of another log outside the data.
 - `excitation`: what a log excites, and findings for the report. `trends`: a quantity over time.
 - `population`: normal distribution of a parameter vector over many devices.
 """

@@ -62,13 +62,6 @@ class Prior:
         return np.asarray(self.matrix @ theta - self.right)
 
 
-class ParallelProblem(ObservedProblem, Protocol):
-    """An observed problem that runs several parameter vectors side by side."""
-
-    def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
-        """Simulated minus measured of each row of `thetas`, shape (B, N); NaN where a simulation diverged."""
-
-
 class Descent:
     """Steps at one observer gain.
 
@@ -105,8 +98,6 @@ class Descent:
         self.residual = residual
         self.iterations = 0
         self.hessian = np.zeros((len(theta), len(theta)))
-        self._slope = np.zeros(len(theta))
-        self.jacobian = np.zeros((len(residual), len(theta)))
         self._linear: tuple[FloatArray, FloatArray] | None = None  # θ and residual where these two hold
         self.noise = noise_inflation * self._rms()
 
@@ -151,8 +142,11 @@ class Descent:
 
     def _lower(self, full: FloatArray, slope: FloatArray, cost: float) -> tuple[FloatArray, FloatArray, float] | None:
         """θ and residual of a lower cost, and by how much; None if no damping leads to one."""
+        scale = 1.0 / np.sqrt(np.diag(full))
+        scaled = scale[:, None] * full * scale
         while self.damping < STRONGEST:
-            trial = self.theta - _damped_solution(full, slope, self.damping)
+            damped = scaled + self.damping * np.eye(len(full))
+            trial = self.theta - scale * np.linalg.solve(damped, scale * slope)
             residual = self.problem.residual(trial, self.gain)
             fall = -np.inf if residual is None else cost - self._cost(residual, trial)
             if fall > 0.0:
@@ -170,7 +164,9 @@ class Descent:
 
 
 class ParallelDescent(Descent):
-    """Descent on a `ParallelProblem`, with steps that bend along the valley of the cost.
+    """Descent with steps that bend along the valley of the cost, on a problem that runs several θ side by side.
+
+    Its ``residuals(thetas, gain)`` are simulated minus measured of each row of θ, shape (B, N); NaN where one diverged.
 
     Where parameters trade against each other the cost is a narrow curved valley, and a straight step is short or
     leaves it. The second derivative of the residual along a step, from one more simulation at a share of it, says how
@@ -178,8 +174,6 @@ class ParallelDescent(Descent):
 
     A step costs one Jacobian, two batches of simulations, N P² + 4 P³ flops.
     """
-
-    problem: ParallelProblem
 
     def _lower(self, full: FloatArray, slope: FloatArray, cost: float) -> tuple[FloatArray, FloatArray, float] | None:
         while self.damping < STRONGEST:
@@ -223,10 +217,3 @@ class _Damped:
     def lengths(self, steps: FloatArray) -> FloatArray:
         """Lengths of steps in units in which diag H is one, shape (B,)."""
         return np.asarray(np.linalg.norm(steps / self._scale, axis=1))
-
-
-def _damped_solution(matrix: FloatArray, right: FloatArray, damping: float) -> FloatArray:
-    """Solution of (H + damping·diag H) x = right, shape (P,). Cost: P³/3 flops."""
-    scale = 1.0 / np.sqrt(np.diag(matrix))
-    damped = scale[:, None] * matrix * scale + damping * np.eye(len(matrix))
-    return np.asarray(scale * np.linalg.solve(damped, scale * right))

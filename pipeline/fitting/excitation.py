@@ -82,8 +82,23 @@ class Excitation:
 
     @cached_property
     def ringing(self) -> float | None:
-        """Frequency [Hz] at which the velocity's spectrum has a clear peak; None where the device does not ring."""
-        return _ringing(self.displacement, self.interval)
+        """Frequency [Hz] of the highest inner peak of the velocity's spectrum; None where the device does not ring.
+
+        That is the spectrum of q times f², not that of differences, in which white noise of q has a peak as well.
+        """
+        frequency, power = _spectrum(self.displacement, self.interval)
+        power *= frequency**2
+        last = int(np.searchsorted(frequency, _RINGING_BELOW * 0.5 / self.interval)) - 1
+        if last <= _RINGING_ABOVE:
+            return None
+        peak = _RINGING_ABOVE + int(np.argmax(power[_RINGING_ABOVE : last + 1]))
+        if peak in (_RINGING_ABOVE, last):  # the spectrum falls, or rises, all along
+            return None
+        ratio = frequency / frequency[peak]
+        width = max(_BAND, float(ratio[1]))
+        places = (1.0, 0.5, min(1.5, float(ratio[-1]) - _BAND))
+        most, *beside = (power[np.abs(ratio - place) <= width].mean() for place in places)
+        return float(frequency[peak]) if np.mean(beside) < 0.5 * most else None
 
 
 def examine_excitation(
@@ -179,26 +194,6 @@ def _bandwidth(x: FloatArray, interval: float) -> float:
     return float(frequency[np.searchsorted(cumulated, _POWER_SHARE * cumulated[-1])])
 
 
-def _ringing(q: FloatArray, interval: float) -> float | None:
-    """The highest inner peak [Hz] of the velocity's spectrum, where it stands clear of what is beside it.
-
-    That is the spectrum of q times f², not that of differences, in which white noise of q has a peak as well.
-    """
-    frequency, power = _spectrum(q, interval)
-    power *= frequency**2
-    last = int(np.searchsorted(frequency, _RINGING_BELOW * 0.5 / interval)) - 1
-    if last <= _RINGING_ABOVE:
-        return None
-    peak = _RINGING_ABOVE + int(np.argmax(power[_RINGING_ABOVE : last + 1]))
-    if peak in (_RINGING_ABOVE, last):  # the spectrum falls, or rises, all along
-        return None
-    ratio = frequency / frequency[peak]
-    width = max(_BAND, float(ratio[1]))
-    places = (1.0, 0.5, min(1.5, float(ratio[-1]) - _BAND))
-    most, *beside = (power[np.abs(ratio - place) <= width].mean() for place in places)
-    return float(frequency[peak]) if np.mean(beside) < 0.5 * most else None
-
-
 LEAST_VISITS = 3
 """Samples nearest to a basis centre, below which its weight is the ridge's choice."""
 LARGEST_CONDITION = 1e4
@@ -268,9 +263,8 @@ def _of_places(
     fewest = int(excitation.visits.visits.min())
     condition = excitation.conditioning
     if fewest < LEAST_VISITS:
-        place = float(excitation.centres[int(np.argmin(excitation.visits.visits))])
         numbers = {
-            "place": Number(place, displacement),
+            "place": Number(float(excitation.centres[int(np.argmin(excitation.visits.visits))]), displacement),
             "visits": Number(fewest),
             "least": Number(LEAST_VISITS),
             "centres": Number(centres),

@@ -85,8 +85,6 @@ class Schedule:
         Relative fall of the cost below which the last level has converged.
     noise_inflation : float
         Factor on the noise level: above 1 where residuals are not independent, so that the prior weighs more.
-    chaos_gain : float
-        The one of the gains at which a chaotic device stays.
     """
 
     gains: Sequence[float] = GAINS
@@ -94,7 +92,6 @@ class Schedule:
     last_iterations: int = 25
     tolerance: float = 1e-5
     noise_inflation: float = 1.0
-    chaos_gain: float = COUPLED
 
 
 @dataclass(frozen=True)
@@ -111,7 +108,7 @@ class Callbacks:
         With the gain and the RMS of the residual, before each step.
     is_chaotic : callable
         Test if a free run with θ diverges from one that starts beside it. It is called after the level
-        `Schedule.chaos_gain`, which then is the last: the error of a chaotic run is no cost to descend on.
+        `COUPLED`, which then is the last: the error of a chaotic run is no cost to descend on.
     """
 
     begin: Callable[[FloatArray, float], None] = lambda theta, gain: None
@@ -149,81 +146,48 @@ def fit_homotopy(
         Levels end early where the simulation or its sensitivities overflow, and where simulations part (chaos).
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
-    count = len(theta)
     calls = callbacks or Callbacks()
-    state = _State(theta, np.zeros(0), np.zeros((count, count)), FLOOR, (), False, pending=tuple(schedule.gains))
-    levels = _Levels(problem, prior, schedule, calls, descent)
-    while state.pending:
-        state = levels.next(state)
-    return state
+    fit = HomotopyFit(theta, np.zeros(0), np.zeros((len(theta), len(theta))), FLOOR, (), False)
+    damping = START
+    pending = list(schedule.gains)
 
+    def begun(gain: float, residual: FloatArray) -> Descent:
+        """The descent of a level, which goes on from the fit before it."""
+        return descent(problem, prior, gain, schedule.noise_inflation, fit.theta, damping, residual)
 
-@dataclass(frozen=True)
-class _State(HomotopyFit):
-    """A fit between two levels, and the gains of the levels to come."""
-
-    damping: float = START
-    pending: tuple[float, ...] = ()
-
-
-@dataclass(frozen=True)
-class _Levels:
-    """Makes one level after another."""
-
-    problem: ObservedProblem
-    prior: Prior
-    schedule: Schedule
-    calls: Callbacks
-    descent: type[Descent]
-
-    def next(self, before: _State) -> _State:
-        """The state after one more level; none is to come where simulation or sensitivities overflow, or runs part."""
-        pending = before.pending
-        if self.calls.enough():
+    while pending:
+        if calls.enough():
             pending = pending[-1:]
-        gain = pending[0]
-        self.calls.begin(before.theta, gain)
-        ahead = self.problem.residual(before.theta, gain)
-        if ahead is None:
-            return self._overflown(before)
-        state = self._state(before, gain, ahead)
-        following = pending[1:]
-        if not state.linearise():
-            return self._overflown(before)
-        done = self._descend(state, gain, last=not following)
-        chaotic = bool(following) and gain == self.schedule.chaos_gain and self.calls.is_chaotic(state.theta)
+        gain, *pending = pending
+        calls.begin(fit.theta, gain)
+        ahead = problem.residual(fit.theta, gain)
+        level = None if ahead is None else begun(gain, ahead)
+        if level is None or not level.linearise():
+            if fit.levels:
+                last = begun(fit.levels[-1].gain, fit.residual)
+                last.linearise()
+                fit = replace(fit, hessian=last.hessian)
+            break
+        done = _descend(level, schedule, calls, last=not pending)
+        chaotic = bool(pending) and gain == COUPLED and calls.is_chaotic(level.theta)
         if chaotic:
-            following = ()
-            done = self._descend(state, gain, last=True)
-        if not following:
-            state.linearise()
-        error = rms(state.residual)
-        levels = (*before.levels, Level(float(gain), state.iterations, error, done))
-        reached_last = not (following or chaotic)
-        return _State(
-            state.theta, state.residual, state.hessian, state.noise, levels, reached_last, chaotic, state.damping,
-            following,
-        )  # fmt: skip
-
-    def _state(self, before: _State, gain: float, residual: FloatArray) -> Descent:
-        return self.descent(
-            self.problem, self.prior, gain, self.schedule.noise_inflation, before.theta, before.damping, residual
+            pending = []
+            done = _descend(level, schedule, calls, last=True)
+        if not pending:
+            level.linearise()
+        levels = (*fit.levels, Level(float(gain), level.iterations, rms(level.residual), done))
+        fit = HomotopyFit(
+            level.theta, level.residual, level.hessian, level.noise, levels, not (pending or chaotic), chaotic
         )
+        damping = level.damping
+    return fit
 
-    def _overflown(self, before: _State) -> _State:
-        """The state before, as the last one, with its Hessian."""
-        if before.levels:
-            state = self._state(before, before.levels[-1].gain, before.residual)
-            state.linearise()
-            before = replace(before, hessian=state.hessian)
-        return replace(before, pending=())
 
-    def _descend(self, state: Descent, gain: float, *, last: bool) -> bool:
-        """Take the steps of a level; whether its cost had stopped falling."""
-        done = False
-        while state.iterations < (self.schedule.last_iterations if last else self.schedule.iterations) and not done:
-            if self.calls.enough() and state.iterations >= LEAST_STEPS:
-                break
-            self.calls.on_progress(gain, rms(state.residual))
-            done = not state.step(self.schedule.tolerance if last else 1e-3)
-        return done
+def _descend(level: Descent, schedule: Schedule, calls: Callbacks, *, last: bool) -> bool:
+    """Take the steps of a level; whether its cost had stopped falling."""
+    most = schedule.last_iterations if last else schedule.iterations
+    done = False
+    while level.iterations < most and not done and not (calls.enough() and level.iterations >= LEAST_STEPS):
+        calls.on_progress(level.gain, rms(level.residual))
+        done = not level.step(schedule.tolerance if last else 1e-3)
+    return done

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.linear_filters import first_order_lag
@@ -49,11 +50,6 @@ class ScaledRegressor:
     scales: FloatArray
     inputs: InputAction = "squared"
 
-    @property
-    def count(self) -> int:
-        """Number of weights p = (2 + K) M."""
-        return len(self.scales) * len(self.centres)
-
     @classmethod
     def over(
         cls,
@@ -87,8 +83,7 @@ class ScaledRegressor:
         high = float(q.max())
         centres = basis_centres(low, high, basis_functions)
         signals = np.where(largest > 0.0, input_signal(largest, inputs), 1.0)
-        velocity = rms(qdot) or 1.0
-        scales = np.concatenate(([0.5 * (high - low), velocity], signals))
+        scales = np.concatenate(([0.5 * (high - low), rms(qdot) or 1.0], signals))
         return cls(centres, basis_width(centres, smoothing), scales, inputs)
 
     def information(self, q: FloatArray, qdot: FloatArray, v: FloatArray, interval: float) -> FloatArray:
@@ -229,12 +224,7 @@ def share_outside(q: FloatArray, qdot: FloatArray, trained_q: FloatArray, traine
     """
     edges = [np.linspace(x.min(), x.max(), CELLS + 1) for x in (trained_q, trained_qdot)]
     counts, _, _ = np.histogram2d(trained_q, trained_qdot, edges)
-    seen = np.zeros((CELLS + 4, CELLS + 4), dtype=bool)
-    for i in range(3):
-        for j in range(3):
-            seen[1 + i : 1 + i + CELLS, 1 + j : 1 + j + CELLS] |= counts > 0
-    at = []
-    for edge, x in zip(edges, (q, qdot), strict=True):
-        cell = np.floor((x - edge[0]) / (edge[1] - edge[0]))
-        at.append(np.clip(cell, -2, CELLS + 1).astype(np.int64) + 2)
-    return float(np.mean(~seen[at[0], at[1]]))
+    seen = np.any(sliding_window_view(np.pad(counts > 0, 3), (3, 3)), axis=(2, 3))  # with a margin of two cells
+    places = [np.floor((x - edge[0]) / (edge[1] - edge[0])) for edge, x in zip(edges, (q, qdot), strict=True)]
+    row, column = 2 + np.clip(places, -2, CELLS + 1).astype(np.int64)
+    return float(np.mean(~seen[row, column]))

@@ -162,8 +162,7 @@ def without_each(
         The population of all: where the estimation starts.
     """
     for i in range(len(members)):
-        others = [*members[:i], *members[i + 1 :]]
-        yield estimate_population(others, prior, start=whole, rounds=MORE_ROUNDS)
+        yield estimate_population([*members[:i], *members[i + 1 :]], prior, start=whole, rounds=MORE_ROUNDS)
 
 
 def log_evidence(member: Information, population: NormalPopulation) -> float:

@@ -1,6 +1,6 @@
 """Residuals and posterior of a fit: whiteness, covariance factors, repeatable draws, and the curves of the draws."""
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -130,8 +130,7 @@ def posterior_draws(mean: FloatArray, spread: FloatArray, count: int, seed: int)
     seed : int
         The same seed gives the same draws.
     """
-    standard = np.random.default_rng(seed).standard_normal((count, spread.shape[1]))
-    return np.asarray(mean + standard @ spread.T)
+    return np.asarray(mean + np.random.default_rng(seed).standard_normal((count, spread.shape[1])) @ spread.T)
 
 
 def outcome_draws(
@@ -155,14 +154,6 @@ def outcome_draws(
     """
     halves = [0.5 * (outcome(mean + column) - outcome(mean - column)) for column in spread.T]
     return posterior_draws(outcome(mean), np.stack(halves, axis=1), count, seed)
-
-
-def curves_of_draws(
-    draws: Iterable[FloatArray], curves: Callable[[FloatArray], dict[str, FloatArray]]
-) -> dict[str, FloatArray]:
-    """The curves of every draw, each of shape (count, n)."""
-    drawn = [curves(theta) for theta in draws]
-    return {name: np.array([each[name] for each in drawn]) for name in drawn[0]}
 
 
 def first_order_curves(

@@ -79,8 +79,6 @@ def input_signal(v: FloatArray, action: InputAction) -> FloatArray:
 
     An electrostatic force is even in the voltage, so a negative voltage acts like a positive one.
     """
-    if action not in ("squared", "linear"):
-        raise InputError(f"inputs = {action!r} is unknown; choose squared or linear")
     return v * v if action == "squared" else v
 
 
@@ -180,8 +178,7 @@ def pseudo_inverse_fit(factor: FloatArray, rows: int) -> LinearFit:
     norms = np.linalg.norm(matrix, axis=0)
     scale = np.where(norms > 0.0, norms, 1.0)
     left, singular, rows_v = np.linalg.svd(matrix / scale, full_matrices=False)
-    limit = max(rows, p) * np.finfo(float).eps * singular[0]
-    rank = int(np.count_nonzero(singular > limit))
+    rank = int(np.count_nonzero(singular > max(rows, p) * np.finfo(float).eps * singular[0]))
     weights = rows_v[:rank].T @ ((left.T[:rank] @ right) / singular[:rank]) / scale
     residual = right - matrix @ weights
     with np.errstate(divide="ignore"):

@@ -39,8 +39,6 @@ class Trend:
         Time of the first measurement after the best step; None likewise.
     after, before : float or None
         Times of the measurements between which the step lies with 95 %; None likewise.
-    chance : float
-        Probability of as large a gain of a line or a step without any change; 1 where unknown.
     """
 
     kind: Literal["unknown", "none", "line", "step"]
@@ -51,7 +49,6 @@ class Trend:
     at: float | None = None
     after: float | None = None
     before: float | None = None
-    chance: float = 1.0
 
 
 def trend(t: FloatArray, y: FloatArray, errors: FloatArray, alarm: float) -> Trend:
@@ -79,10 +76,9 @@ def trend(t: FloatArray, y: FloatArray, errors: FloatArray, alarm: float) -> Tre
     moved = directions @ left
     misfits = np.maximum(left @ left - moved**2, 0.0)
     scatter = np.maximum(misfits / (n - 2), 1.0)
-    gains = moved**2 / scatter
     half = stdtrit(n - 2, 0.975) * np.sqrt(scatter) / lengths
-    chance = _chance(directions, constant, float(gains.max()))
-    line = Trend("line" if chance < alarm else "none", float(moved[0] / lengths[0]), float(half[0]), chance=chance)
+    chance = _chance(directions, constant, float((moved**2 / scatter).max()))
+    line = Trend("line" if chance < alarm else "none", float(moved[0] / lengths[0]), float(half[0]))
     if not len(places):
         return line
     best = 1 + int(np.argmin(misfits[1:]))

@@ -250,9 +250,11 @@ def checked(method: MethodT) -> MethodT:
         values = given.arguments
         values["t"] = time = _time(values["t"])
         values["v"] = _voltages(values["v"], model, len(time))
-        for name in ("q0", "qdot0"):
-            if name in values:
-                values[name] = _initial(values[name], name)
+        for name in (name for name in ("q0", "qdot0") if name in values):
+            state = _floats(values[name], name)
+            if state.shape != ():
+                raise InputError(f"{name} has the shape {state.shape}; give one number to start from")
+            values[name] = float(state)
         if "starts" in values:
             values["starts"] = starts = _floats(values["starts"], "starts")
             if starts.ndim != 2 or starts.shape[1] != 2:
@@ -306,13 +308,6 @@ def _voltages(v: FloatArray, model: DynamicModel, count: int) -> FloatArray:
     if len(voltages) != count:
         raise InputError(f"v has {len(voltages)} rows, but t has {count} time stamps; give one row for each")
     return voltages
-
-
-def _initial(value: Any, name: str) -> float:
-    state = _floats(value, name)
-    if state.shape != ():
-        raise InputError(f"{name} has the shape {state.shape}; give one number to start from")
-    return float(state)
 
 
 def _floats(values: Any, name: str) -> FloatArray:

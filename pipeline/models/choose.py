@@ -81,12 +81,10 @@ class Choice:
             "excess_of_the_other": None if self.excess is None else asdict(self.excess),
             "interval_of_hybrid": None if self.interval is None else asdict(self.interval),
             "basis_functions": self.model.describe().get("basis_functions"),
-            "ablation": {**dict.fromkeys(ABLATION), **self._ablation()},
+            "ablation": dict.fromkeys(ABLATION)
+            | getattr(self.model, "diagnostics", {}).get("ablation", {})
+            | ({"rbf_alone": self.held_out["rbf"]} if "rbf" in self.held_out else {}),
         }
-
-    def _ablation(self) -> dict[str, float]:
-        alone = {"rbf_alone": self.held_out["rbf"]} if "rbf" in self.held_out else {}
-        return {**getattr(self.model, "diagnostics", {}).get("ablation", {}), **alone}
 
 
 def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
@@ -118,10 +116,8 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
     held_out = {"hybrid": _rms(errors)}
     interval = rms_interval(errors, _block(training, errors), np.random.default_rng(SEED))
     if (UNKNOWN_BOUND * held_out["hybrid"] if interval is None else interval.high) < NETWORK_ERROR:
-        error_text = f"to {100.0 * held_out['hybrid']:.2g} % of the range"
-        return Choice(
-            model, f"the joint's equations predict held-out training data {error_text}", held_out, None, interval
-        )
+        reason = f"the joint's equations predict held-out training data to {_percent(held_out['hybrid'])} of the range"
+        return Choice(model, reason, held_out, None, interval)
     return _compared(training, model, rbf, errors, interval)
 
 
@@ -140,8 +136,7 @@ def _compared(
     excess = rms_difference_interval(errors, hybrid_errors, block, np.random.default_rng(SEED))
     if held_out["hybrid"] <= held_out["rbf"]:
         return Choice(model, "smaller error on held-out training data", held_out, excess, interval)
-    surely = UNKNOWN_BOUND * held_out["rbf"] < held_out["hybrid"] if excess is None else excess.high < 0.0
-    if not surely:
+    if not (UNKNOWN_BOUND * held_out["rbf"] < held_out["hybrid"] if excess is None else excess.high < 0.0):
         return Choice(model, "rbf is not surely nearer to held-out training data", held_out, excess, interval)
     early = getattr(model, "early", None) or model
     network_fitted, fitted = (_rms(_errors(m, _first_parts(training), held_out=False)) for m in (network, early))
@@ -230,16 +225,14 @@ def main_model(models: Mapping[str, StoredModel], training: Training) -> tuple[s
         own = _by_horizon(models[first], training)
         for name, model in models.items():
             if name != first and (chaotic or lost[name] < lost[first]) and _surely(_by_horizon(model, training), own):
-                return name, f"{name} predicts the training logs surely better than {first} after {_times(own)}"
+                horizons = sorted({round(error.horizon_s, 3) for error in own})
+                after = " and ".join(f"{horizon:g} s" for horizon in horizons)
+                return name, f"{name} predicts the training logs surely better than {first} after {after}"
     return first, ""
 
 
 def _percent(error: float) -> str:
     return f"{100.0 * error:.2g} %" if error < 1.0 else "100 % or more"
-
-
-def _times(errors: list[HorizonError]) -> str:
-    return " and ".join(f"{horizon:g} s" for horizon in sorted({round(error.horizon_s, 3) for error in errors}))
 
 
 def _lost(model: StoredModel, record: Log) -> float:

@@ -18,12 +18,11 @@ Draws that end in another well are no part of s. Where they are more than `OPEN`
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 
 from ..errors import InputError
-from ..numerics.arrays import BoolArray, FloatArray
+from ..numerics.arrays import FloatArray
 from ..signals.log import EDGE, MOST_SAMPLES, Log, operating_range, within
 from ..store.columns import TUBE_COLUMNS
 from .base import DrawnModel, DynamicModel, FreeRun, HasDraws, HasTubes, TubeScale
@@ -51,15 +50,11 @@ class Tubes:
     other_low: FloatArray
     other_high: FloatArray
 
-    def hold(self, q: FloatArray) -> BoolArray:
-        """Mask of the samples of q [m or rad], shape (N,), that lie in one of the tubes."""
-        inside = (q >= self.low) & (q <= self.high)
-        return np.asarray(inside | ((q >= self.other_low) & (q <= self.other_high)))
-
     def coverage(self, q: FloatArray) -> float | None:
         """Share of the measured samples that lie in the tubes; None where nothing can be compared."""
         compared = np.isfinite(q) & np.isfinite(self.low)
-        return float(np.mean(self.hold(q)[compared])) if compared.any() else None
+        inside = (q >= self.low) & (q <= self.high) | (q >= self.other_low) & (q <= self.other_high)
+        return float(np.mean(inside[compared])) if compared.any() else None
 
 
 def tube_scale(
@@ -114,17 +109,6 @@ def _spread(free: FloatArray, ensemble: FloatArray, floor: float, apart: float) 
     near = np.abs(distance) <= apart
     count = np.maximum(np.count_nonzero(near, axis=0), 1)
     return np.asarray(np.sqrt(np.sum(np.where(near, distance, 0.0) ** 2, axis=0) / count + floor**2))
-
-
-class Start(NamedTuple):
-    """Input of a free run over a part of a log: times [s], voltages [V] as fine as the model takes them, and
-    the state [m, m/s] ([rad, rad/s] for an angle) at the first of these rows.
-    """
-
-    t: FloatArray
-    v: FloatArray
-    q0: float
-    qdot0: float
 
 
 def free_run(log: Log, model: DynamicModel) -> FreeRun:
@@ -186,15 +170,15 @@ def wanted_tubes(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel
     return tube_columns(around)
 
 
-def start_of(part: Log, model: DynamicModel) -> Start:
-    """Start of a free run of a model over a part of a log.
+def start_of(part: Log, model: DynamicModel) -> tuple[FloatArray, FloatArray, float, float]:
+    """Input of a free run over a part of a log: times [s], voltages [V] as fine as the model takes them, q and q̇ there.
 
     At rest the velocity is the measured one or the derivative. Where the part begins in motion, the derivative at the
     edge is poor. Then it is the velocity with which the model follows the first samples best.
     """
     v = part.drive_of(fine=model.fine_voltages)
     qdot0 = followed_velocity(part, v, model) if part.begins_in_motion else float(part.qdot[0])
-    return Start(part.t, v, float(part.q[0]), qdot0)
+    return part.t, v, float(part.q[0]), qdot0
 
 
 def followed_velocity(log: Log, v: FloatArray, model: DynamicModel) -> float:
@@ -246,11 +230,9 @@ def scale_on(records: Sequence[Log], model: DrawnModel, floor: float, margin: fl
     """
     parts = []
     for record in within(records, MOST_SAMPLES):
-        v = record.drive if model.fine_voltages else record.v
-        given = record.t, v, float(record.q[0]), float(record.qdot[0])
+        given = record.t, record.drive_of(fine=model.fine_voltages), float(record.q[0]), float(record.qdot[0])
         ensemble, _ = model.simulate_draws(*given)
         parts.append((model.simulate(*given).q, ensemble, np.where(record.valid, record.q, np.nan)))
     free, drawn_q, q = (np.concatenate(each, axis=-1) for each in zip(*parts, strict=True))
-    low, high = operating_range(records)
-    scale = tube_scale(free, drawn_q, q, floor, margin, high - low)
+    scale = tube_scale(free, drawn_q, q, floor, margin, float(np.ptp(operating_range(records))))
     return replace(scale, factor=max(scale.factor, least))

@@ -268,11 +268,6 @@ class ModelFile(FilePart):
 
     diagnostics: Facts = {}
 
-    @classmethod
-    def read(cls, tree: Mapping[str, Any], name: str, command: str) -> Self:
-        """The tree of the model `name`, checked by `read_part`; `command` writes it anew."""
-        return read_part(cls, tree, name, command)
-
     def to_tree(self) -> dict[str, Any]:
         """The contents as a dictionary of arrays, numbers and texts."""
         return tree_of(self)

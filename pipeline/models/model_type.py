@@ -3,11 +3,12 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import Any, Literal, Protocol, cast
 
 import numpy as np
 
 from ..device.device import Device
+from ..device.parameters import JointParameters
 from ..errors import CorruptArtifactError, InputError
 from ..fitting.population import NormalPopulation
 from ..numerics.arrays import FloatArray
@@ -18,10 +19,6 @@ from ..store.trees import read_tree
 from ..system.package import object_at
 from ..system.worker_pool import OnProgress, silent
 from .base import DynamicModel
-
-if TYPE_CHECKING:
-    from ..device.parameters import JointParameters
-
 
 FITTED_SHARE = 0.75
 """Share of each training log that candidates are fitted to when they are judged on the rest."""
@@ -123,7 +120,7 @@ class Training:
     segments: tuple[Log, ...]
     records: tuple[Log, ...]
     device: Device
-    parameters: "JointParameters | None"
+    parameters: JointParameters | None
     known_curves: KnownCurves | None
     identify: Identify
     compare: Compare = field(default_factory=Compare)
@@ -180,8 +177,7 @@ def model_type(name: str) -> ModelType:
     if listed is None:
         every = ", ".join(sorted(model.name for model in ENTRIES))
         raise InputError(f"there is no model {name!r}; choose one of {every}")
-    loaded: ModelType = object_at(listed.model_type)
-    return loaded
+    return cast(ModelType, object_at(listed.model_type))
 
 
 def equations_of(name: str) -> Callable[..., Any]:
@@ -196,8 +192,7 @@ def equations_of(name: str) -> Callable[..., Any]:
     if not equations:
         others = ", ".join(entry.name for entry in ENTRIES if model_type(entry.name).equations)
         raise InputError(f"the model {name} has no export; choose one of {others} with --model")
-    written: Callable[..., Any] = object_at(equations)
-    return written
+    return cast(Callable[..., Any], object_at(equations))
 
 
 def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:

@@ -38,6 +38,7 @@ from .model_file import (
     Span,
     Table,
     Unit,
+    read_part,
 )
 from .model_type import ModelType
 from .polynomial_dynamics import monomials
@@ -89,24 +90,6 @@ def _run(
         if n + 1 < len(q):
             q[n + 1] = q[n] + change
     return len(q)
-
-
-def _sampled_run(t: FloatArray, q: FloatArray, reached: int, interval: float) -> FreeRun:
-    """A free run from its displacement at the samples; q̇ and q̈ are differences of sixth order.
-
-    Parameters
-    ----------
-    t, q : FloatArray, shape (N,)
-        Time [s] and displacement [m], NaN after a divergence.
-    reached : int
-        Samples within the bounds.
-    interval : float
-        Sample interval [s] of the model.
-    """
-    qdot, qddot = np.full((2, q.size), np.nan)
-    qdot[:reached] = finite_difference(q[:reached], interval, 1)
-    qddot[:reached] = finite_difference(q[:reached], interval, 2)
-    return FreeRun(t, q, qdot, qddot, *run_status(t, reached))
 
 
 def _check_interval(t: FloatArray, interval: float, name: str) -> None:
@@ -170,16 +153,19 @@ class NarxModel(ModelFile):
             The record has another sample interval than the equation.
         """
         _check_interval(t, self.interval_s, self.name)
-        return _sampled_run(t, *self.run(v, q0, qdot0), self.interval_s)
+        q, reached = self.run(v, q0, qdot0)
+        qdot, qddot = np.full((2, q.size), np.nan)
+        qdot[:reached] = finite_difference(q[:reached], self.interval_s, 1)
+        qddot[:reached] = finite_difference(q[:reached], self.interval_s, 2)
+        return FreeRun(t, q, qdot, qddot, *run_status(t, reached))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
     ) -> Iterator[FloatArray]:
         """Predictions from the measured past that the equation looks at; see `pipeline.models.base.Predicts`."""
         _check_interval(t, self.interval_s, self.name)
-        rows = np.arange(len(seen))
         reach = int(self.structure.max())
-        unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, rows))
+        unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, np.arange(len(seen))))
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             first = max(int(unmeasured[start]) + 1, start - reach)
             past = seen[first : start + 1]
@@ -223,28 +209,10 @@ class NarxModel(ModelFile):
             delta[: past.size] = past
         return q, int(_run(*terms, self.scales, self.bounds, u, q, delta, begin))
 
-    def regression(self, q: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray, int]:
-        """Terms, shape (R, P), and targets, shape (R,), of the steps whose lags lie in the record; the first of these.
-
-        Raises
-        ------
-        InputError
-            There are none.
-        """
-        _, increments, input_lags, _ = self.structure.tolist()
-        first = max(increments, input_lags - 2)
-        if len(q) < first + 2:
-            raise InputError(f"the record has {len(q)} samples; the lags of this NARX equation reach over {first + 2}")
-        n = np.arange(first, len(q) - 1)
-        delta = np.diff(q, prepend=q[0])
-        x = np.column_stack([q[n], *(delta[n - j] for j in range(increments)), self._lagged(v)[n]])
-        return monomials(self.exponents, x / self.scales), delta[n + 1] - delta[n], first
-
     def _lagged(self, v: FloatArray) -> FloatArray:
         """Inputs as they act at each step, shape (N, K·M); lags that reach beyond the record repeat its ends."""
         u = np.square(v) if self.inputs == "squared" else v
-        lags = np.arange(self.structure[2])
-        rows = np.clip(np.arange(1, len(u) + 1)[:, None] - lags, 0, len(u) - 1)
+        rows = np.clip(np.arange(1, len(u) + 1)[:, None] - np.arange(self.structure[2]), 0, len(u) - 1)
         return np.hstack([column[rows] for column in u.T])
 
     def describe(self) -> dict[str, Any]:
@@ -333,9 +301,13 @@ def _library(shape: Shape, trajectories: Sequence[Log], plant: Device) -> NarxMo
 
 
 def _gram(library: NarxModel, x: Log) -> FloatArray:
-    theta, target, _ = library.regression(x.q, x.v)
-    rows = np.column_stack([theta, target])
-    return rows.T @ rows
+    """Gram matrix of [Θ y]: the terms and the targets of the steps whose lags lie in the record."""
+    _, increments, input_lags, _ = library.structure.tolist()
+    n = np.arange(max(increments, input_lags - 2), len(x.q) - 1)
+    delta = np.diff(x.q, prepend=x.q[0])
+    variables = np.column_stack([x.q[n], *(delta[n - j] for j in range(increments)), library._lagged(x.v)[n]])
+    rows = np.column_stack([monomials(library.exponents, variables / library.scales), delta[n + 1] - delta[n]])
+    return np.asarray(rows.T @ rows)
 
 
 def _pursuit(library: NarxModel, grams: Sequence[FloatArray]) -> dict[int, NarxModel]:
@@ -368,5 +340,5 @@ def _error(model: NarxModel, x: Log, span: float) -> float:
 
 NARX = ModelType(
     lambda data: identify_narx(data.segments, data.device, most=data.compare.candidates),
-    partial(NarxModel.read, name="narx", command="compare"),
+    partial(read_part, NarxModel, name="narx", command="compare"),
 )

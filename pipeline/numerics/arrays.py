@@ -25,11 +25,6 @@ def runs_of(marked: BoolArray) -> list[slice]:
     return [slice(int(a), int(b)) for a, b in edges.reshape(-1, 2)]
 
 
-def longest_run(marked: BoolArray) -> slice:
-    """The rows of the longest run of True, the first of several; none where nothing is marked."""
-    return max(runs_of(marked), key=lambda rows: rows.stop - rows.start, default=slice(0, 0))
-
-
 def bridged(values: FloatArray, keep: BoolArray) -> FloatArray:
     """`values` with a line across the samples that are not kept."""
     samples = np.arange(len(values))

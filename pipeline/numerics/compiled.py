@@ -16,7 +16,6 @@ numba.config._config_fname = str(Path(__file__).with_name("numba.yaml"))
 extending: Any = import_configured("numba.extending")
 types = numba.types
 TypingError = numba.TypingError
-njit: Any = numba.njit
 intrinsic = extending.intrinsic
 implement = extending.overload
 inlinable = extending.register_jitable

@@ -72,8 +72,8 @@ def _point(residual: Residual, x: FloatArray, orientation: FloatArray) -> _Point
     rows = np.column_stack([jacobian, slope])
     tangent = np.linalg.solve(np.vstack([rows, orientation]), np.append(np.zeros(x.size - 1), 1.0))
     tangent /= np.linalg.norm(tangent)
-    bordered = float(np.linalg.det(np.vstack([rows, tangent])))
-    return _Point(x, tangent, bool(np.linalg.eigvalsh(jacobian)[0] > 0.0), bordered)
+    stable = bool(np.linalg.eigvalsh(jacobian)[0] > 0.0)
+    return _Point(x, tangent, stable, float(np.linalg.det(np.vstack([rows, tangent]))))
 
 
 def _correct(residual: Residual, guess: FloatArray, tangent: FloatArray) -> FloatArray | None:
@@ -113,8 +113,7 @@ def _locate(
         else:
             high = (middle, point)
     first = test(low[1])
-    last = test(high[1])
-    return low[1].x + first / (first - last) * (high[1].x - low[1].x)
+    return low[1].x + first / (first - test(high[1])) * (high[1].x - low[1].x)
 
 
 def _special(residual: Residual, old: _Point, new: _Point, step: float) -> SpecialPoint | None:
@@ -168,8 +167,7 @@ def trace_branch(residual: Residual, y: FloatArray, parameter: float, *, bounds:
     -----
     Cost: 3 to 4 Newton steps on an (n + 1)² system a point, about 0.15 ms; a branch has 50 to 500 points.
     """
-    x = np.append(y, parameter)
-    start = _point(residual, x, np.append(np.zeros(y.size), 1.0) + 1e-3)
+    start = _point(residual, np.append(y, parameter), np.append(np.zeros(y.size), 1.0) + 1e-3)
     forward, special_forward = _follow(residual, start, bounds)
     reverse = _Point(start.x, -start.tangent, start.stable, -start.bordered)
     backward, special_backward = _follow(residual, reverse, bounds)
@@ -187,7 +185,5 @@ def outermost_pair(stable: Sequence[bool], height: Sequence[float]) -> tuple[int
     wells = [i for i, is_stable in enumerate(stable) if is_stable]
     if len(wells) < 2:
         return None
-    left = wells[0]
-    right = wells[-1]
-    between = [i for i in range(left, right) if not stable[i]]
-    return (left, max(between, key=height.__getitem__), right) if between else None
+    between = [i for i in range(wells[0], wells[-1]) if not stable[i]]
+    return (wells[0], max(between, key=height.__getitem__), wells[-1]) if between else None

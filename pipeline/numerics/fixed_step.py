@@ -122,8 +122,7 @@ def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., i
     _implement(kind, methods)
     own = FunctionType(integrate.__code__, integrate.__globals__, f"integrate_{kind.__name__}")
     own.__qualname__ = own.__name__
-    run: Callable[..., int] = compiled(fastmath=FAST, _nrt=False)(own)
-    return run
+    return compiled(fastmath=FAST, _nrt=False)(own)
 
 
 def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import InputError
-from .arrays import BoolArray, FloatArray, IntArray
+from .arrays import FloatArray, IntArray
 
 NORMAL_MEDIAN = 1.482602218505602
 """Standard deviation over median modulus of a normal variable."""
@@ -17,19 +17,6 @@ NORMAL_90 = 1.6448536269514722
 NORMAL_95 = 1.959963984540054
 NORMAL_99 = 2.5758293035489004
 """Standard deviations of half a normal variable's central 90 %, 95 % and 99 %."""
-
-
-def valid_rows(measured: FloatArray, calculated: FloatArray) -> BoolArray:
-    """Rows that count: the measurement is finite there.
-
-    Raises
-    ------
-    InputError
-        The two signals differ in shape or are not one-dimensional.
-    """
-    if measured.shape != calculated.shape or measured.ndim != 1:
-        raise InputError(f"measured {measured.shape} and calculated {calculated.shape} must be equally long vectors")
-    return np.isfinite(measured)
 
 
 def rms(values: FloatArray) -> float:
@@ -59,7 +46,9 @@ def rmse(measured: FloatArray, calculated: FloatArray) -> float | None:
         The two signals are not equally long vectors.
     """
     measured, calculated = np.asarray(measured, dtype=np.float64), np.asarray(calculated, dtype=np.float64)
-    rows = valid_rows(measured, calculated)
+    if measured.shape != calculated.shape or measured.ndim != 1:
+        raise InputError(f"measured {measured.shape} and calculated {calculated.shape} must be equally long vectors")
+    rows = np.isfinite(measured)
     error = calculated[rows] - measured[rows]
     if error.size == 0 or not np.all(np.isfinite(error)):
         return None
@@ -190,11 +179,10 @@ def one_step(t: FloatArray, q: FloatArray, target: float, distance: float) -> St
     error = q - target
     settled = int(settling_index(error, BAND * distance))
     direction = -np.sign(error[0]) if abs(error[0]) > BAND * distance else 1.0
-    late = error[len(error) // 2 :]
     return Step(
         t_s=float(t[0]),
         target_m=target,
         settling_s=float(t[settled] - t[0]) if settled < len(t) else None,
         overshoot_m=max(0.0, float(np.max(direction * error))),
-        rms_m=rms(late),
+        rms_m=rms(error[len(error) // 2 :]),
     )

@@ -315,9 +315,8 @@ def newton_step(at: Iterate, step: NewtonStep, delta: float, order: int, first_v
         0: the first sample is exact, 1: it is as noisy as the others.
     """
     start = difference_weights(order)
-    room = start_covariance(start, first_variance), np.zeros((2, order + 1))
-    longest, objective_after = _step(at, step, delta, first_variance, start, *room)
-    return float(longest), float(objective_after)
+    room = np.zeros((2, order + 1))
+    return _step(at, step, delta, first_variance, start, start_covariance(start, first_variance), room)
 
 
 @compiled

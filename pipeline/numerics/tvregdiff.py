@@ -121,7 +121,6 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     y, t, q, p, dy, dt, dp = np.zeros((7, n))
     at = Iterate(problem.b, y, t, q, p, problem.lam_of_terms())  # the feasible constant signal
     step = NewtonStep(dy, dt, dp, np.empty((n, problem.order + 2)))
-    fitted_start = 1.0 if problem.fitted_start else 0.0
     delta = max(problem.delta, _roughness(problem))
     value = objective(at, step, 0.0, delta)
     status: Status = "iteration limit"
@@ -130,7 +129,7 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     pulled_back = 0
     while iteration < max_iterations:
         iteration += 1
-        longest, full = newton_step(at, step, delta, problem.order, fitted_start)
+        longest, full = newton_step(at, step, delta, problem.order, float(problem.fitted_start))
         primal, value = _descend(at, step, delta, value + gap, full)
         dual = min(1.0, _TO_THE_BOUND * longest)
         gap = advance(at, step, primal, dual, delta)
@@ -150,8 +149,8 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
             delta = max(problem.delta, _REDUCTION * delta)
             value = objective(at, step, 0.0, delta)
     constant = problem.delta * float(at.lam[n - problem.differences :].sum())
-    least = float(objective(at, step, 0.0, problem.delta)) + constant
-    return Minimiser(at.y, at.t, least, float(advance(at, step, 0.0, 0.0, problem.delta)), iteration, status)
+    least = objective(at, step, 0.0, problem.delta) + constant
+    return Minimiser(at.y, at.t, least, advance(at, step, 0.0, 0.0, problem.delta), iteration, status)
 
 
 def _roughness(problem: VariationProblem) -> float:
@@ -271,8 +270,7 @@ def tvregdiff(
         Fewer than two samples, a sample that is not finite, or a parameter out of range.
     """
     data = np.asarray(samples, dtype=np.float64)
-    _check(data, order, start)
-    _check_positive(dt=dt, alpha=alpha, epsilon=epsilon)
+    _check(data, order, start, dt=dt, alpha=alpha, epsilon=epsilon)
     columns = data[:, None] if data.ndim == 1 else data
     factors = None if weights is None else _checked_weights(weights, data.shape[0])
     derivative = np.empty_like(columns)
@@ -290,7 +288,7 @@ def tvregdiff(
         minimiser = minimise_variation(problem, tolerance=tolerance, max_iterations=max_iterations)
         solved.append(minimiser)
         integral[:, k] = columns[0, k] + minimiser.y
-        derivative[:, k] = _at_samples(minimiser, dt, order)
+        derivative[:, k] = _at_samples(minimiser.y, dt, order)
     slowest = max(solved, key=lambda channel: (channel.status != "converged", channel.iterations))
     return TvDerivative(
         derivative=derivative.reshape(data.shape),
@@ -303,7 +301,7 @@ def tvregdiff(
     )
 
 
-def _check(data: FloatArray, order: int, start: str) -> None:
+def _check(data: FloatArray, order: int, start: str, **positive: float) -> None:
     if data.ndim not in (1, 2) or data.shape[0] < 2 or data.size == 0:
         raise InputError(f"tvregdiff needs (N,) or (N, k) samples with N ≥ 2, got shape {data.shape}")
     if not np.isfinite(data).all():
@@ -312,6 +310,9 @@ def _check(data: FloatArray, order: int, start: str) -> None:
         raise InputError(f"tvregdiff has no order={order!r}, start={start!r}")
     if data.shape[0] <= order:
         raise InputError(f"tvregdiff of order {order} needs more than {order} samples")
+    for name, value in positive.items():
+        if not (math.isfinite(value) and value > 0.0):
+            raise InputError(f"tvregdiff needs a positive, finite {name}, got {value}")
 
 
 def _checked_weights(weights: ArrayLike, n: int) -> FloatArray:
@@ -321,15 +322,8 @@ def _checked_weights(weights: ArrayLike, n: int) -> FloatArray:
     return factors
 
 
-def _check_positive(**parameters: float) -> None:
-    for name, value in parameters.items():
-        if not (math.isfinite(value) and value > 0.0):
-            raise InputError(f"tvregdiff needs a positive, finite {name}, got {value}")
-
-
-def _at_samples(minimiser: Minimiser, dt: float, order: int) -> FloatArray:
-    """Derivative at the samples [signal/s]."""
-    y = minimiser.y
+def _at_samples(y: FloatArray, dt: float, order: int) -> FloatArray:
+    """Derivative of the regularised signal at the samples [signal/s]."""
     if order > 1:
         return finite_difference(y, dt, 1)
     return np.asarray(np.gradient(y, dt, edge_order=2 if y.size > 2 else 1))

@@ -1,5 +1,6 @@
-"""Attributes of a channel in any format: its unit, a sample rate, a scale."""
+"""What logs of any format state by names: the unit of a channel, a sample rate, a scale."""
 
+import math
 import re
 from collections.abc import Mapping
 from contextlib import suppress
@@ -8,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from ..errors import InputError
-from ..units.units import parse_quantity, time_unit
-from .recording import NOT_APPLIED
-from .source import possible_rate, stated_rate
+from ..units.units import SECONDS, parse_quantity, time_unit
 
+NOT_APPLIED = "not applied here"
+"""Words in a note on a number that looks like a calibration."""
 _UNIT = re.compile(r"(?i)(eng(ineering)?[ _]?)?units?|unit[ _]?(string|label|text)|ni_unitdescription|einheit(en)?")
 _OFFSET = "offset|intercept|y_?(org|origin|off|zero)"
 _SCALE = re.compile(
@@ -26,6 +27,60 @@ _RATIO = re.compile(
     r"(?<![\d:.])(?:1 ?: ?(\d{3,6})|(\d{3,6}) ?: ?1)(?![\d:])|\b1 ?V ?(?:=|/|per) ?(\d*) ?kV\b|(?<![\w.])(\d*) ?kV/V\b"
 )
 _START = re.compile(r"(?i)(.*[./])?([tx]_?0|x_?(org|origin|zero)|((wf|x)_?)?(start|begin)(_?(time|offset))?)")
+
+_SAMPLING = "(sampl(e|ing)|scan|acquisition|abtast|measuring)[_ ]?"
+_RATE = re.compile(
+    rf"(?i)(.*[./])?(f_?s|s?rate|samples?[_ ]?per[_ ]?sec(ond)?|{_SAMPLING}(rate|freq(uency)?|frequenz))"
+)
+_STEP = re.compile(
+    rf"(?i)(.*[./])?(t_?s|dt|delta[_ ][xt]|((x|wf)[_ ]?)?increment|[tx]_?inc|t(ime)?[_ ]?(step|interval)|"
+    rf"{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit))"
+)
+"""Names of single numbers that say how often a log was sampled …"""
+_FREQUENCY = re.compile(r"(?i)(.*[./])?(freq(uency)?|frequenz)")
+_PERIOD = re.compile(r"(?i)(.*[./])?period(e|endauer)?")
+"""… or what happens that often …"""
+_WITH_UNIT = re.compile(r"(?i)(?P<name>.*?)[_ ]+[\[(]?(?P<unit>k?hz|[mu]?s)[\])]?")
+"""… and a unit behind such a name."""
+
+
+def stated_rate(name: str, number: float) -> float | None:
+    """Sample rate [Hz] that a single number of this name states, as `fs` [Hz], `Ts` [s] or `dt_ms`; None for others."""
+    return _rate(name, number, _RATE, _STEP)
+
+
+def possible_rate(name: str, number: float) -> float | None:
+    """Frequency [Hz] that a single number of this name states, as `frequency` or `period_us`; None for others."""
+    return _rate(name, number, _FREQUENCY, _PERIOD)
+
+
+def _rate(name: str, number: float, rates: re.Pattern[str], steps: re.Pattern[str]) -> float | None:
+    if not 0.0 < number < math.inf:
+        return None
+    unit = _WITH_UNIT.fullmatch(name)
+    if unit and not (rates.fullmatch(name) or steps.fullmatch(name)):
+        name = unit["name"]
+        number *= SECONDS.get(unit["unit"].lower(), 1000.0 if unit["unit"].lower() == "khz" else 1.0)
+    rate = number if rates.fullmatch(name) else 1.0 / number if steps.fullmatch(name) else math.inf
+    return rate if rate < math.inf else None
+
+
+def note_on_rate(name: str, number: float, rate: float) -> str:
+    """Note on a number that states a sample rate [Hz], which a log without a time channel needs."""
+    return f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:.9g}"
+
+
+_GROUP_OF = re.compile(r"(^|[./])[^./]*$")
+
+
+def rates_beside(channel: str, rates: Mapping[str, float]) -> Mapping[str, float]:
+    """The rates that stand in the group of a channel, else in the nearest one around it; all where none does."""
+    group = channel
+    while group:
+        group = _GROUP_OF.sub("", group)
+        if beside := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
+            return beside
+    return rates
 
 
 def plain(value: Any) -> Any:

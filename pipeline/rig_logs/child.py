@@ -25,7 +25,6 @@ from numpy.typing import NDArray
 from ..errors import disk_failure
 from ..system.isolation import Send, limit
 from ..system.package import module_at
-from .recording import for_any_variable, missing_channel
 from .source import (
     CsvOptions,
     Entry,
@@ -33,12 +32,15 @@ from .source import (
     Source,
     UnreadableChannelError,
     UnreadableLogError,
+    for_any_variable,
     left_out,
+    missing_channel,
     read_start,
     with_starts,
 )
 
 _LONGEST_ERROR = _LONGEST_TEXT = 2000
+_NO_SPACE = "the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
     "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS",
 }  # fmt: skip
@@ -49,10 +51,6 @@ _OF_LIBRARIES = (OSError, ValueError, KeyError, IndexError, TypeError, OverflowE
 
 _OF_A_CHANNEL = (UnreadableChannelError, KeyError, TypeError, NotImplementedError)
 """Raised where a library does not know a kind of channel; all else may be damage, for which a log is refused."""
-
-
-class _RefusedError(Exception):
-    """A complete message for the user."""
 
 
 def read_log(send: Send, request: dict[str, Any]) -> None:
@@ -69,12 +67,8 @@ def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
     limit(limits.memory(size), limits.seconds(size), limits.data_bytes + (1 << 22))
     try:
         return _read(path, request, limits, send)
-    except _RefusedError as error:
-        reason = str(error)
     except UnreadableLogError as error:
         reason = f"{path}: {error}"
-    except _NoSpaceError:
-        reason = f"{path}: the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
     except (MemoryError, *_OF_LIBRARIES) as error:
         system = disk_failure(error)
         reason = f"{path}: damaged or not what it claims to be ({type(error).__name__}: {error})"
@@ -88,7 +82,7 @@ def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
 def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> dict[str, Any]:
     source = open_source(path, CsvOptions(**request["csv"]), limits)
     entries = source.entries()
-    wanted = _wanted(path, entries, source.texts, request["channels"], source.warnings)
+    wanted = _wanted(entries, source.texts, request["channels"], source.warnings)
     by_name = {entry.name: entry for entry in entries}
     bases = {entry.time: by_name[entry.time] for _, entry in wanted if entry.time is not None}
     needed = {entry.name: entry for entry in (*bases.values(), *(entry for _, entry in wanted))}
@@ -110,9 +104,16 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
     wanted = [(name, entry) for name, entry in wanted if not {entry.name, entry.time} & failed.keys()]
     return {
         "format": source.format,
-        "notes": [*source.notes, *left_out({name: f"{error}" for name, error in failed.items()})],
+        "notes": [
+            *source.notes,
+            *source.counted.notes(needed.keys() - failed.keys()),
+            *left_out({name: f"{error}" for name, error in failed.items()}),
+        ],
         "warnings": source.warnings,
-        **_stated(source),
+        "rates": source.rates,
+        "frequencies": source.frequencies,
+        "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
+        "heading": source.heading[:_LONGEST_TEXT],
         "listed": [entry.name for entry in entries if entry.name not in failed],
         "channels": [
             {
@@ -127,18 +128,8 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
     }
 
 
-def _stated(source: Source) -> dict[str, Any]:
-    """Metadata of the log: rates, descriptions, heading."""
-    return {
-        "rates": source.rates,
-        "frequencies": source.frequencies,
-        "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
-        "heading": source.heading[:_LONGEST_TEXT],
-    }
-
-
 def _wanted(
-    path: Path, entries: list[Entry], texts: Mapping[str, str], names: list[str] | None, warnings: list[str]
+    entries: list[Entry], texts: Mapping[str, str], names: list[str] | None, warnings: list[str]
 ) -> list[tuple[str, Entry]]:
     """The entries asked for, each under the name by which it was asked for."""
     if names is None:
@@ -151,15 +142,11 @@ def _wanted(
     for name in names:
         if name in texts:
             way_out = "" if ":" in texts[name] or ";" in texts[name] else "; export it as numbers"
-            raise _RefusedError(f"{path}: channel {name!r} holds no plain numbers, but {texts[name]}{way_out}")
+            raise UnreadableLogError(f"channel {name!r} holds no plain numbers, but {texts[name]}{way_out}")
         if name not in by_alias:
             remarks = "".join(f"; {warning}" for warning in warnings)
-            raise _RefusedError(missing_channel(path, name, tuple(entry.name for entry in entries)) + remarks)
+            raise UnreadableLogError(missing_channel(name, [entry.name for entry in entries]) + remarks)
     return [(name, by_alias[name]) for name in names]
-
-
-class _NoSpaceError(Exception):
-    """The samples do not fit into the temporary folder."""
 
 
 class _Spool:
@@ -182,37 +169,32 @@ class _Spool:
         self._path = path
         self._largest = limits.largest(path.stat().st_size)
         self._file = file
-        self._position = 0
         if declared > self._largest:
-            raise _RefusedError(f"{self._beyond(f'declares {declared / 1e6:.0f} MB')}; refused unread")
+            raise UnreadableLogError(f"{self._beyond(f'declares {declared / 1e6:.0f} MB')}; refused unread")
 
     def write(self, name: str, samples: NDArray[Any]) -> None:
         """Append a part of an entry."""
         if not len(samples):
             return
         content = np.ascontiguousarray(samples, dtype="<f8").data.cast("B")
-        if self._position + len(content) > self._largest:
-            raise _RefusedError(self._beyond("holds more"))
+        position = self._file.tell()
+        if position + len(content) > self._largest:
+            raise UnreadableLogError(self._beyond("holds more"))
         places = self.places.setdefault(name, [])
-        if places and places[-1][0] + 8 * places[-1][1] == self._position:
+        if places and places[-1][0] + 8 * places[-1][1] == position:
             places[-1][1] += len(samples)
         else:
-            places.append([self._position, len(samples)])
+            places.append([position, len(samples)])
         while content:
-            content = content[self._append(content) :]
-
-    def _append(self, content: memoryview) -> int:
-        try:
-            written = self._file.write(content)
-        except OSError as error:
-            raise _NoSpaceError from error
-        self._position += written
-        return written
+            try:
+                content = content[self._file.write(content) :]
+            except OSError as error:
+                raise UnreadableLogError(_NO_SPACE) from error
 
     def _beyond(self, what: str) -> str:
         size = self._path.stat().st_size / 1e6
         largest = self._largest / 1e6
-        return f"{self._path}: {what} of samples in a file of {size:.3g} MB, beyond the limit of {largest:.0f} MB"
+        return f"{what} of samples in a file of {size:.3g} MB, beyond the limit of {largest:.0f} MB"
 
 
 _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
@@ -289,6 +271,21 @@ def _is_matlab4(start: bytes) -> bool:
     return False
 
 
+_KNOWN_BY_MORE: tuple[tuple[Callable[[bytes], object], str], ...] = (
+    (lambda start: start[257:262] == b"ustar", "this is an archive; unpack it"),
+    (
+        _COMTRADE.match,
+        "this is the configuration of a COMTRADE record; export the record with its scale factors applied as CSV",
+    ),
+    (
+        lambda start: start.startswith(b"MATLAB"),
+        "it begins like a MAT file, and the rest is damaged or missing",
+    ),
+    (_is_matlab4, "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"),
+)
+"""Formats that are refused by more than the bytes with which they begin."""
+
+
 def module_for(start: bytes) -> str:
     """The module of `pipeline.rig_logs` that reads a file which begins so."""
     return next((form.module for form in FORMATS if form.begins(start)), "csv")
@@ -309,17 +306,8 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     for magic, what in _KNOWN_BUT_NOT_READ.items():
         if module == "csv" and start.startswith(magic):
             raise UnreadableLogError(f"this is {what}")
-    if module == "csv" and start[257:262] == b"ustar":
-        raise UnreadableLogError("this is an archive; unpack it")
-    if module == "csv" and _COMTRADE.match(start):
-        raise UnreadableLogError(
-            "this is the configuration of a COMTRADE record; export the record with its scale factors applied as CSV"
-        )
-    if module == "csv" and start.startswith(b"MATLAB"):
-        raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
-    if module == "csv" and _is_matlab4(start):
-        raise UnreadableLogError(
-            "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"
-        )
+    for is_such, what in _KNOWN_BY_MORE:
+        if module == "csv" and is_such(start):
+            raise UnreadableLogError(what)
     source: Source = module_at(f"rig_logs.{module}").open_log(path, csv, limits)
     return with_starts(source)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pyarrow import csv
 
 from ..store.arrow_columns import doubles
+from .attributes import note_on_rate
 from .csv_cells import (
     MISSING,
     NUMBER,
@@ -22,12 +23,15 @@ from .csv_cells import (
     is_stamp,
     is_value,
     is_word,
+    labview_starts,
     no_number,
     plain_number,
     plain_row,
+    split_row,
     unclear_mark,
 )
 from .csv_dialect import SAMPLE_BYTES, find_dialect
+from .csv_heading import stated_frequencies, stated_rates, stated_scales
 from .csv_text import as_utf8, text_of, whole_rows, written
 from .source import (
     CsvOptions,
@@ -35,7 +39,6 @@ from .source import (
     Source,
     UnreadableLogError,
     left_out,
-    note_on_rate,
     read_start,
     unique_names,
 )
@@ -69,8 +72,11 @@ class CsvSource(Source):
         self._block = max(_BLOCK_BYTES, 2 * size)
         self._columns = unique_names(list(self._dialect.header))
         self._origins: dict[str, int] = {}
-        self.rates = {name: rate for name, _, rate in self._dialect.rates}
-        self.frequencies = dict(self._dialect.frequencies)
+        preamble = self._dialect.preamble
+        delimiter = self._dialect.delimiter
+        rates = stated_rates(preamble, delimiter)
+        self.rates = {name: rate for name, _, rate in rates}
+        self.frequencies = stated_frequencies(preamble, delimiter)
         self._rewritten = self._dialect.rewritten
         self._words = dict[str, list[int]]()
         self._remarks = list[str]()
@@ -80,21 +86,16 @@ class CsvSource(Source):
         self._clocks = _clocks(self._firsts, local)
         texts = self._left_out()
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
-        self.notes = self._noted(texts)
+        headed = dict(zip(self._columns, self._dialect.headings, strict=True))
+        self.notes += [self._dialect.describe(), *(note_on_rate(*each) for each in rates)]
+        self.notes += stated_scales(preamble, delimiter)
+        self.notes += left_out({name: text for name, text in texts.items() if self._firsts[name] or headed[name]})
         # The first column is a time, or empty.
-        self.starts = dict([*zip(self._columns, self._dialect.starts, strict=False)][1:])
+        starts = labview_starts([split_row(line, delimiter) for line in preamble], len(self._columns))
+        self.starts = dict([*zip(self._columns, starts, strict=False)][1:])
+        self.heading = " ".join(" ".join(preamble).split())
         # The number of rows is not declared anywhere.
-        lines = start.decode(self._dialect.encoding, "replace").splitlines()
-        self.heading = " ".join(" ".join(lines[: self._dialect.first_data_row]).split())
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
-
-    def _noted(self, texts: dict[str, str]) -> list[str]:
-        """Notes on the way the file is read, and on the columns that are left out as `texts`."""
-        dialect = self._dialect
-        headed = dict(zip(self._columns, dialect.headings, strict=True))
-        left = {name: text for name, text in texts.items() if self._firsts[name] or headed[name]}
-        rates = (note_on_rate(*each) for each in dialect.rates)
-        return [dialect.describe(), *rates, *dialect.scales, *self.notes, *left_out(left)]
 
     def _left_out(self) -> dict[str, str]:
         """Content of the columns that are no numbers, by name."""

@@ -17,7 +17,6 @@ from .csv_cells import (
     is_stamp,
     is_value,
     is_word,
-    labview_starts,
     marks_between_thousands,
     rows_of,
     split_row,
@@ -31,9 +30,6 @@ from .csv_heading import (
     is_comment,
     names_and_units,
     rows_by_key,
-    stated_frequencies,
-    stated_rates,
-    stated_scales,
 )
 from .csv_text import text_encoding
 from .source import CsvOptions, UnreadableLogError
@@ -230,18 +226,12 @@ class Dialect:
     """The first cell of each column that is not empty; "" where all in the sample are: what it holds is open."""
     has_marks: bool
     """True if the decimal mark is known: seen, set, or the point beside commas that separate."""
-    rates: tuple[tuple[str, float, float], ...]
-    """Names and numbers in the preamble that state a sample rate, and it [Hz]."""
-    frequencies: tuple[tuple[str, float], ...]
-    """Names and frequencies [Hz] there that may be the sample rate."""
-    scales: tuple[str, ...]
-    """Notes on numbers in the preamble that look like a calibration."""
+    preamble: tuple[str, ...]
+    """The lines above the data."""
     texts: tuple[str, ...]
     """Content of the columns that are no numbers; "" for the others."""
     rewritten: bool
     """True if rows need more than to be split at the delimiter, as where some have a comment behind them."""
-    starts: tuple[tuple[float, float], ...]
-    """Start and step [s] of each column, where these differ; see `labview_starts`."""
     above: frozenset[tuple[str, ...]]
     """The rows of names and units, which a logger may write once more where it begins anew."""
     is_labview: bool
@@ -333,13 +323,10 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         numeric,
         firsts,
         options.decimal is not None or table.delimiter == "," or table.has_marks,
-        stated_rates(lines[: table.first], table.delimiter),
-        stated_frequencies(lines[: table.first], table.delimiter),
-        tuple(stated_scales(lines[: table.first], table.delimiter)),
+        tuple(lines[: table.first]),
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         bool(table.delimiter == " " or table.ragged or in_seconds)
         or (header_row is not None and len(above[header_row]) == width + 1),
-        labview_starts([split_row(line, table.delimiter) for line in lines[: table.first]], width),
         frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
         - {("",) * width},
         lines[0].startswith(_LABVIEW),

@@ -5,9 +5,9 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 
 from ..units.units import PLAIN
-from .attributes import number_with_unit, scales_among
+from .attributes import number_with_unit, possible_rate, scales_among, stated_rate
 from .csv_cells import COMMENT, NUMBER, is_stamp, split_row
-from .source import UnreadableLogError, possible_rate, stated_rate, unique_names
+from .source import UnreadableLogError, unique_names
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
 _UNIT_BEHIND = re.compile(r"^(?P<name>.*\S)(?:\s+in\s+|\s+/\s*|,\s+|\s*(?=[<{]))[<{]?(?P<unit>[^\s<>{}]+)[>}]?$")
@@ -129,20 +129,20 @@ def _holds_units(row: Row) -> bool:
     return 2 * sum(are_units) > len(cells) > 0
 
 
-def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float, float], ...]:
+def stated_rates(lines: Sequence[str], delimiter: str) -> list[tuple[str, float, float]]:
     """Names and numbers, behind or below them, that state a sample rate in lines above the data, and it [Hz]."""
     rates = _numbers_called(stated_rate, lines, delimiter)
     for match in () if rates else filter(None, map(_RATE_IN_WORDS.search, lines)):
         rate = number_with_unit(f"{match['number']} {match['unit']}", "")
         rates[match[0]] = (match[0], rate, rate)
-    return tuple(rates.values())
+    return list(rates.values())
 
 
-def stated_frequencies(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float], ...]:
+def stated_frequencies(lines: Sequence[str], delimiter: str) -> dict[str, float]:
     """Names and frequencies [Hz] in lines above the data that may be the sample rate: of `frequency`, or alone."""
     found = {name: rate for name, _, rate in _numbers_called(possible_rate, lines, delimiter).values()}
     alone = filter(None, (_ALONE.fullmatch(bare_line(line).strip(f" {delimiter}")) for line in lines))
-    return tuple((found | {f"the line {match[0]!r}": number_with_unit(match[0], "") for match in alone}).items())
+    return found | {f"the line {match[0]!r}": number_with_unit(match[0], "") for match in alone}
 
 
 def _numbers_called(

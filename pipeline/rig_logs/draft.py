@@ -16,26 +16,21 @@ from ..signals.signal_quality import BOTH_SIGNS, takes_both_signs
 from ..signals.timebase import seldom
 from ..system.names import check_log_name, check_name, log_name, slug, true_name
 from ..units.units import DISPLACEMENT, FILL_IN, SECONDS, to_si
-from .attributes import monitor_ratio
+from .attributes import monitor_ratio, rates_beside
 from .channel_roles import Role, Suggestion, suggested_unit
 from .inspection import NO_CHANNEL, InspectedChannel, Inspection
-from .recording import as_other_logs
-from .source import rates_beside
+from .source import as_other_logs
 
 Purpose = Literal["train", "validation", "test", ""]
 
 _BETWEEN_WORDS = re.compile(r"[\W\d_]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
+"""Other characters, and nothing between the small and the large letter of ``trainData``."""
 _OF_DATA = "(data|daten|set|log|logs|run|lauf)?"
 _WORDS: dict[Purpose, re.Pattern[str]] = {
     "validation": re.compile(rf"val{_OF_DATA}|valid\w*", re.IGNORECASE),
     "test": re.compile(rf"test{_OF_DATA}|tests|testing|prüf\w*|pruef\w*|check|holdout|unseen", re.IGNORECASE),
     "train": re.compile(r"train\w*|ident|identif\w*|fit|lern\w*", re.IGNORECASE),
 }
-
-
-def words(name: str) -> list[str]:
-    """The words of a name: what stands between other characters, and between ``trainData``'s small and large letter."""
-    return [word for word in _BETWEEN_WORDS.split(name) if word]
 
 
 def purpose_of(word: str) -> Purpose:
@@ -45,10 +40,15 @@ def purpose_of(word: str) -> Purpose:
 
 def purposes(name: str) -> set[Purpose]:
     """Purposes of data that the words of a name state."""
-    return {purpose_of(word) for word in words(name)} - {""}
+    return {purpose_of(word) for word in _BETWEEN_WORDS.split(name)} - {""}
 
 
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
+_WAYS_OUT = {
+    "time": "; without one, leave this line out and see sample_rate",
+    "q": "; a length, an angle, or V of a circuit",
+}
+"""What stands behind a role that no channel has."""
 _MOST_LISTED = 100
 _MOST_NAMED = 5
 _LONGEST = 80
@@ -309,7 +309,7 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
         return [f"{entry}  # suggested; unit {origin}{monitor}", *_signed_monitor(entry, channel, log)]
     if role == "time" and any(each.clock for each in log.suggestions):
         return [f"# time is left out: each channel has its own, of {', '.join(map(quoted, names))}"]
-    wanted = f"one of {', '.join(map(quoted, names))}" if names else _nothing(role)
+    wanted = f"one of {', '.join(map(quoted, names))}" if names else f"none stands out{_WAYS_OUT.get(role, '')}"
     return [f"{_entry(role, FILL_IN, FILL_IN)}  # {wanted}"]
 
 
@@ -358,12 +358,6 @@ def _unit(channel: InspectedChannel, role: Role) -> tuple[str, str]:
         if role == "q":
             return FILL_IN, f"by the log {unit}: no length or angle; 'V' may stand for it"
     return unit, "by the log" if channel.unit.strip("[]() ") else "by its name"
-
-
-def _nothing(role: Role) -> str:
-    if role == "time":
-        return "none stands out; without one, leave this line out and see sample_rate"
-    return "none stands out; a length, an angle, or V of a circuit" if role == "q" else "none stands out"
 
 
 def _entry(role: str, channel: str, unit: str) -> str:

@@ -3,27 +3,109 @@
 import os
 import stat
 import tempfile
-from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
+
+import numpy as np
 
 from ..errors import InputError
 from ..numerics.arrays import FloatArray
+from ..signals.columns import column
 from ..system.isolation import Isolated, death, preload
 from ..system.package import full_name
 from . import child
-from .recording import (
-    Places,
-    RecordedChannel,
-    Recording,
-    mapped_columns,
-)
-from .source import CsvOptions, Limits
+from .attributes import NOT_APPLIED
+from .source import CsvOptions, Limits, missing_channel
 
 _READER_IMPORTS = ("numpy", full_name("system.isolation"), full_name("rig_logs.child"))
 _READER = child.read_log
 _PATIENCE = 10
+
+
+@dataclass(frozen=True)
+class RecordedChannel:
+    """One channel of a raw log, in the numbers of the log.
+
+    Attributes
+    ----------
+    name : str
+        Name in the log.
+    unit : str
+        Unit as the log writes it, "" where it has none; information only, the settings decide.
+    time : FloatArray, shape (N,), or None
+        The channel's own time base [s]; None where the format has none (a column of a table).
+    samples : FloatArray, shape (N,)
+        Samples, converted to float64, read-only.
+    dtype : str
+        Type of the numbers in the log, such as ``float32``.
+    """
+
+    name: str
+    unit: str
+    time: FloatArray | None
+    samples: FloatArray
+    dtype: str
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A raw log, or the part of it that was asked for.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    format : str
+        Its format in words, such as ``MAT v5, ControlDesk``.
+    channels : tuple of RecordedChannel
+        The channels that were asked for, under the names by which they were asked for.
+    listed : tuple of str
+        Names of all numeric channels of the log.
+    notes : tuple of str
+        Remarks for the user, such as the detected dialect of a CSV file.
+    warnings : tuple of str
+        Samples that were left out or changed.
+    rates : mapping of str to float
+        Sample rates [Hz] that single numbers beside the channels state, by their names; information only.
+    frequencies : mapping of str to float
+        Frequencies [Hz] of which nothing says whether they are those of the samples or of a motion, by their names.
+    descriptions : mapping of str to str
+        Text of the log beside a channel, by its name.
+    heading : str
+        Text of the log above or beside all of them.
+    """
+
+    path: Path
+    format: str
+    channels: tuple[RecordedChannel, ...]
+    listed: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
+    rates: Mapping[str, float] = field(default_factory=dict)
+    frequencies: Mapping[str, float] = field(default_factory=dict)
+    descriptions: Mapping[str, str] = field(default_factory=dict)
+    heading: str = ""
+
+    def channel(self, name: str) -> RecordedChannel:
+        """The channel of that name.
+
+        Raises
+        ------
+        InputError
+            It was not read, or the log has none of that name.
+        """
+        for channel in self.channels:
+            if channel.name == name:
+                return channel
+        raise InputError(f"{self.path}: {missing_channel(name, self.listed)}")
+
+    def unapplied(self, name: str) -> list[str]:
+        """The notes on numbers beside a channel that look like its calibration."""
+        group = name.rpartition(".")[0]
+        notes = [note for note in self.notes if NOT_APPLIED in note]
+        return [note for note in notes if repr(name) in note or (group and note.startswith(f"{group}."))]
 
 
 def read_recording(
@@ -59,11 +141,27 @@ def read_recording(
     Cost: the start of the process (elsewhere than on Linux each time), most of it numpy's import; the parse, and one
     write of 8 bytes a sample; the arrays are views of a mapped temporary file, so the system can page them out.
     """
+    limits = limits or Limits()
+    _check_is_file(path)
+    size = path.stat().st_size
     with tempfile.TemporaryDirectory(prefix="debist-", ignore_cleanup_errors=True) as folder:
         samples = Path(folder) / "samples"
-        answer = _ask_child(path, channels, csv, limits, samples, progress)
+        request = {
+            "path": str(path),
+            "channels": None if channels is None else list(dict.fromkeys(channels)),
+            "csv": asdict(csv or CsvOptions()),
+            "limits": asdict(limits),
+            "samples": str(samples),
+        }
+        done = read_in_child(request, _PATIENCE * limits.seconds(size), progress)
+        if done.late:
+            raise InputError(f"{path}: reading it does not end; damaged, or on a stalled file system")
+        if done.answer is None:
+            raise InputError(f"{path}: its reader {_cause_of_death(done, limits, size)}")
+        if "error" in done.answer:
+            raise InputError(str(done.answer["error"]))
         with samples.open("rb") as data:
-            return _recording(path, answer, mapped_columns(data))
+            return _recording(path, done.answer, data)
 
 
 def _check_is_file(path: Path) -> None:
@@ -76,34 +174,6 @@ def _check_is_file(path: Path) -> None:
         raise InputError(f"{path}: is {'a directory' if stat.S_ISDIR(mode) else 'no regular file'}, not a log")
     if not os.access(path, os.R_OK):
         raise InputError(f"{path}: cannot be read (no permission)")
-
-
-def _ask_child(
-    path: Path,
-    channels: Sequence[str] | None,
-    csv: CsvOptions | None,
-    limits: Limits | None,
-    samples: Path,
-    progress: Callable[[float], None] | None,
-) -> dict[str, Any]:
-    limits = limits or Limits()
-    _check_is_file(path)
-    size = path.stat().st_size
-    request = {
-        "path": str(path),
-        "channels": None if channels is None else list(dict.fromkeys(channels)),
-        "csv": asdict(csv or CsvOptions()),
-        "limits": asdict(limits),
-        "samples": str(samples),
-    }
-    done = read_in_child(request, _PATIENCE * limits.seconds(size), progress)
-    if done.late:
-        raise InputError(f"{path}: reading it does not end; damaged, or on a stalled file system")
-    if done.answer is None:
-        raise InputError(f"{path}: its reader {_cause_of_death(done, limits, size)}")
-    if "error" in done.answer:
-        raise InputError(str(done.answer["error"]))
-    return done.answer
 
 
 @dataclass(frozen=True)
@@ -140,7 +210,10 @@ def _cause_of_death(done: Done, limits: Limits, size: int) -> str:
     return f"failed ({reason}); the file is damaged or not what it claims to be"
 
 
-def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], FloatArray]) -> Recording:
+def _recording(path: Path, answer: dict[str, Any], data: IO[bytes]) -> Recording:
+    """The recording that a child answered, its columns as read-only views of the mapped file of samples."""
+    size = os.fstat(data.fileno()).st_size // 8
+    mapped = np.asarray(np.memmap(data, "<f8", "r", shape=(size,))) if size else np.empty(0)
     columns: dict[str, FloatArray] = {}
 
     def found(places: list[list[int]]) -> FloatArray:
@@ -148,33 +221,45 @@ def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Fl
         key = str(places)  # channels on one time base get the same object
         if key not in columns:
             try:
-                columns[key] = column([(int(offset), int(count)) for offset, count in places])
+                columns[key] = _column(mapped, [(int(offset), int(count)) for offset, count in places])
             except (ValueError, TypeError, OverflowError):
                 raise InputError(f"{path}: its reader gave samples that are not there; the file is damaged") from None
         return columns[key]
 
-    channels = tuple(
-        RecordedChannel(
-            name=str(entry["name"]),
-            unit=str(entry["unit"]),
-            time=None if entry["time"] is None else found(entry["time"]),
-            samples=found(entry["samples"]),
-            dtype=str(entry["dtype"]),
-        )
-        for entry in answer["channels"]
-    )
-    rates = {str(name): float(rate) for name, rate in answer["rates"].items()}
-    frequencies = {str(name): float(number) for name, number in answer["frequencies"].items()}
-    descriptions = {str(name): str(text) for name, text in answer["descriptions"].items()}
     return Recording(
         path=path,
         format=str(answer["format"]),
-        channels=channels,
+        channels=tuple(
+            RecordedChannel(
+                name=str(entry["name"]),
+                unit=str(entry["unit"]),
+                time=None if entry["time"] is None else found(entry["time"]),
+                samples=found(entry["samples"]),
+                dtype=str(entry["dtype"]),
+            )
+            for entry in answer["channels"]
+        ),
         listed=tuple(answer["listed"]),
         notes=tuple(answer["notes"]),
         warnings=tuple(answer["warnings"]),
-        rates=rates,
-        frequencies=frequencies,
-        descriptions=descriptions,
+        rates={str(name): float(rate) for name, rate in answer["rates"].items()},
+        frequencies={str(name): float(number) for name, number in answer["frequencies"].items()},
+        descriptions={str(name): str(text) for name, text in answer["descriptions"].items()},
         heading=str(answer["heading"]),
     )
+
+
+def _column(mapped: FloatArray, places: Sequence[tuple[int, int]]) -> FloatArray:
+    """The samples at these offsets [bytes], so many at each; those of several parts in a file of their own.
+
+    Raises
+    ------
+    ValueError
+        They are not in the file.
+    """
+    if any(offset < 0 or offset % 8 or count < 0 or offset // 8 + count > mapped.size for offset, count in places):
+        raise ValueError
+    parts = [mapped[offset // 8 : offset // 8 + count] for offset, count in places]
+    whole = parts[0] if len(parts) == 1 else column(sum(part.size for part in parts), parts, np.float64)
+    whole.flags.writeable = False
+    return whole

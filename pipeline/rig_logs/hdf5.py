@@ -104,10 +104,11 @@ def scales_of_axis(dataset: Any, axis: int) -> list[str]:
         scales = list(dataset.dims[axis].values())
     except (RuntimeError, ValueError, KeyError, TypeError, OSError):  # references to what is not there
         return []
-    named = [
-        scale for scale in scales if scale.name and not bytes(scale.attrs.get("NAME", b"")).startswith(_NO_VARIABLE)
+    return [
+        scale.name.lstrip("/")
+        for scale in scales
+        if scale.name and not bytes(scale.attrs.get("NAME", b"")).startswith(_NO_VARIABLE)
     ]
-    return [scale.name.lstrip("/") for scale in named]
 
 
 _LARGEST_RATIO = 2000.0
@@ -174,13 +175,9 @@ def checked(item: Any) -> Any:
     return item
 
 
-def walk(group: Any) -> Iterator[tuple[str, Any]]:
-    """Every dataset below a group with its path from there, each once, in the file's order."""
-    seen: set[Any] = set()
-    yield from _walk(group, "", seen)
-
-
-def _walk(group: Any, prefix: str, seen: set[Any]) -> Iterator[tuple[str, Any]]:
+def walk(group: Any, prefix: str = "", seen: set[Any] | None = None) -> Iterator[tuple[str, Any]]:
+    """Every dataset below a group with its path from there, each once (but those `seen`), in the file's order."""
+    seen = set() if seen is None else seen
     for name in group:
         if isinstance(group.get(name, getlink=True), h5py.SoftLink):
             continue  # what it names is listed in its own place, if it is in this file
@@ -190,7 +187,7 @@ def _walk(group: Any, prefix: str, seen: set[Any]) -> Iterator[tuple[str, Any]]:
             continue
         seen.add(address)
         if isinstance(item, h5py.Group):
-            yield from _walk(item, f"{prefix}{name}/", seen)
+            yield from walk(item, f"{prefix}{name}/", seen)
         elif isinstance(item, h5py.Dataset):
             yield f"{prefix}{name}", item
 
@@ -259,7 +256,6 @@ class Hdf5Source(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels, in slices along the stored chunks."""
-        counted = self.counted
         for name in names:
             dataset, column, missing = self._places[name]
             axis = int(np.argmax(dataset.shape))
@@ -275,13 +271,12 @@ class Hdf5Source(Source):
                     part = flat(dataset.fields(column[0]), first, last, dataset.shape)[(..., *column[1:])]
                 else:
                     part = dataset[first:last, column] if axis == 0 else dataset[column, first:last]
-                samples = counted(name, part)
+                samples = self.counted(name, part)
                 if missing is not None:
                     samples = np.where(np.isin(part, missing), np.nan, samples)
                 if written is not None:
                     samples = np.where(written[np.arange(first, last) // dataset.chunks[axis]], samples, np.nan)
                 yield name, samples
-        self.notes += counted.notes(names)
 
     def _list(self, name: str, dataset: Any) -> bool:
         """List its channels, or the sample rate that it states; False for numbers that are neither."""
@@ -304,8 +299,12 @@ class Hdf5Source(Source):
             for j in range(min(shape)):
                 place = f"[:,{j}]" if shape[1] <= shape[0] else f"[{j},:]"
                 self._add(name + place, dataset.dtype, max(shape), dataset, j)
+        elif dataset.dtype.kind in "fiu" and dataset.size == 1:
+            number = {name: float(np.ravel(dataset[()])[0])}
+            self.note_rates(rates_among(number, ""))
+            self.notes += scales_among(number)
         else:
-            return self._note_rate(name, dataset)
+            return dataset.dtype.kind not in "fiu" or not dataset.size
         return True
 
     def _clock(self, entry: Entry, entries: Mapping[str, Entry]) -> str | None:
@@ -321,16 +320,6 @@ class Hdf5Source(Source):
             if factor is not None:
                 self.notes.append(f"{entry.name!r} runs over {name!r} in {scale.unit}: name that as its time")
         return None
-
-    def _note_rate(self, name: str, dataset: Any) -> bool:
-        """Note a number that may be the sample rate or interval; whether there are not several numbers."""
-        if dataset.dtype.kind not in "fiu" or not dataset.size:
-            return True
-        if dataset.size == 1:
-            number = {name: float(np.ravel(dataset[()])[0])}
-            self.note_rates(rates_among(number, ""))
-            self.notes += scales_among(number)
-        return bool(dataset.size == 1)
 
     def _add(self, name: str, dtype: np.dtype[Any], count: int, dataset: Any, column: _Column) -> None:
         """List a channel, unless its attributes cannot be applied; what they say is noted."""

@@ -17,10 +17,10 @@ from ..signals.timebase import TimeQuality, examine
 from ..system.names import shell_word
 from ..units.quantity import stamped
 from ..units.units import SECONDS
+from .attributes import note_on_rate, stated_rate
 from .channel_roles import Suggestion, is_called, suggest, suggested_unit
-from .guarded import read_recording
-from .recording import RecordedChannel, Recording
-from .source import CsvOptions, note_on_rate, stated_rate
+from .guarded import RecordedChannel, Recording, read_recording
+from .source import CsvOptions
 
 _UNEVEN = 0.5
 _MOSTLY = 0.95
@@ -139,7 +139,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     bases: list[TimeQuality] = []
     examined: list[tuple[RecordedChannel, int | None, SignalQuality, Clock]] = []
     for channel in recording.channels:
-        time = column if channel.time is None and not own_time else channel.time
+        time = column if channel.time is None else channel.time
         position = _time_base(time, stamps, bases, notes) if time is not None else None
         if time is not None and position is not None and time.size == channel.samples.size:
             examined.append((channel, position, examine_signal(time, channel.samples, bases[position].step), clock))
@@ -159,27 +159,24 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
             lost, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)
             remarks += tuple(dropout_remarks(lost, unit=channel.unit))
         remarks = () if own_time and channel.time is None else remarks
-        described = recording.descriptions.get(channel.name, "")
-        channels.append(_inspected(channel, position, quality, remarks, tuple(own), described))
+        channels.append(
+            InspectedChannel(
+                name=channel.name,
+                unit=channel.unit,
+                dtype=channel.dtype,
+                time_base=position,
+                quality=quality,
+                remarks=remarks,
+                codes=tuple(own),
+                every=sparse((channel.samples, channel.samples))[1],
+                description=recording.descriptions.get(channel.name, ""),
+            )
+        )
     size = path.stat().st_size
     return Inspection(
         path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, rates, tuple(notes),
         recording.heading,
     )  # fmt: skip
-
-
-def _inspected(
-    channel: RecordedChannel,
-    base: int | None,
-    quality: SignalQuality,
-    remarks: tuple[str, ...],
-    codes: tuple[float, ...],
-    description: str,
-) -> InspectedChannel:
-    every = sparse((channel.samples, channel.samples))[1]
-    return InspectedChannel(
-        channel.name, channel.unit, channel.dtype, base, quality, remarks, codes, every, description
-    )
 
 
 def _without_dropouts(signal: Signal, quality: SignalQuality, step: float) -> tuple[Dropouts, SignalQuality]:

@@ -1,25 +1,26 @@
 """Contents of a MAT file, and layouts of recorders: ControlDesk's, Simulink's "Structure With Time", and tables.
 
 ControlDesk writes one struct (of any name) with a struct array ``X`` of time axes (Name, Type, Data, Unit,
-Raster), a struct array ``Y`` of channels (the same and Path, XIndex: which axis), and ``Description``; other
-versions add ``Capture``, whose SamplingPeriod × Downsampling is the time step where ``X`` holds no data.
+Raster), and a struct array ``Y`` of channels (the same and Path, XIndex: which axis).
 
 Scopes and "To Workspace" blocks write one struct (of any name) with ``time`` and a struct array ``signals`` (values,
 dimensions, label, …). ``values`` has a row for each time; signals of several elements have columns, and what is 1×1×N
 is a vector.
 """
 
+import math
 import warnings
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol, TypeGuard
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..units.units import SECONDS, time_unit
-from .hdf5 import open_hdf5, walk
+from .hdf5 import NUMBERS, open_hdf5, walk
 from .source import PART, Entry, UnreadableLogError, unique_names
 
 Reader = Callable[[int, int], NDArray[Any]]
@@ -41,10 +42,7 @@ class MatArray:
     @property
     def size(self) -> int:
         """Number of elements."""
-        size = 1
-        for dim in self.dims:
-            size *= dim
-        return size
+        return math.prod(self.dims)
 
     @property
     def is_vector(self) -> bool:
@@ -69,17 +67,14 @@ class MatObject:
     kind: str
 
 
-class MatStruct(Protocol):
-    """A struct array."""
+@dataclass(frozen=True)
+class MatStruct(ABC):
+    """A struct array: the names of its fields, and the number of its elements."""
 
-    @property
-    def fields(self) -> tuple[str, ...]:
-        """Names of the fields."""
+    fields: tuple[str, ...]
+    count: int
 
-    @property
-    def count(self) -> int:
-        """Number of elements."""
-
+    @abstractmethod
     def get(self, index: int, name: str) -> "MatValue":
         """Field `name` of element `index`; None where there is no such field."""
 
@@ -97,11 +92,6 @@ class MatChannel:
     step: int = PART
 
 
-def is_struct(value: MatValue) -> TypeGuard[MatStruct]:
-    """True if a value is a struct array."""
-    return value is not None and not isinstance(value, str | MatArray | MatObject)
-
-
 def text_of(value: MatValue) -> str:
     """A text, or "" for anything else."""
     return value if isinstance(value, str) else ""
@@ -117,9 +107,9 @@ def bare(name: str) -> str:
     return "/".join(part.strip('"') for part in name.strip().split("/")) if '"' in name else name.strip()
 
 
-def is_recorder(value: MatValue) -> bool:
+def is_recorder(value: MatValue) -> TypeGuard[MatStruct]:
     """True if a variable is a recording."""
-    return is_struct(value) and value.count == 1 and {"X", "Y"} <= set(value.fields)
+    return isinstance(value, MatStruct) and value.count == 1 and {"X", "Y"} <= set(value.fields)
 
 
 def recorder_channels(record: MatStruct, notes: list[str]) -> list[MatChannel]:
@@ -132,7 +122,7 @@ def recorder_channels(record: MatStruct, notes: list[str]) -> list[MatChannel]:
     """
     axes, recorded = _time_axes(record, notes)
     channels = record.get(0, "Y")
-    if not is_struct(channels):
+    if not isinstance(channels, MatStruct):
         raise UnreadableLogError("the ControlDesk struct has no channels Y")
     arrays = {i: data for i in range(channels.count) if isinstance(data := channels.get(i, "Data"), MatArray)}
     others = [text_of(channels.get(i, "Name")) or f"Y({i + 1})" for i in range(channels.count) if i not in arrays]
@@ -161,7 +151,7 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
     axes = record.get(0, "X")
     lengths: list[tuple[str, int]] = []
     channels = []
-    if is_struct(axes):
+    if isinstance(axes, MatStruct):
         names = []
         for i in range(axes.count):
             raster = text_of(axes.get(i, "Raster")) or str(i + 1)
@@ -181,26 +171,11 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
                 read = _scaled(data.read, factor)
                 channels.append(MatChannel(Entry(name, "s", data.dtype, data.size), read, data.step))
             lengths.append((name, 0 if factor is None else data.size))
-    return (lengths, channels) if channels else _time_from_capture(record, notes)
+    return lengths, channels
 
 
 def _scaled(read: Reader, factor: float) -> Reader:
     return read if factor == 1.0 else lambda first, last: read(first, last) * factor
-
-
-def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int]], list[MatChannel]]:
-    capture = record.get(0, "Capture")
-    channels = record.get(0, "Y")
-    if not (is_struct(capture) and is_struct(channels)):
-        return [], []
-    period = scalar_of(capture.get(0, "SamplingPeriod"))
-    data = channels.get(0, "Data")
-    if period is None or not isinstance(data, MatArray):
-        return [], []
-    step = period * (scalar_of(capture.get(0, "Downsampling")) or 1.0)
-    notes.append(f"time from SamplingPeriod × Downsampling = {step:g} s; the log has no time axis")
-    entry = Entry("time", "s", "float64", data.size)
-    return [("time", data.size)], [MatChannel(entry, lambda first, last: step * np.arange(first, last))]
 
 
 def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int]) -> int:
@@ -208,18 +183,17 @@ def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int
 
     def matches(first: int) -> int:
         """Number of signals that have the length of their axis if indices count from `first`."""
-        positions = [None if index is None else int(index) - first for index in indices]
         return sum(
-            p is not None and 0 <= p < len(lengths) and lengths[p] == size
-            for p, size in zip(positions, sizes, strict=True)
+            index is not None and 0 <= index - first < len(lengths) and lengths[int(index) - first] == size
+            for index, size in zip(indices, sizes, strict=True)
         )
 
     return 0 if matches(0) > matches(1) else 1
 
 
-def is_simulink_log(value: MatValue) -> bool:
+def is_simulink_log(value: MatValue) -> TypeGuard[MatStruct]:
     """True if a variable is a structure with time and signals."""
-    return is_struct(value) and value.count == 1 and {"time", "signals"} <= set(value.fields)
+    return isinstance(value, MatStruct) and value.count == 1 and {"time", "signals"} <= set(value.fields)
 
 
 def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[MatChannel]:
@@ -234,7 +208,7 @@ def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[M
         channels.append(MatChannel(Entry(clock, "s", time.dtype, rows), time.read, time.step))
     else:
         notes.append(f"{variable} is a Simulink structure without time; set [ingest] sample_rate")
-    if not is_struct(signals):
+    if not isinstance(signals, MatStruct):
         return channels
     places = [f"{variable}.signals({i + 1}).values" for i in range(signals.count)]
     labels = [bare(text_of(signals.get(i, "label"))) or place for i, place in enumerate(places)]
@@ -260,7 +234,6 @@ def _signal(name: str, place: str, values: MatArray, clock: str | None) -> list[
 
 
 TABLES = ("table", "timetable")
-_NUMBERS = "fiub"
 _TIMES = "mM"
 
 
@@ -292,7 +265,7 @@ def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], 
     channels = [] if time is None else [_channel(time, frame.index.to_numpy(), "s", None)]
     texts = []
     for i, (column, values) in enumerate(columns.items()):
-        if values.dtype.kind not in _NUMBERS + _TIMES:
+        if values.dtype.kind not in NUMBERS:
             texts.append(f"{name}.{column}")
             continue
         unit = "s" if values.dtype.kind in _TIMES else units[i] if i < len(units) else ""

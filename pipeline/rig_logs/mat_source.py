@@ -8,7 +8,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from ..units.units import SECONDS, time_unit
-from .attributes import is_unit, scales_among, starts_among
+from .attributes import is_unit, note_on_rate, possible_rate, scales_among, starts_among, stated_rate
 from .channel_roles import is_called
 from .mat_recorders import (
     TABLES,
@@ -19,7 +19,6 @@ from .mat_recorders import (
     MatValue,
     is_recorder,
     is_simulink_log,
-    is_struct,
     recorder_channels,
     scalar_of,
     simulink_channels,
@@ -33,10 +32,7 @@ from .source import (
     UnreadableLogError,
     left_out,
     not_listed,
-    note_on_rate,
-    possible_rate,
     ranges,
-    stated_rate,
 )
 
 _MOST_ELEMENTS = 1000
@@ -65,9 +61,9 @@ class MatSource(Source):
             self.notes.append(f"{len(recordings)} recordings in one file; channels are named recording/channel")
         for name, value in variables.items():
             prefix = f"{name}/" if len(recordings) > 1 else ""
-            if is_struct(value) and is_recorder(value):
+            if is_recorder(value):
                 self._add(recorder_channels(value, self.notes), prefix)
-            elif is_struct(value) and is_simulink_log(value):
+            elif is_simulink_log(value):
                 self._add(simulink_channels(name, value, self.notes), prefix)
             elif isinstance(value, MatObject) and value.kind in TABLES:
                 self._add_table(path, name, value.kind)
@@ -81,12 +77,10 @@ class MatSource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels."""
-        counted = self.counted
         for name in names:
             channel = self._channels[name]
             for first, last in ranges(channel.entry.count, channel.step):
-                yield name, counted(name, channel.read(first, last))
-        self.notes += counted.notes(names)
+                yield name, self.counted(name, channel.read(first, last))
 
     def _add(self, channels: Sequence[MatChannel], prefix: str = "") -> None:
         for channel in channels:
@@ -121,7 +115,7 @@ class MatSource(Source):
                 return _signals_of(name, value)
             if value.size > 1:
                 self._not_listed[name] = value.dims
-        elif is_struct(value) and value.count <= _MOST_ELEMENTS:
+        elif isinstance(value, MatStruct) and value.count <= _MOST_ELEMENTS:
             places = [name] if value.count == 1 else [f"{name}({i + 1})" for i in range(value.count)]
             return [channel for i, place in enumerate(places) for channel in self._fields(place, value, i)]
         return []
@@ -138,8 +132,8 @@ class MatSource(Source):
                 continue
             info = members.get(f"{field}Info")  # as of a timeseries that was saved as a struct
             unit = text_of(
-                info.get(0, "Units") if is_struct(info) else
-                units.get(0, field) if is_struct(units) else
+                info.get(0, "Units") if isinstance(info, MatStruct) else
+                units.get(0, field) if isinstance(units, MatStruct) else
                 members.get("TimeUnit") if several and is_called("time", field) else units
             )  # fmt: skip
             for channel in self._plain(f"{place}.{field}", member, second):

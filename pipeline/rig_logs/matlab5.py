@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.io import loadmat
 from scipy.io.matlab import MatlabFunction, MatlabObject, MatlabOpaque, varmats_from_mat
 
-from .mat_recorders import MatArray, MatObject, MatValue
+from .mat_recorders import MatArray, MatObject, MatStruct, MatValue
 from .mat_source import MatSource
 from .source import CsvOptions, Limits, UnreadableLogError
 
@@ -25,16 +25,10 @@ _COMPRESSED = 15
 
 
 @dataclass(frozen=True)
-class _Struct:
+class _Struct(MatStruct):
     """A struct array as SciPy gives it."""
 
     elements: NDArray[Any]
-    fields: tuple[str, ...]
-
-    @property
-    def count(self) -> int:
-        """Number of elements."""
-        return int(self.elements.size)
 
     def get(self, index: int, name: str) -> MatValue:
         """Field `name` of element `index`, or None."""
@@ -111,7 +105,7 @@ def _value(item: Any) -> MatValue:
     if not isinstance(item, np.ndarray):
         return MatObject("sparse array")
     if item.dtype.names:
-        return _Struct(item.ravel(order="F"), item.dtype.names)
+        return _Struct(item.dtype.names, item.size, item.ravel(order="F"))
     if item.dtype.kind in "US":
         return " ".join(str(text) for text in item.ravel()).rstrip("\0 ")
     if item.dtype.kind not in "fiub":

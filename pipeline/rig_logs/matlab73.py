@@ -13,18 +13,16 @@ import h5py
 import numpy as np
 
 from .hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time, why_unread
-from .mat_recorders import MatArray, MatObject, MatValue
+from .mat_recorders import MatArray, MatObject, MatStruct, MatValue
 from .mat_source import MatSource
-from .source import CsvOptions, Limits, Source, UnreadableLogError
+from .source import UnreadableLogError
 
 
 @dataclass(frozen=True)
-class _Struct:
+class _Struct(MatStruct):
     """A struct array; members are looked up when asked for."""
 
     group: Any
-    fields: tuple[str, ...]
-    count: int
 
     def get(self, index: int, name: str) -> MatValue:
         """Field `name` of element `index`, or None."""
@@ -37,8 +35,8 @@ class _Struct:
         return _value(checked(self.group.file[references[index]])) if index < references.size else None
 
 
-def open_matlab73(path: Path) -> MatSource:
-    """List the channels of a MAT v7.3 file.
+def open_log(path: Path, *_: object) -> MatSource:
+    """The log as `pipeline.rig_logs.child` opens it.
 
     Raises
     ------
@@ -69,13 +67,8 @@ def _value(item: Any) -> MatValue:
         tuple(reversed(item.shape)),
         item.dtype.name,
         lambda start, stop: flat(item, start, stop, item.shape),
-        _step(item),
+        rows_at_a_time(item, int(np.argmax(item.shape))) if item.shape else 1,  # a matrix is read by columns
     )
-
-
-def _step(item: Any) -> int:
-    """Along the stored chunks of a vector; a matrix is read column by column anyway."""
-    return rows_at_a_time(item, int(np.argmax(item.shape))) if item.shape else 1
 
 
 def _struct(group: Any) -> MatValue:
@@ -84,11 +77,11 @@ def _struct(group: Any) -> MatValue:
     members = [child_of(group, field) for field in fields]
     arrays = [member for member in members if _is_references(member) and _class_of(member) == ""]
     if not arrays:
-        return _Struct(group, fields, 1)
+        return _Struct(fields, 1, group)
     sizes = {member.size for member in arrays}
     if len(sizes) != 1:
         raise UnreadableLogError(f"{group.name} is no proper struct array")
-    return _Struct(group, fields, sizes.pop())
+    return _Struct(fields, sizes.pop(), group)
 
 
 def _is_references(item: Any) -> bool:
@@ -98,8 +91,3 @@ def _is_references(item: Any) -> bool:
 def _class_of(item: Any) -> str:
     name = item.attrs.get("MATLAB_class", b"")
     return name.decode("ascii", "replace") if isinstance(name, bytes) else str(name)
-
-
-def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.child` opens it."""
-    return open_matlab73(path)

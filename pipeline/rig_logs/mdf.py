@@ -67,7 +67,6 @@ class MdfSource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels in their physical units, NaN where the log marks them invalid."""
-        counted = self.counted
         for name in names:
             group, index = self._places[name]
             expected = int(self._mdf.groups[group].channel_group.cycles_nr)
@@ -75,11 +74,10 @@ class MdfSource(Source):
             for first, last in ranges(expected):
                 samples = self._samples(name, group, index, first, last - first)
                 held += len(samples)
-                yield name, counted(name, samples)
+                yield name, self.counted(name, samples)
                 self._let_go()
             if held != expected:
                 raise UnreadableLogError(f"channel {name!r} has {held} of {expected} samples: truncated")
-        self.notes += counted.notes(names)
 
     def _let_go(self) -> None:
         """Give back the pages of the log that were read; asammdf maps all of it."""
@@ -115,23 +113,18 @@ class MdfSource(Source):
         return np.asarray(samples)
 
     def _list(self) -> None:
-        listed: list[tuple[str, int, int, Any]] = []
         groups: list[Any] = self._mdf.groups
-        for group, content in enumerate(groups):
-            listed += [(channel.name, group, index, channel) for index, channel in enumerate(content.channels)]
-        names = unique_names([name for name, *_ in listed])
         masters_of: dict[int, int] = self._mdf.masters_db
+        places = [(group, index) for group, content in enumerate(groups) for index in range(len(content.channels))]
+        names = unique_names([groups[group].channels[index].name for group, index in places])
         masters = {
-            group: name
-            for name, (_, group, index, _) in zip(names, listed, strict=True)
-            if index == masters_of.get(group)
+            group: name for name, (group, index) in zip(names, places, strict=True) if index == masters_of.get(group)
         }
         clocks = {
-            name: self._clock(name, group, _unit(channel), _MASTERS.get(getattr(channel, "sync_type", 0), ""))
-            for name, (_, group, _, channel) in zip(names, listed, strict=True)
-            if name == masters.get(group)
+            name: self._clock(name, group, groups[group].channels[masters_of[group]]) for group, name in masters.items()
         }
-        for name, (_, group, index, channel) in zip(names, listed, strict=True):
+        for name, (group, index) in zip(names, places, strict=True):
+            channel = groups[group].channels[index]
             kind = _number_type(channel, self._mdf.version)
             if kind is None or (text := _texts_in_place(channel, self._mdf.version)):
                 self.texts[name] = text if kind else "no plain numbers"
@@ -139,7 +132,7 @@ class MdfSource(Source):
             if any(_has_formula(groups[group].channels[i].conversion) for i in {index, masters_of.get(group, index)}):
                 self.texts[name] = _FORMULA
                 continue
-            count = int(self._mdf.groups[group].channel_group.cycles_nr)
+            count = int(groups[group].channel_group.cycles_nr)
             master = None if group in self._timeless or name in clocks else masters.get(group)
             self._places[name] = (group, index)
             if text := _words(channel):
@@ -148,10 +141,11 @@ class MdfSource(Source):
         self.heading = _words(self._mdf.header)
         self.notes += left_out(self.texts)
 
-    def _clock(self, name: str, group: int, unit: str, kind: str) -> str:
+    def _clock(self, name: str, group: int, master: Any) -> str:
         """Note what a group's master is if it does not count seconds; the unit in which it is read."""
+        unit = _unit(master)
         factor = SECONDS.get(time_unit(unit)) if unit.strip() else 1.0
-        kind = kind or ("" if factor else f"in {unit}")
+        kind = _MASTERS.get(getattr(master, "sync_type", 0)) or ("" if factor else f"in {unit}")
         if kind:
             self._timeless.add(group)
             self.notes.append(f"{name!r} is {kind} and no time: its channels need a [channels] time")

@@ -78,11 +78,9 @@ class NumpySource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels."""
-        counted = self.counted
         for name in names:
             for first, last in ranges(self._vectors[name].size):
-                yield name, counted(name, np.asarray(self._vectors[name][first:last]))
-        self.notes += counted.notes(names)
+                yield name, self.counted(name, np.asarray(self._vectors[name][first:last]))
 
 
 open_log = NumpySource

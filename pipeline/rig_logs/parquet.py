@@ -83,14 +83,12 @@ class ParquetSource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Columns as numbers, NaN where they are null; time stamps as seconds since the first one."""
-        counted = self.counted
         for name in names:
             try:
                 for column in self._chunks(name):
-                    yield name, _numbers(name, column, counted)
+                    yield name, _numbers(name, column, self.counted)
             except (pa.ArrowInvalid, OSError) as error:
                 raise UnreadableLogError(f"column {name!r}: {error}") from error
-        self.notes += counted.notes(names)
 
     def _chunks(self, label: str) -> Iterator[Any]:
         """A column in chunked arrays; a row group may be as large as the log, so it is not read at once."""

@@ -1,14 +1,14 @@
 """Interface of the format readers to the guarded child, and limits for the reading of one raw log."""
 
+import difflib
 import itertools
-import math
 import re
 import shutil
 import tempfile
 import weakref
 from abc import ABC, abstractmethod
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..units.units import SECONDS
+from .attributes import note_on_rate, stated_rate
 
 MEGABYTE = 1 << 20
 
@@ -223,7 +223,7 @@ class Counted(dict[str, Any]):
         far = samples.astype(np.float64) - float(origin)
         return np.where(np.abs(far) < EXACT, near, far)
 
-    def notes(self, names: Sequence[str]) -> list[str]:
+    def notes(self, names: Collection[str]) -> list[str]:
         """Origin of the times of these channels."""
         first = {f"{origin}": name for name, origin in reversed(self.items())}
         return [
@@ -261,63 +261,8 @@ def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
     return ((first, min(first + step, count)) for first in range(0, count, step))
 
 
-_SAMPLING = "(sampl(e|ing)|scan|acquisition|abtast|measuring)[_ ]?"
-_RATE = re.compile(
-    rf"(?i)(.*[./])?(f_?s|s?rate|samples?[_ ]?per[_ ]?sec(ond)?|{_SAMPLING}(rate|freq(uency)?|frequenz))"
-)
-_STEP = re.compile(
-    rf"(?i)(.*[./])?(t_?s|dt|delta[_ ][xt]|((x|wf)[_ ]?)?increment|[tx]_?inc|t(ime)?[_ ]?(step|interval)|"
-    rf"{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit))"
-)
-"""Names of single numbers that say how often a log was sampled …"""
-_FREQUENCY = re.compile(r"(?i)(.*[./])?(freq(uency)?|frequenz)")
-_PERIOD = re.compile(r"(?i)(.*[./])?period(e|endauer)?")
-"""… or what happens that often …"""
-_WITH_UNIT = re.compile(r"(?i)(?P<name>.*?)[_ ]+[\[(]?(?P<unit>k?hz|[mu]?s)[\])]?")
-"""… and a unit behind such a name."""
-
-
-def stated_rate(name: str, number: float) -> float | None:
-    """Sample rate [Hz] that a single number of this name states, as `fs` [Hz], `Ts` [s] or `dt_ms`; None for others."""
-    return _rate(name, number, _RATE, _STEP)
-
-
-def possible_rate(name: str, number: float) -> float | None:
-    """Frequency [Hz] that a single number of this name states, as `frequency` or `period_us`; None for others."""
-    return _rate(name, number, _FREQUENCY, _PERIOD)
-
-
-def _rate(name: str, number: float, rates: re.Pattern[str], steps: re.Pattern[str]) -> float | None:
-    if not 0.0 < number < math.inf:
-        return None
-    unit = _WITH_UNIT.fullmatch(name)
-    if unit and not (rates.fullmatch(name) or steps.fullmatch(name)):
-        name = unit["name"]
-        number *= SECONDS.get(unit["unit"].lower(), 1000.0 if unit["unit"].lower() == "khz" else 1.0)
-    rate = number if rates.fullmatch(name) else 1.0 / number if steps.fullmatch(name) else math.inf
-    return rate if rate < math.inf else None
-
-
-def note_on_rate(name: str, number: float, rate: float) -> str:
-    """Note on a number that states a sample rate [Hz], which a log without a time channel needs."""
-    return f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:.9g}"
-
-
-_GROUP_OF = re.compile(r"(^|[./])[^./]*$")
-
-
-def rates_beside(channel: str, rates: Mapping[str, float]) -> Mapping[str, float]:
-    """The rates that stand in the group of a channel, else in the nearest one around it; all where none does."""
-    group = channel
-    while group:
-        group = _GROUP_OF.sub("", group)
-        if beside := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
-            return beside
-    return rates
-
-
 class UnreadableLogError(Exception):
-    """The file is damaged, truncated, or not what it claims to be; the text states in what way."""
+    """The log is damaged, not what it claims to be, or cannot be read as asked for; the text states in what way."""
 
 
 class UnreadableChannelError(UnreadableLogError):
@@ -348,6 +293,39 @@ def unique_names(names: list[str]) -> list[str]:
         numbers.setdefault(name, itertools.count(2))
         unique.append(given)
     return unique
+
+
+_MOST_LISTED = 30
+_NUMBERED = re.compile(r"column \d+")
+"""Names of columns without a header."""
+
+
+def missing_channel(name: str, listed: Sequence[str]) -> str:
+    """One line that states what is there instead of the channel `name`."""
+    if not listed:
+        return f"no channel {name!r}; the log holds no numeric channel at all"
+    folded = {entry.casefold(): entry for entry in listed}
+    close = [folded[match] for match in difflib.get_close_matches(name.casefold(), list(folded), n=3, cutoff=0.5)]
+    hint = f"did you mean {' or '.join(map(repr, close))}? " if close else ""
+    shown = ", ".join(map(repr, listed[:_MOST_LISTED])) + (", …" if len(listed) > _MOST_LISTED else "")
+    way_out = as_other_logs(name, listed)
+    return f"no channel {name!r}; {hint}it has {shown}" + (f"; {way_out}" if way_out else "")
+
+
+def for_any_variable(name: str) -> str:
+    """``*.y`` for the channel ``run1.y``, by which it may be asked for in whatever variable it is; "" without a dot."""
+    variable, dot, rest = name.partition(".")
+    return f"*.{rest}" if variable and dot and rest else ""
+
+
+def as_other_logs(name: str, listed: Sequence[str]) -> str:
+    """Advice where a channel of other logs has another name here, or none; "" where neither is seen."""
+    alias = for_any_variable(name)
+    if alias and [for_any_variable(other) for other in listed].count(alias) == 1:
+        return f"save all logs under the same variable name, or write {alias!r} in [channels]"
+    if listed and all(map(_NUMBERED.fullmatch, listed)) and not _NUMBERED.fullmatch(name):
+        return "it has no header: give it that of the other logs, or make a settings file for each"
+    return ""
 
 
 def read_start(path: Path, size: int) -> bytes:

@@ -175,7 +175,6 @@ class TdmsSource(Source):
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels; time stamps count from the first."""
         waveforms = {name: key for key, name in self._times.items()}
-        counted = self.counted
         for name in names:
             if name in waveforms:
                 step, begun, count = waveforms[name]
@@ -186,8 +185,7 @@ class TdmsSource(Source):
                     yield name, begins[recording] + step * (row - rows[recording])
                 continue
             for first, last in ranges(len(self._channels[name])):
-                yield name, counted(name, np.asarray(self._channels[name][first:last]))
-        self.notes += counted.notes(names)
+                yield name, self.counted(name, np.asarray(self._channels[name][first:last]))
 
 
 def _start(properties: Mapping[str, Any]) -> Any:

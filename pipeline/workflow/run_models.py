@@ -156,16 +156,16 @@ def subject_on(
     origin : str
         Content hash of what holds it.
     """
-    start = start_of(check, model)
+    t, _, q0, qdot0 = start_of(check, model)
     return Subject(
         prototype=prototype.name,
         name=name,
         model=model,
         validity=validity_of(logs, prototype),
         origin=origin,
-        t=start.t - start.t[0],
+        t=t - t[0],
         v=check.v,
-        start=(start.q0, start.qdot0),
+        start=(q0, qdot0),
         curve_units=device(prototype).curve_units,
     )
 

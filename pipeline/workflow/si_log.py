@@ -13,10 +13,9 @@ from ..device.parameters import JointParameters
 from ..diagnostics.sentences import judge
 from ..errors import InputError
 from ..numerics.arrays import BoolArray, FloatArray, runs_of
-from ..rig_logs import CsvOptions, Recording, read_recording
+from ..rig_logs import CsvOptions, RecordedChannel, Recording, read_recording
+from ..rig_logs.attributes import rates_beside, stated_rate
 from ..rig_logs.channel_roles import clocks_beside, is_called, suggested_unit
-from ..rig_logs.recording import RecordedChannel
-from ..rig_logs.source import rates_beside, stated_rate
 from ..settings.logs import Channel, LogColumn
 from ..settings.prototype import Prototype
 from ..signals.columns import (

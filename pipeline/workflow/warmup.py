@@ -83,8 +83,7 @@ def _without_parameter_set() -> None:
 
 
 def _network() -> None:
-    from ..models.rbf.coefficients import Coefficients, basis_rows, no_sensitivities
-    from ..models.rbf.dynamics import slid
+    from ..models.rbf.dynamics import Coefficients, basis_rows, no_sensitivities, slid
     from ..models.rbf.observed_run import Coupling, Drive, observed_run
     from ..models.rbf.structure import drive_at_nodes
 

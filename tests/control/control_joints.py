@@ -11,9 +11,9 @@ from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.plant import ControlledJoint, plant_of
 from pipeline.device.parameters import NOMINAL
 from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.log_reading import SAME, Similarity
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.problem import CondensedJoint
-from pipeline.models.hybrid.similarity import SAME, Similarity
 from pipeline.numerics.arrays import FloatArray
 
 

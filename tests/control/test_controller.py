@@ -22,8 +22,8 @@ from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
 from pipeline.control.plant import plant_of, wells_and_saddle
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
+from pipeline.models.hybrid.log_reading import Similarity
 from pipeline.models.hybrid.parameters import NAMES
-from pipeline.models.hybrid.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import BAND, step_metrics
 

@@ -247,7 +247,7 @@ class Stuck:
     input_count = 2
     fine_voltages = False
     name = "rbf"
-    mass = MASS
+    mass_kg = MASS
 
     def curves(self, q: np.ndarray[Any, Any]) -> dict[str, np.ndarray[Any, Any]]:
         none = np.zeros_like(q)

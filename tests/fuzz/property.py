@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.rig_logs import Limits, read_recording
-from pipeline.rig_logs.recording import Recording
+from pipeline.rig_logs import Limits, Recording, read_recording
 from tests.fuzz.edits import Edit, apply
 from tests.fuzz.seeds import Seed
 

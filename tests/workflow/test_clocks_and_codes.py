@@ -6,8 +6,8 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.rig_logs.attributes import stated_rate
 from pipeline.rig_logs.channel_roles import clocks_beside
-from pipeline.rig_logs.source import stated_rate
 from pipeline.store.run_folder import RunFolder
 
 RUNNER = CliRunner()

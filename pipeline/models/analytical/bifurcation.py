@@ -146,9 +146,8 @@ def branch_through(family: Family, qm: FloatArray, value: float, bounds: tuple[f
         Range of λ.
     """
     scale = TYPICAL_SHAPE * length_scales(float(family.at(value)[0][0]))
-    residual = _residual(family, scale)
     unit = family.unit
-    raw = trace_branch(residual, qm / scale, value / unit, bounds=(bounds[0] / unit, bounds[1] / unit))
+    raw = trace_branch(_residual(family, scale), qm / scale, value / unit, bounds=(bounds[0] / unit, bounds[1] / unit))
     special = tuple(SpecialPoint(s.kind, s.parameter * unit, s.y * scale) for s in raw.special)
     return Branch(raw.parameter * unit, raw.y * scale, raw.stable, special)
 
@@ -196,10 +195,8 @@ def bistable_from(parameters: JointParameters) -> float | None:
 
 def switchable_to(parameters: JointParameters, voltage: float = FULL_VOLTAGE) -> float | None:
     """z_b,max [m]: the largest z_b at which `voltage` [V] on either side leaves one well; None if beyond 15 mm."""
-    sides = np.array([voltage, 0.0]), np.array([0.0, voltage])
-    limits = [_smallest_with_two_wells(parameters, v, 0.015) for v in sides]
-    finite = [limit for limit in limits if limit is not None]
-    return min(finite) if finite else None
+    limits = [_smallest_with_two_wells(parameters, v, 0.015) for v in voltage * np.eye(2)]
+    return min((limit for limit in limits if limit is not None), default=None)
 
 
 def _smallest_with_two_wells(parameters: JointParameters, v: FloatArray, highest: float) -> float | None:
@@ -296,8 +293,5 @@ def _held_joint(parameters: JointParameters, v: FloatArray) -> StaticPath:
     try:
         return static_path(parameters, SHOWN, v)
     except InputError:
-        family = over_force(parameters, v)
-        start = equilibria(parameters, v)[0]
-        branch = branch_through(family, start.qm, 0.0, (-1.0, 1.0))
-        q = branch.y @ parameters.levers
-        return describe_path(parameters, branch.y[np.abs(q) <= SHOWN[-1]], v)
+        shapes = branch_through(over_force(parameters, v), equilibria(parameters, v)[0].qm, 0.0, (-1.0, 1.0)).y
+        return describe_path(parameters, shapes[np.abs(shapes @ parameters.levers) <= SHOWN[-1]], v)

@@ -12,6 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import OptimizeResult, least_squares
 
 from ...device.parameters import VECTOR_NAMES, JointParameters, quantity_of
 from ...errors import InputError
@@ -146,20 +147,9 @@ INSIDE = 1e-6
 """Distance from the bounds, in prior widths, at which a search starts at least."""
 
 
-@dataclass(frozen=True)
-class Ended:
-    """End of a search: unknowns, cost, residuals, whether it converged; evaluations of all searches so far."""
-
-    x: FloatArray
-    cost: float
-    residuals: FloatArray
-    converged: bool
-    evaluations: int
-
-
 def search(
     simulated: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float, tick: Callable[[], None]
-) -> Ended:
+) -> OptimizeResult:
     """Improve `x0` until the cost falls by less than `tolerance` (relative), or `limit` simulations are done.
 
     SciPy's trust region within bounds (Branch, Coleman & Li 1999, doi:10.1137/S1064827595289108). `tick` is called
@@ -178,8 +168,6 @@ def search(
     tick : callable
         Called before each step.
     """
-    from scipy.optimize import least_squares
-
     problem = simulated.problem
 
     def jacobian(x: FloatArray) -> FloatArray:
@@ -187,12 +175,11 @@ def search(
         tick()
         return simulated.jacobian(x)
 
-    reached = least_squares(
+    return least_squares(
         simulated.residuals, np.clip(x0, problem.lower + INSIDE, problem.upper - INSIDE), jacobian,
         (problem.lower, problem.upper), loss="soft_l1", f_scale=LOSS_SCALE, ftol=tolerance, xtol=SMALLEST_STEP,
         max_nfev=limit,
     )  # fmt: skip
-    return Ended(reached.x, float(reached.cost), reached.fun, reached.status > 0, problem.evaluations)
 
 
 PAPER_NAMES = ("Y", "eta_v", "eta_MW", "Y_MW", "E", "rho", "eta")
@@ -312,18 +299,19 @@ def calibrate(
         every = SimulatedProblem(problem, short, SEARCH)
         final = SimulatedProblem(problem, wide, REFINEMENT)
 
-        def improve(name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float) -> Ended:
+        def improve(
+            name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float
+        ) -> OptimizeResult:
             """A search from x0 over some windows, each step of which is reported under a name."""
 
             def tick() -> None:
                 """One iteration begins."""
-                share = next(done) / total
                 if report is not None:
-                    report(name, min(1.0, share))
+                    report(name, min(1.0, next(done) / total))
 
             return search(windows, x0, limit, tolerance, tick)
 
-        candidates: list[Ended] = []
+        candidates: list[OptimizeResult] = []
         for index in range(starts):
             draw = rng.standard_normal(len(problem.names)) if index else np.zeros(len(problem.names))
             x0 = np.clip(draw, 0.98 * problem.lower, 0.98 * problem.upper)
@@ -336,7 +324,7 @@ def calibrate(
             followed = SimulatedProblem(problem, wide.resolved(lost_windows, short), SEARCH)
             refined = improve("refining over windows that are followed", followed, refined.x, MOST_EVALUATIONS, 5e-2)
         improved = improve("refining over long windows", final, refined.x, MOST_EVALUATIONS, 1e-4)
-        reached = np.array([_rmse(sample.windows, result.residuals) for result in candidates])
+        reached = np.array([_rmse(sample.windows, result.fun) for result in candidates])
         return _result(final, improved, reached)
 
 
@@ -365,9 +353,10 @@ def _lost(windows: Windows, residuals: FloatArray) -> BoolArray:
     return np.array([errors[labels == w].max(initial=0.0) > WRONG_WELL_ERROR_M for w in range(len(windows.spans))])
 
 
-def _result(simulated: SimulatedProblem, final: Ended, reached: FloatArray) -> Calibration:
+def _result(simulated: SimulatedProblem, final: OptimizeResult, reached: FloatArray) -> Calibration:
     problem = simulated.problem
     windows = simulated.windows
+    evaluations = problem.evaluations
     residuals = simulated.residuals(final.x)
     covariance = _covariance(simulated.jacobian(final.x), residuals, windows.labels)
     deviations = np.sqrt(np.diag(covariance))
@@ -380,8 +369,8 @@ def _result(simulated: SimulatedProblem, final: Ended, reached: FloatArray) -> C
         correlation=covariance / np.outer(deviations, deviations),
         at_bound=tuple(name for name, bound in zip(problem.names, at_bound, strict=True) if bound),
         rmse=_rmse(windows, residuals),
-        converged=final.converged,
-        evaluations=final.evaluations,
+        converged=final.status > 0,
+        evaluations=evaluations,
         start_costs=reached,
     )
 

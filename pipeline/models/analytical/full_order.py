@@ -198,20 +198,19 @@ def simulate(
     Cost: about 4 µs a step of the integrator.
     """
     count = t.size
-    solution = no_solution(t.size)
+    solution = no_solution(count)
     states, rates, steps = solution
-    load = np.zeros(count) if force is None else np.ascontiguousarray(force)
-    drive = Inputs(np.ascontiguousarray(t), np.ascontiguousarray(v), load)
+    load = np.zeros(count) if force is None else force
+    drive = Inputs(*map(np.ascontiguousarray, (t, v, load)))
     valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
     states[valid:], rates[valid:] = np.nan, np.nan
     qm = states[:, :RITZ]
     qm_dot = states[:, RITZ:FIRST_Z]
     qm_ddot = rates[:, RITZ:FIRST_Z]
     levers = parameters.levers
-    slopes = parameters.slopes
     return FullOrderMotion(
         t, qm, qm_dot, qm_ddot, states[:, FIRST_Z:], qm @ levers, qm_dot @ levers, qm_ddot @ levers,
-        np.arctan(qm @ slopes),
+        np.arctan(qm @ parameters.slopes),
         None if valid == count else float(t[min(valid, count - 1)]), int(steps[0]), int(steps[1]),
     )  # fmt: skip
 

@@ -13,7 +13,7 @@ from ...numerics.arrays import FloatArray
 from ...numerics.stiff import STATES
 from ...signals.log import Log
 from ..base import FreeRun, checked
-from ..model_file import JointSet, ModelFile
+from ..model_file import JointSet, ModelFile, read_part
 from ..model_type import ModelType, Training
 from .full_order import rest_state, simulate
 from .reduced_order import CURVES, reduce_joint
@@ -24,17 +24,13 @@ class AnalyticalModel(ModelFile):
     """The full-order joint with one set of parameters, and its file."""
 
     fine_voltages: ClassVar[bool] = True
+    input_count: ClassVar[int] = 2
     name: Literal["analytical", "analytical-calibrated"] = "analytical"
     """Name of the model."""
     tolerance: Annotated[float, Field(ge=1e-8, le=0.1)] = 1e-4
     """Local error of the integrator, relative to the usual size of each state."""
     parameters: JointSet
     """The designer's set for `analytical`, the fitted one for `analytical-calibrated`."""
-
-    @property
-    def input_count(self) -> int:
-        """Number of voltages that it takes."""
-        return 2
 
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
@@ -57,8 +53,7 @@ class AnalyticalModel(ModelFile):
         start = rest_state(self.parameters, q0, qdot0, knots.v[0])
         motion = simulate(self.parameters, knots.t, knots.v, start, tolerance=self.tolerance)
         q, qdot, qddot = (signal[knots.rows] for signal in (motion.q, motion.q_dot, motion.q_ddot))
-        status: Literal["ok", "diverged"] = "ok" if motion.diverged_at is None else "diverged"
-        return FreeRun(t, q, qdot, qddot, status, motion.diverged_at)
+        return FreeRun(t, q, qdot, qddot, "ok" if motion.diverged_at is None else "diverged", motion.diverged_at)
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
@@ -71,22 +66,20 @@ class AnalyticalModel(ModelFile):
             The beam snaps while its tip is held, so that no curve over q exists.
         """
         values, slopes = reduce_joint(self.parameters).evaluate(q)
-        column = {name: CURVES.index(name) for name in CURVES}
         return {
-            "F": values[:, column["f"]],
-            "d": values[:, column["d"]],
-            "dC1_dq": slopes[:, column["C_1"]],
-            "dC2_dq": slopes[:, column["C_2"]],
+            "F": values[:, CURVES.index("f")],
+            "d": values[:, CURVES.index("d")],
+            "dC1_dq": slopes[:, CURVES.index("C_1")],
+            "dC2_dq": slopes[:, CURVES.index("C_2")],
         }
 
     def describe(self) -> dict[str, Any]:
         """Parameters with their units in the keys, and how they came about."""
-        values = {f"{name} [{QUANTITIES[name].unit}]": self.parameters.value(name) for name in VECTOR_NAMES}
         return {
             "model": self.name,
             "states": STATES,
             "tolerance": self.tolerance,
-            "parameters": values,
+            "parameters": {f"{name} [{QUANTITIES[name].unit}]": self.parameters.value(name) for name in VECTOR_NAMES},
         } | self.diagnostics
 
 
@@ -101,12 +94,9 @@ def calibrate_analytical(data: Sequence[Log], start: JointParameters) -> Analyti
     """
     from .calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
-    rng = np.random.default_rng(0)
-    names = ASYMMETRIC_NAMES + FRICTION_NAMES
-    fit = calibrate(data, start, rng, names=names)
-    units = [QUANTITIES[name].unit for name in fit.names]
+    fit = calibrate(data, start, np.random.default_rng(0), names=ASYMMETRIC_NAMES + FRICTION_NAMES)
     diagnostics = {
-        "fitted": [f"{name} [{unit}]" for name, unit in zip(fit.names, units, strict=True)],
+        "fitted": [f"{name} [{QUANTITIES[name].unit}]" for name in fit.names],
         "values": fit.values,
         "standard_errors": fit.standard_errors,
         "correlation": fit.correlation,
@@ -124,7 +114,7 @@ def _parameters(training: Training) -> JointParameters:
     return training.parameters
 
 
-_read = partial(AnalyticalModel.read, name="analytical", command="compare")
+_read = partial(read_part, AnalyticalModel, name="analytical", command="compare")
 ANALYTICAL = ModelType(lambda training: AnalyticalModel(parameters=_parameters(training)), _read)
 ANALYTICAL_CALIBRATED = ModelType(
     lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), _read

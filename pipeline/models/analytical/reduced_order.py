@@ -23,7 +23,7 @@ from ...generated.analytical_joint import dissipation, dynamics
 from ...generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION
 from ...numerics.arrays import FloatArray, IntArray, sample_interval
 from ...numerics.compiled import compiled
-from ...numerics.fixed_step import Methods, integrator, workspace
+from ...numerics.fixed_step import Methods, integrator, run_status, workspace
 from ...numerics.linear_filters import first_order_lag
 from ...numerics.metrics import nrmse
 from ...numerics.stiff import INTERNAL, RITZ
@@ -80,8 +80,7 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
     from scipy.interpolate import CubicSpline
 
     p = parameters.vector()
-    count = path.q.size
-    curves = np.empty((count, len(CURVES)))
+    curves = np.empty((path.q.size, len(CURVES)))
     mass = np.empty((RITZ, RITZ))
     tau = np.empty(RITZ)
     z_dot = np.empty(3)
@@ -97,13 +96,12 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
     curves[:, 2] = path.force
     curves[:, 3:5] = path.stretch**-0.5
     curves[:, 5:] = path.capacitance
-    spline = CubicSpline(path.q, curves)
     sides = (parameters.left, parameters.right)
     return ReducedJoint(
         parameters,
         path.q,
         curves,
-        np.ascontiguousarray(spline.c[::-1].transpose(1, 0, 2)),
+        np.ascontiguousarray(CubicSpline(path.q, curves).c[::-1].transpose(1, 0, 2)),
         np.array([s.volume * s.Y_MW for s in sides]),
         np.array([s.relaxation for s in sides]),
         path,
@@ -174,11 +172,10 @@ def beam_modes(qm: FloatArray, length: float) -> BeamModes:
     x, w = beam_shapes(qm, length)
     left, values, right = np.linalg.svd(w, full_matrices=False)
     peaks = np.take_along_axis(right[:3], np.argmax(np.abs(right[:3]), axis=1)[:, None], axis=1)
-    shapes = right[:3] / peaks
     amplitudes = left[:, :3] * values[:3] * peaks[:, 0]
     energy = values**2
     row, column = np.unravel_index(np.argmax(np.abs(w)), w.shape)
-    return BeamModes(x, shapes, amplitudes, w[row] / w[row, column], energy[:3] / energy.sum())
+    return BeamModes(x, right[:3] / peaks, amplitudes, w[row] / w[row, column], energy[:3] / energy.sum())
 
 
 _motion = kernel(REDUCED_MOTION)
@@ -301,16 +298,14 @@ def simulate_reduced(
     inputs = np.column_stack([v, np.zeros(t.size) if force is None else force])
     e = np.full((t.size, 2), np.nan)
     out = np.full((t.size, 3, 1), np.nan)
-    friction = np.array([parameters.F_c, parameters.s_c])
     system = ReducedSystem(
         inputs, 2 * steps, np.zeros(1, dtype=np.int64), reduced.q[0], reduced.q[1] - reduced.q[0], reduced.coefficients,
-        reduced.creep_gain, reduced.creep_rate, friction, np.array([q0, 0.0]), e, np.zeros(1), np.zeros(1), np.zeros(2),
-        np.zeros(3),
+        reduced.creep_gain, reduced.creep_rate, np.array([parameters.F_c, parameters.s_c]), np.array([q0, 0.0]), e,
+        np.zeros(1), np.zeros(1), np.zeros(2), np.zeros(3),
     )  # fmt: skip
     x = np.array([q0, qdot0, 0.0, 0.0])
     valid = _integrate(system, x, out, workspace(x), steps, interval / steps, reduced.q[0], reduced.q[-1])
-    diverged_at = None if valid == t.size else float(t[valid])
-    return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], e, diverged_at)
+    return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], e, run_status(t, valid)[1])
 
 
 def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> FloatArray:
@@ -327,9 +322,8 @@ def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> Float
     rate : FloatArray, shape (2,)
         Y_MW/η_MW [1/s].
     """
-    slowest = np.finfo(np.float64).tiny
     lagged = [
-        first_order_lag(np.ascontiguousarray(column), dt, 1.0 / max(float(r), slowest))[0]
+        first_order_lag(np.ascontiguousarray(column), dt, 1.0 / max(float(r), np.finfo(np.float64).tiny))[0]
         for column, r in zip(thickness.T, rate, strict=True)
     ]
     return thickness - np.column_stack(lagged)
@@ -411,9 +405,8 @@ def simulate_both(parameters: JointParameters, t: FloatArray, v: FloatArray, *, 
     # The first calls load compiled code; the times are those of the simulations.
     simulate(parameters, t[:2], v[:2], state)
     simulate_reduced(reduced, t[:2], v[:2], start, 0.0)
-    clock = [time.process_time()]
+    begin = time.process_time()
     full = simulate(parameters, t, v, state, tolerance=TOLERANCE)
-    clock.append(time.process_time())
+    between = time.process_time()
     short = simulate_reduced(reduced, t, v, start, 0.0)
-    clock.append(time.process_time())
-    return Motions(v, full, short, clock[1] - clock[0], clock[2] - clock[1])
+    return Motions(v, full, short, between - begin, time.process_time() - between)

@@ -7,7 +7,7 @@ solution of eq. 15 for every q, stable or not, with F as the unknown. It carries
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, lru_cache, partial
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -64,8 +64,7 @@ class JointEquilibrium:
 def tip_values(qm: FloatArray, p: FloatArray) -> FloatArray:
     """Tip of the beam: q [m], φ [rad], u_y [m], λ1, λ2 at the Ritz coordinates, shape (5,)."""
     values = np.empty(TIP_VALUES)
-    jacobian = np.empty((TIP_VALUES, RITZ))
-    tip(qm, p, values, jacobian)
+    tip(qm, p, values, np.empty((TIP_VALUES, RITZ)))
     return values
 
 
@@ -153,9 +152,8 @@ def equilibrium_at(p: FloatArray, qm: FloatArray, v: FloatArray, force: float = 
     force : float
         External force along q [N].
     """
-    gradient = np.empty(RITZ)
     hessian = np.empty((RITZ, RITZ))
-    energy = statics(qm, v**2, p, gradient, hessian)
+    energy = statics(qm, v**2, p, np.empty(RITZ), hessian)
     q, phi, u_y = tip_values(qm, p)[:3]
     scale = length_scales(float(p[0]))
     stable = bool(np.linalg.eigvalsh(hessian * np.outer(scale, scale))[0] > 0.0)
@@ -407,21 +405,15 @@ def unactuated_path(parameters: JointParameters, reach: float = 0.03, count: int
 
 @lru_cache(maxsize=64)
 def _without_dynamics(parameters: JointParameters) -> JointParameters:
-    """The joint of equal statics whose other parameters are nominal; horizons need the same joint often."""
-    return parameters.with_values(_dynamic_values())
+    """The joint whose viscosities, inertia and friction, which no static kernel reads, are nominal; kept as well."""
+    operations = (operation for graph in (STATICS, TIP, CAPACITANCE) for operation in graph.operations)
+    read = {operation.place[1] for operation in operations if operation.place[0] == "p"}
+    return parameters.with_values({n: NOMINAL.value(n) for i, n in enumerate(VECTOR_NAMES) if i not in read})
 
 
 @lru_cache(maxsize=64)
 def _kept_path(parameters: JointParameters, reach: float, count: int) -> StaticPath:
     return static_path(parameters, np.linspace(-reach, reach, count), np.zeros(2))
-
-
-@cache
-def _dynamic_values() -> dict[str, float]:
-    """Nominal values of the parameters that no static kernel reads: viscosities, inertia, friction."""
-    operations = (operation for graph in (STATICS, TIP, CAPACITANCE) for operation in graph.operations)
-    read = {operation.place[1] for operation in operations if operation.place[0] == "p"}
-    return {name: NOMINAL.value(name) for i, name in enumerate(VECTOR_NAMES) if i not in read}
 
 
 RotationMap = Callable[[FloatArray], FloatArray]

@@ -60,8 +60,7 @@ def voltage_knots(t: FloatArray, v: FloatArray) -> VoltageKnots:
         return VoltageKnots(np.ascontiguousarray(t), np.ascontiguousarray(v), np.arange(t.size))
     parts = v.shape[1]
     samples = v[:, 0]
-    share = np.arange(parts)[:, None] / parts
-    lines = samples[:-1, None] + np.diff(samples, axis=0)[:, None] * share
+    lines = samples[:-1, None] + np.diff(samples, axis=0)[:, None] * (np.arange(parts)[:, None] / parts)
     bent = np.abs(v[:-1] - lines).max(axis=(1, 2)) > BENT * np.abs(v).max()
     count = np.where(bent, parts, 1)
     rows = np.concatenate([[0], np.cumsum(count)])
@@ -129,9 +128,11 @@ def cut_windows(motions: Sequence[Log], duration: float) -> Windows:
         pieces = max(1, round((motion.t[-1] - motion.t[0]) / duration))
         edges = np.linspace(0, motion.t.size - 1, pieces + 1).astype(int)
         margin = (motion.t.size - 1) // (3 * pieces)
+        # Speed [m/s], with the acceleration weighed in as what it becomes within the shape's 10 ms relaxation
+        unrest = np.hypot(motion.qdot, 0.01 * motion.qddot)
         for k in range(1, pieces):
             near = slice(edges[k] - margin, edges[k] + margin + 1)
-            edges[k] = near.start + int(np.argmin(_unrest(motion)[near]))
+            edges[k] = near.start + int(np.argmin(unrest[near]))
         spans.extend((index, int(a), int(b)) for a, b in itertools.pairwise(edges) if b > a)
     return _windows(motions, spans)
 
@@ -148,11 +149,6 @@ def _window(motion: Log, drive: VoltageKnots, begin: int, end: int) -> Window:
     knots = slice(rows[0], rows[-1] + 1)
     part = VoltageKnots(drive.t[knots], drive.v[knots], rows - rows[0])
     return Window(motion.q[begin : end + 1], float(motion.qdot[begin]), part)
-
-
-def _unrest(motion: Log) -> FloatArray:
-    """Speed [m/s], with the acceleration weighed in as what it becomes within the shape's 10 ms relaxation."""
-    return np.hypot(motion.qdot, 0.01 * motion.qddot)
 
 
 UNREACHABLE = 0.03

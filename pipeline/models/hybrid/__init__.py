@@ -18,12 +18,12 @@ the deviation s = τ − ratio Q from the quasi-static slope. They are gradients
 `pipeline.equations.condensed_joint` has each equation.
 
 **Estimation.** The device's size, speed and sensitivity are read off its logs (`start`), which scales the parameter
-set (`similarity`). θ holds deviations from the scaled set, in units of their prior widths, and the weights of the
+set (`log_reading`). θ holds deviations from the scaled set, in units of their prior widths, and the weights of the
 corrections. It minimises the error of the displacement along falling observer gains (`pipeline.fitting.homotopy`),
 first without corrections, then with them. Held-out data decide whether corrections stay.
 
 - `model`: the identified model, its curves, draws and file. `identify`: the whole identification.
-- `start`, `similarity`: first estimate and prior, and a joint in other units.
+- `start`: first estimate and prior. `log_reading`: a log in the units of the set, and of an angle.
 - `parameters`: parameter set and deviations → constants of the kernels.
 - `problem`: residuals and Jacobians over the training logs.
 - `driving_voltages`: from measured to acting voltages: delay, lag of the electrodes, square.

@@ -64,15 +64,14 @@ def _step() -> Graph:
     """
     build = Builder()
     add = build.add
-    given = partial(_given, build)
     acting = {
         operation.place[1]
         for operation in JACOBIAN.operations
         if operation.name == "store" and operation.place[0] == "a"
     }
     acting |= {0, 2, 2 * _ALL, 2 * _ALL + 2}  # an observer pulls at q and τ, by what is read of them
-    x = [given("x", i) for i in range(STATES)]
-    h = given("w", 1)
+    x = [build.input("x", i) for i in range(STATES)]
+    h = build.input("w", 1)
     y = x
     total = x
     for stage in range(len(SHARES)):
@@ -80,8 +79,8 @@ def _step() -> Graph:
         slopes = list[int]()
         for i in range(STATES):
             row = [j for j in range(_ALL) if _ALL * i + j in acting]
-            terms = [add("mul", given("a", STAGES * (_ALL * i + j) + stage), [*y, *z][j]) for j in row]
-            slopes.append(reduce(partial(add, "add"), [given("b", _SLOTS * i + stage), *terms]))
+            terms = [add("mul", build.input("a", STAGES * (_ALL * i + j) + stage), [*y, *z][j]) for j in row]
+            slopes.append(reduce(partial(add, "add"), [build.input("b", _SLOTS * i + stage), *terms]))
         share, ahead = (add("mul", h, build.constant(x)) for x in (SHARES[stage] / ALL_SHARES, AHEAD[stage]))
         total = [add("add", total[i], add("mul", share, slopes[i])) for i in range(STATES)]
         y = [add("add", x[i], add("mul", ahead, slopes[i])) for i in range(STATES)]
@@ -99,7 +98,6 @@ def _step() -> Graph:
 
 def _slipped(build: Builder, x: list[int], y: list[int], slot: int) -> list[int]:
     """The stop operators at y: those that follow have moved with the play since x."""
-    given = partial(_given, build)
     add = build.add
     moved, turned, bowed = (add("sub", y[i], x[i]) for i in (0, 2, 4))
     slipped = []
@@ -107,20 +105,16 @@ def _slipped(build: Builder, x: list[int], y: list[int], slot: int) -> list[int]
     for i, direction in enumerate(STOP_DIRECTIONS):
         if direction not in plays:
             q, _, tau, beta = map(build.constant, direction)
-            arm = given("w", 0)
-            length = given("w", 2)
+            arm = build.input("w", 0)
+            length = build.input("w", 2)
             lever = arm if direction[1] else add("mul", length, tau)
             play = add("add", add("mul", q, moved), add("mul", lever, turned))
             plays[direction] = add("add", play, add("mul", add("mul", length, beta), bowed)) if direction[3] else play
         at = 3 + 2 * STOPS * slot + i
-        unmoved = add("add", given("z", i), given("b", _SLOTS * (STATES + i) + slot))
-        follows = add("mul", given("w", at + STOPS), plays[direction])
-        slipped.append(add("add", add("mul", given("w", at), unmoved), follows))
+        unmoved = add("add", build.input("z", i), build.input("b", _SLOTS * (STATES + i) + slot))
+        follows = add("mul", build.input("w", at + STOPS), plays[direction])
+        slipped.append(add("add", add("mul", build.input("w", at), unmoved), follows))
     return slipped
-
-
-def _given(build: Builder, name: str, entry: int) -> int:
-    return build.add("input", place=(name, entry))
 
 
 _bell = formula(BELL_SHAPE)

@@ -22,10 +22,10 @@ from ..model_file import read_part
 from ..model_type import ModelType, Training, fitted_samples
 from . import parameters as condensed_parameters
 from .kernels import CURVES
+from .log_reading import SAME, Similarity
 from .model import HybridModel
 from .problem import DEVIATION_COUNT, POLES, CondensedJoint, CondensedProblem
-from .similarity import SAME, Similarity
-from .start import NoJoint, mass_factor, prior_root, shift_of, similar_joint, theta_places
+from .start import mass_factor, prior_root, shift_of, similar_joint, theta_places
 
 TUBE_MARGIN = 4.0
 """Times the 90 % quantile of errors on the training logs that tubes of other logs need: of fifty simulated joints of
@@ -143,23 +143,28 @@ def identify_hybrid(
     scaled = tuple(similarity.in_reference_units(plain.reading(record)) for record in records)
     first = _first_fits(_Search(scaled, siblings).within(MOST_SAMPLES), plain, corrections)
     search = first.search
-    errors = first.held_out()
-    early, fitted = _whole_fit(first, corrected=_corrections_help(errors, always=corrections == "always"))
+    errors = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in first.fits.items()}
+    # Corrections that were fitted stay, unless they harm on held-out data.
+    most = np.inf if corrections == "always" else HARMFUL_RATIO * errors[ALONE].coupled
+    early, fitted = _whole_fit(first, corrected=WITH_RBF in errors and errors[WITH_RBF].coupled < most)
     if not search.follows(fitted.fit, LOST_ERROR):
         fitted = min(fitted, search.anew(first.fits[ALONE].joint), key=lambda fitted: _free_error(fitted.fit))
     joint, fit = fitted
     if not fit.levels:
         raise DataRefusedError(_NO_FIT)
     nothing = np.zeros((len(early.fit.theta), 0))
+    problem = CondensedProblem(joint, search.records)
+    problem.hold_lost(fit.theta, 0.0)
     report = _report((*first.levels, *fit.levels), fit, similarity)
     model = HybridModel.of(
         _of_device(joint, similarity),
         fit.theta,
         posterior_factor(fit, search.prior(len(fit.theta))),
-        search.band_spread(joint, fit),
-        search.curve_spread(joint, fit),
+        search.spread(joint, fit, range(CURVES)),
+        # For the curves, corrections of force and damping are free even where the model has none.
+        None if joint.centres else search.spread(replace(joint, centres=BASIS_FUNCTIONS), fit, OPEN),
         diagnostics=report
-        | {"held_share": search.held_share(joint, fit.theta)}
+        | {"held_share": problem.held_share}
         | {"ablation": {name: error.free for name, error in errors.items()}}
         | first.decision,
         early=HybridModel.of(_of_device(early.joint, similarity), early.fit.theta, nothing, nothing),
@@ -195,10 +200,6 @@ class _FirstFits:
     fits: dict[str, _Fitted]
     decision: dict[str, Any]
 
-    def held_out(self) -> dict[str, "_HeldOut"]:
-        """Errors behind the first parts of the logs by fit."""
-        return {name: self.search.held_out(joint, fit.theta) for name, (joint, fit) in self.fits.items()}
-
 
 def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _FirstFits:
     """The equations alone, with other joints if they help, and with corrections if these are asked for or needed."""
@@ -211,7 +212,8 @@ def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _
     if search.siblings is not None:
         without = search.without_siblings.early.fit(plain, first.theta, FREE)
         errors = [search.held_out(plain, fit.theta).coupled if fit.levels else np.inf for fit in (alone, without)]
-        decision = {"siblings_held_out": dict(zip(("with", "without"), map(_finite, errors), strict=True))}
+        # A file holds no infinite number: 1 is the whole operating range.
+        decision = {"siblings_held_out": dict(zip(("with", "without"), np.minimum(errors, 1.0).tolist(), strict=True))}
         pairs = errors, [_free_error(fit) for fit in (alone, without)]
         if any(error > HARMFUL_RATIO * other for error, other in pairs):
             search, alone = search.without_siblings, without
@@ -224,13 +226,6 @@ def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _
     return _FirstFits(search, (*first.levels, *alone.levels), fits, decision)
 
 
-def _corrections_help(errors: "dict[str, _HeldOut]", *, always: bool) -> bool:
-    """True if corrections were fitted and do not harm on held-out data; with `always`, if they were fitted at all."""
-    if WITH_RBF not in errors:
-        return False
-    return errors[WITH_RBF].coupled < (np.inf if always else HARMFUL_RATIO) * errors[ALONE].coupled
-
-
 def _whole_fit(first: _FirstFits, *, corrected: bool) -> tuple[_Fitted, _Fitted]:
     """A first fit and the fit to whole logs that goes on from it: without corrections where those do not get there."""
     for name in (WITH_RBF, ALONE) if corrected else (ALONE,):
@@ -239,11 +234,6 @@ def _whole_fit(first: _FirstFits, *, corrected: bool) -> tuple[_Fitted, _Fitted]
         if fit.reached_last:
             break
     return early, _Fitted(early.joint, fit)
-
-
-def _finite(error: float) -> float:
-    """An error for a file, which holds no infinite number: 1 is the whole operating range."""
-    return float(min(error, 1.0))
 
 
 class _HeldOut(NamedTuple):
@@ -303,16 +293,8 @@ class _Search:
         first = self.without_siblings.fit(plain, plain.start(), COUPLED, steps=FIRST_STEPS)
         return _Fitted(plain, self.fit(plain, first.theta, FREE, last=LAST_STEPS))
 
-    def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
-        """Factor of the covariance that leaving out parts of the logs shows."""
-        return self._robust_spread(joint, fit, range(CURVES))
-
-    def curve_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray | None:
-        """Covariance factor of the curves, with corrections of force and damping free even where the model has none."""
-        return None if joint.centres else self._robust_spread(replace(joint, centres=BASIS_FUNCTIONS), fit, OPEN)
-
-    def _robust_spread(self, joint: CondensedJoint, fit: HomotopyFit, rows: Sequence[int]) -> FloatArray:
-        """Of the θ of a joint, zero but for the deviations and some corrections."""
+    def spread(self, joint: CondensedJoint, fit: HomotopyFit, rows: Sequence[int]) -> FloatArray:
+        """Factor of the covariance of θ that leaving out parts of the logs shows: deviations and some corrections."""
         problem = CondensedProblem(joint, self.records)
         pole = fit.levels[-1].gain
         theta = _extended(joint, fit.theta)
@@ -324,12 +306,6 @@ class _Search:
         spread = np.zeros((len(theta), factor.shape[1]))
         spread[places] = factor
         return spread
-
-    def held_share(self, joint: CondensedJoint, theta: FloatArray) -> float:
-        """Share of the samples near which free runs lose their logs, and are held to them in a fit."""
-        problem = CondensedProblem(joint, self.records)
-        problem.hold_lost(theta, 0.0)
-        return problem.held_share
 
     def follows(self, fit: HomotopyFit, share: float) -> bool:
         """True if the error of a fit's free run is below a share of the operating range."""
@@ -402,8 +378,6 @@ def _fit(training: Training) -> HybridModel:
     if not (plant.squared and plant.displacement.symbol == "m" and len(plant.inputs) == 2):
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
     units = similar_joint(training.records, NOMINAL, mass)
-    if isinstance(units, NoJoint):
-        raise DataRefusedError(units.reason)
     return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 

@@ -8,8 +8,6 @@ A table serves a controller, whose cost may not depend on the number of Gaussian
 quintic with its values, slopes and curvatures at both ends.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 from scipy.interpolate import BPoly, PPoly
 
@@ -125,12 +123,9 @@ def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatA
     out[:] = 0.0
     if weights.shape[1] == 0 or not abs(q - basis[0]) < WIDTHS * basis[2]:
         return
-    first = basis[0]
-    distance = basis[1]
-    width = basis[2]
-    r, value, ratio, shrink = _first_bell((q, first, distance, width))
+    r, value, ratio, shrink = _first_bell((q, basis[0], basis[1], basis[2]))
     for i in range(weights.shape[1]):
-        slope, r_next, next_value, ratio, shrink = _next_bell((r, value, ratio, shrink, first, distance, width))
+        slope, r_next, next_value, ratio, shrink = _next_bell((r, value, ratio, shrink, basis[0], basis[1], basis[2]))
         for row in range(CURVES):
             out[row] += weights[row, i] * value
         for row in range(VALUES - CURVES):
@@ -143,15 +138,7 @@ TABLE_WIDTHS = 6.5
 """Width σ beyond the outermost centres that a table spans: there a Gaussian is below 1e-9 of its height."""
 
 
-class CurveTables(NamedTuple):
-    """Corrections of one joint as quintics: first node [m], nodes per metre, coefficients (cells, 6, CURVES)."""
-
-    first: float
-    per_metre: float
-    coefficients: FloatArray
-
-
-def tabulate(basis: FloatArray, weights: FloatArray, density: int) -> CurveTables:
+def tabulate(basis: FloatArray, weights: FloatArray, density: int) -> tuple[float, float, FloatArray]:
     """The corrections of one joint as tables.
 
     Parameters
@@ -165,13 +152,15 @@ def tabulate(basis: FloatArray, weights: FloatArray, density: int) -> CurveTable
 
     Returns
     -------
-    CurveTables
+    first, per_metre : float
+        First node [m], and nodes per metre.
+    coefficients : FloatArray, shape (cells, 6, CURVES)
         Ascending powers of the place within each cell, in cells. The first and the last cell hold zeros, for all that
         lies beyond; without centres there is one cell.
     """
     count = weights.shape[1]
     if count == 0:
-        return CurveTables(0.0, 0.0, np.zeros((1, 6, CURVES)))
+        return 0.0, 0.0, np.zeros((1, 6, CURVES))
     per_metre = density / basis[2]
     first = basis[0] - TABLE_WIDTHS * basis[2]
     cells = int(np.ceil(((count - 1) * basis[1] + 2.0 * TABLE_WIDTHS * basis[2]) * per_metre))
@@ -182,4 +171,4 @@ def tabulate(basis: FloatArray, weights: FloatArray, density: int) -> CurveTable
     quintics = BPoly.from_derivatives(nodes, np.swapaxes(shapes, 1, 2) @ weights.T)
     coefficients = np.zeros((cells + 2, 6, CURVES))
     coefficients[1:-1] = np.swapaxes(PPoly.from_bernstein_basis(quintics).c[::-1], 0, 1)
-    return CurveTables(first - 1.0 / per_metre, per_metre, coefficients)
+    return first - 1.0 / per_metre, per_metre, coefficients

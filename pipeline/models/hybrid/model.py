@@ -16,6 +16,7 @@ from scipy.interpolate import CubicSpline
 from ...fitting.posterior import first_order_curves, posterior_draws
 from ...generated.condensed_joint import CONSTANTS
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
+from ...numerics.fixed_step import run_status
 from ...signals.log import Log
 from ...signals.resampling import filtered_samples
 from ..base import NO_TUBES, FreeRun, TubeScale, checked
@@ -23,9 +24,9 @@ from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, 
 from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
+from .log_reading import Similarity
 from .problem import POLES, CondensedJoint, CondensedProblem, age_at, simulate
 from .runs import BATCH, Driving, Followed, JointCoefficients, continued_runs
-from .similarity import Similarity
 from .statics import static_curves, substeps
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
@@ -92,6 +93,7 @@ class HybridModel:
 
     name = "hybrid"
     fine_voltages = True
+    input_count = 2
 
     @model_validator(mode="after")
     def _fit(self) -> Self:
@@ -146,14 +148,9 @@ class HybridModel:
         )  # fmt: skip
 
     @property
-    def mass(self) -> float:
+    def mass_kg(self) -> float:
         """Moving mass [kg]."""
         return self.joint.mass
-
-    @property
-    def input_count(self) -> int:
-        """Number of voltages that it takes."""
-        return 2
 
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
@@ -165,9 +162,7 @@ class HybridModel:
         states = self._simulate(None, t, v, np.array([q0, qdot0]))[0]
         diverged = np.flatnonzero(~np.isfinite(states[:, 0]))
         q, qdot, qddot = np.ascontiguousarray(states.T)
-        if len(diverged):
-            return FreeRun(t, q, qdot, qddot, "diverged", float(t[diverged[0]]))
-        return FreeRun(t, q, qdot, qddot, "ok")
+        return FreeRun(t, q, qdot, qddot, *run_status(t, int(diverged[0]) if len(diverged) else len(t)))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
@@ -181,12 +176,18 @@ class HybridModel:
         measured = np.isfinite(seen)
         if angle:
             seen, speed, _ = angle.read(seen, speed, np.zeros_like(seen))
-        k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
+        instruments = joint.instruments(self.theta)
+        dt = sample_interval(t)
+        steps = joint.substeps(self.theta, dt)
+        fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
+        u = DrivingVoltages(v, dt).squared(steps, instruments, joint.largest_voltage)
         reading = CubicSpline(t - t[0], bridged(seen, measured))(fine)
         followed = Followed(reading, (measured & np.append(measured[1:], False)) / dt)
         start = np.array([seen[0], speed[0], age_at(t)])
-        driving = Driving(u[None], np.zeros(1, np.int64), np.array([joint.instruments(self.theta).offset]), start)
-        coefficients = JointCoefficients(k[None], weights[None], joint.basis)
+        driving = Driving(u[None], np.zeros(1, np.int64), np.array([instruments.offset]), start)
+        coefficients = JointCoefficients(
+            joint.constants(self.theta)[None], joint.weights(self.theta)[None], joint.basis
+        )
         runs = continued_runs(coefficients, driving, followed, joint.stepping(dt, steps), starts, ahead)
         return runs if angle is None else (angle.shown(run, np.zeros_like(run), np.zeros_like(run))[0] for run in runs)
 
@@ -277,7 +278,7 @@ class HybridModel:
             "structure": "analytical joint in (q, tau, beta) with two sides, Maxwell slip and creep; RBF corrections",
             "origin": "equations of the joint and data",
             "basis_functions": self.joint.centres,
-            "mass_kg": self.mass,
+            "mass_kg": self.mass_kg,
             "over the parameter set": {
                 name: getattr(self.joint.similarity, name) for name in ("length", "time", "voltage")
             },
@@ -298,37 +299,28 @@ class HybridModel:
         Shape (B, N, 3).
         """
         dt = sample_interval(t)
-        age = np.full((*start.shape[:-1], 1), age_at(t))
         angle = self.joint.angle
         if angle:
             q, qdot, _ = angle.read(start[..., 0], start[..., 1], np.zeros_like(start[..., 0]))
             start = np.stack([q, qdot], axis=-1)
-        start = np.concatenate([start, age], axis=-1)
+        start = np.concatenate([start, np.full((*start.shape[:-1], 1), age_at(t))], axis=-1)
         driving = DrivingVoltages(v, dt)
-        largest = self.joint.largest_voltage
         built = self._best if thetas is None else self._built(thetas)
         thetas = self.theta[None] if thetas is None else thetas
-        constants = built[0].tobytes()
-        basis = self.joint.basis.tobytes()
-        weights = built[1].tobytes()
-        steps = _substeps(constants, basis, weights, len(thetas), dt, self.joint.similarity.time)
-
-        def inputs(seen: condensed_parameters.Instruments) -> FloatArray:
-            return driving.squared(steps, seen, largest)
-
+        numbers = (array.tobytes() for array in (built[0], self.joint.basis, built[1]))
+        steps = _substeps(*numbers, len(thetas), dt, self.joint.similarity.time)
         if start.ndim > 1:
             thetas, *parts = (np.repeat(each, len(start), axis=0) for each in (thetas, *built))
             built = parts[0], parts[1]
-        followed = Followed(np.zeros(0), np.zeros(len(t)))
-        stepping = self.joint.stepping(dt, steps)
 
         def runs_of(rows: slice, *, every_step: bool) -> FloatArray:
             """Runs of some of them, as the log shows their displacement."""
             begin = start if start.ndim == 1 else start[rows]
-            made = (built[0][rows], built[1][rows])
             read = simulate(
-                self.joint, thetas[rows], inputs, begin, followed, stepping, every_step=every_step, built=made
-            )
+                self.joint, thetas[rows], lambda seen: driving.squared(steps, seen, self.joint.largest_voltage), begin,
+                Followed(np.zeros(0), np.zeros(len(t))), self.joint.stepping(dt, steps), every_step=every_step,
+                built=(built[0][rows], built[1][rows]),
+            )  # fmt: skip
             return np.stack(angle.shown(*np.moveaxis(read, -1, 0)), axis=-1) if angle else read
 
         if not driving.refined:
@@ -345,18 +337,6 @@ class HybridModel:
     def _built(self, thetas: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Constants and weights of several θ."""
         return self.joint.constants(thetas), self.joint.weights(thetas)
-
-    def _inputs(
-        self, theta: FloatArray, t: FloatArray, v: FloatArray
-    ) -> tuple[FloatArray, FloatArray, float, int, FloatArray, FloatArray]:
-        """Constants, weights, sample interval [s], steps in it, half steps [s] and squared voltages there."""
-        seen = self.joint.instruments(theta)
-        k = self.joint.constants(theta)
-        dt = sample_interval(t)
-        steps = self.joint.substeps(theta, dt)
-        fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
-        u = DrivingVoltages(v, dt).squared(steps, seen, self.joint.largest_voltage)
-        return k, self.joint.weights(theta), dt, steps, fine, u
 
     def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         joint = self.joint

@@ -78,8 +78,7 @@ class Uncertainty:
         """
         rows = by_theta[::EVERY] @ self.model.spread
         rows = rows[np.sum(rows**2, axis=1) < (LOST_ERROR_SHARE * self.stroke) ** 2]
-        information: FloatArray = rows.T @ rows * (EVERY * dt / self.noise)
-        return information
+        return np.asarray(rows.T @ rows * (EVERY * dt / self.noise))
 
     def error(self, shown: FloatArray | float = 0.0) -> float:
         """Standard deviation [m] of the free run, RMS over the programme, after logs with more information.

@@ -31,7 +31,7 @@ from ...generated.condensed_joint import (
 )  # fmt: skip
 from ...numerics.arrays import FloatArray
 from .kernels import CURVES, INDEX, prepare
-from .similarity import DIMENSIONS
+from .log_reading import DIMENSIONS
 from .statics import rest_state
 
 
@@ -143,7 +143,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("probe 2", 10.0, "V"),
 )
 """Everything that a real joint and its instruments may have otherwise than the parameter set, its size first: the
-whole joint in other units of length, time and voltage (`pipeline.models.hybrid.similarity`). What cannot be
+whole joint in other units of length, time and voltage (`pipeline.models.hybrid.log_reading`). What cannot be
 negative is a logarithm. A square has no slope at zero, and an estimate that came near it would stay there: of fourteen
 simulated joints four lost a relaxation or the frame's inertia so, with three to six times the error held at the log."""
 
@@ -219,9 +219,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     values = _beam_and_frame(p, d) | {"slope_ratio": ratio}
     names = ["softening", "softening_rate", *(name for name, *_ in TIP_CONSTANTS)]
     values |= {name: d[name.replace("_", " ")] for name in names}
-    values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
-    values |= {f"sextic_{powers}": d[f"sextic {powers}"] for powers in SEXTICS}
-    values |= {f"shortening_{powers}": d[f"shortening {powers}"] for powers in SHORTENINGS}
+    for kind, terms in (("quartic", QUARTICS), ("sextic", SEXTICS), ("shortening", SHORTENINGS)):
+        values |= {f"{kind}_{powers}": d[f"{kind} {powers}"] for powers in terms}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
     for i, name in enumerate(_ELEMENTS):

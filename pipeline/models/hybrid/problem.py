@@ -17,13 +17,12 @@ from ...numerics.arrays import BoolArray, FloatArray, samples_of
 from ...signals.log import Log
 from ...signals.resampling import sharpened
 from . import parameters as condensed_parameters
-from .angle_reading import AngleReading
 from .columns import INSTRUMENTS
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES, INDEX
+from .log_reading import SAME, AngleReading, Similarity
 from .runs import Driving, Followed, JointCoefficients, Stepping, run_joints
 from .sensitivity import Driven, sensitivities
-from .similarity import SAME, Similarity
 from .statics import substeps
 
 DEVIATION_COUNT = len(condensed_parameters.NAMES)
@@ -115,9 +114,7 @@ class CondensedJoint:
     def in_use(self, theta: FloatArray) -> FloatArray:
         """The same of a joint that has moved for `USED` and softens no more, as a controller meets it."""
         k = self.constants(theta)
-        softening = k[..., INDEX["softening"]]
-        rate = k[..., INDEX["softening_rate"]]
-        softer = 1.0 - softening * (1.0 - np.exp(-rate * USED))
+        softer = 1.0 - k[..., INDEX["softening"]] * (1.0 - np.exp(-k[..., INDEX["softening_rate"]] * USED))
         k[..., [INDEX["left_elastic"], INDEX["right_elastic"]]] *= softer[..., None]
         k[..., INDEX["softening"]] = 0.0
         return k
@@ -139,8 +136,12 @@ class CondensedJoint:
             units.voltage * seen.probe,
         )
 
-    def derivatives(self, theta: FloatArray) -> "Derivatives":
-        """Derivatives by θ of the numbers that a run takes."""
+    def derivatives(self, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Derivatives by θ of the numbers that a run takes.
+
+        Of the constants (C, P); of laser offset [m], and of delay, charging time and probes in units of θ, (5, P); and
+        the prior widths (9,) of the weights.
+        """
         count = len(theta)
         moved = PARAMETER_STEP * np.eye(DEVIATION_COUNT, count)
         constants = np.zeros((len(CONSTANTS), count))
@@ -150,7 +151,7 @@ class CondensedJoint:
         instruments[range(INSTRUMENTS), condensed_parameters.OF_INSTRUMENTS] = 1.0
         instruments[0] *= self.instruments(np.ones(count)).offset - self.similarity.origin
         widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
-        return Derivatives(constants, instruments, widths)
+        return constants, instruments, widths
 
     def substeps(self, theta: FloatArray, dt: float) -> int:
         """Runge-Kutta steps in a sample interval of `dt` [s]."""
@@ -183,18 +184,6 @@ class CondensedJoint:
     def start(self) -> FloatArray:
         """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
         return np.zeros(DEVIATION_COUNT + CURVES * self.centres)
-
-
-@dataclass(frozen=True)
-class Derivatives:
-    """Derivatives by θ of constants (C, P) and instruments (5, P), and the prior widths (9,) of the weights.
-
-    Instruments are the offset [m] and, in units of θ, delay, charging time and probes.
-    """
-
-    constants: FloatArray
-    instruments: FloatArray
-    weights: FloatArray
 
 
 class CondensedProblem:
@@ -243,11 +232,12 @@ class CondensedProblem:
         """See `ObservedProblem`."""
         if np.any(np.abs(theta[:DEVIATION_COUNT]) > FARTHEST):
             return None
-        parts = [
-            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.compared(gain)]
-            for log in self.logs
-        ]
-        error = np.concatenate(parts)
+        error = np.concatenate(
+            [
+                log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.compared(gain)]
+                for log in self.logs
+            ]
+        )
         return error if np.all(np.isfinite(error)) else None
 
     def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
@@ -263,25 +253,24 @@ class CondensedProblem:
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
         """See `ObservedProblem`; a column without finite derivatives is zero there."""
         parts = []
-        columns = []
         self._steps = 1
         for log in self.logs:
             self._steps = self._substeps(theta, log.dt)
-            errors, derivatives = log.sensitivities(self.joint, theta, gain, self._steps)
-            parts.append(errors)
-            columns.append(derivatives)
+            parts.append(log.sensitivities(self.joint, theta, gain, self._steps))
+        errors, columns = zip(*parts, strict=True)
         joined = columns[0] if len(columns) == 1 else np.concatenate(columns)
         if not np.isfinite(joined.sum()):
             joined[~np.isfinite(joined)] = 0.0
-        return np.concatenate(parts), joined
+        return np.concatenate(errors), joined
 
     def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
         """Errors [mm] over the held-out ends, coupled to the measurement with the pole `gain` [1/s]."""
-        errors = [
-            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.held_out]
-            for log in self.logs
-        ]
-        return np.concatenate(errors)
+        return np.concatenate(
+            [
+                log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.held_out]
+                for log in self.logs
+            ]
+        )
 
     def _substeps(self, theta: FloatArray, dt: float) -> int:
         """Steps in a sample interval, never fewer than at the last Jacobian, with whose point a trial is compared."""
@@ -336,8 +325,7 @@ class _Log:
             Followed(path, pole),
             joint.stepping(self.dt, steps),
         )
-        error: FloatArray = (runs[:, :, 0] - self.q) * 1e3
-        return error
+        return np.asarray((runs[:, :, 0] - self.q) * 1e3)
 
     def sensitivities(
         self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int
@@ -345,38 +333,35 @@ class _Log:
         """Errors [mm] of one θ over the samples that are compared, shape (N,), and their derivatives by it, (N, P)."""
         pole, path = self._observer(gain, steps)
         seen = joint.instruments(theta)
-        by_theta = joint.derivatives(theta)
+        constants, instruments, widths = joint.derivatives(theta)
         largest = joint.largest_voltage
         u = self._inputs(seen, steps, largest)
         moved = theta + PARAMETER_STEP * np.eye(len(theta))[condensed_parameters.OF_INSTRUMENTS[1:]]
         later = [self.v.squared(steps, joint.instruments(each), largest) for each in moved]
         by_inputs = (np.array(later) - u) / PARAMETER_STEP
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
-        derivatives = sensitivities(
+        q, columns, by_weights = sensitivities(
             JointCoefficients(joint.constants(theta), joint.weights(theta), joint.basis),
-            np.abs(by_theta.constants).max(axis=1), by_theta.weights, seen.offset, driven,
+            np.abs(constants).max(axis=1), widths, seen.offset, driven,
             joint.stepping(self.dt, steps),
         )  # fmt: skip
         at = self.compared(gain)
-        active = np.any(by_theta.constants, axis=1)
-        chain = 1e3 * np.concatenate([by_theta.constants[active], by_theta.instruments])
-        columns, q = (derivatives.columns, derivatives.q) if at.all() else (derivatives.columns[at], derivatives.q[at])
-        by = columns @ chain
-        by_weights = derivatives.by_weights[at] * by_theta.weights[:, None]
-        by[:, DEVIATION_COUNT:] += 1e3 * by_weights.reshape(len(q), by.shape[1] - DEVIATION_COUNT)
-        by += 1e3 * by_theta.instruments[0]  # the reading is q + offset
-        return 1e3 * (q + seen.offset - self.q[at]), by
+        active = np.any(constants, axis=1)
+        chain = 1e3 * np.concatenate([constants[active], instruments])
+        by = (columns if at.all() else columns[at]) @ chain
+        of_weights = by_weights[at] * widths[:, None]
+        by[:, DEVIATION_COUNT:] += 1e3 * of_weights.reshape(len(by), by.shape[1] - DEVIATION_COUNT)
+        by += 1e3 * instruments[0]  # the reading is q + offset
+        return 1e3 * (q[at] + seen.offset - self.q[at]), by
 
     def _observer(self, gain: float, steps: int) -> tuple[FloatArray, FloatArray]:
         """Pole [1/s] of the observer in each sample interval, and what it follows, nothing where it never does."""
         pole = np.where(self._seen, np.where(self.held, max(gain, HELD_POLE), gain), 0.0)
-        return pole, self._half_steps(steps) if np.any(pole > 0.0) else np.zeros(0)
-
-    def _half_steps(self, steps: int) -> FloatArray:
+        if not np.any(pole > 0.0):
+            return pole, np.zeros(0)
         if steps not in self._followed:
-            times = np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1)
-            self._followed[steps] = self._path(times)
-        return self._followed[steps]
+            self._followed[steps] = self._path(np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1))
+        return pole, self._followed[steps]
 
     def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
         # Joints that run side by side, and steps that are tried one after the other, often share their instruments.

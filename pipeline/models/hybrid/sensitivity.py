@@ -46,19 +46,6 @@ class Driven:
     start: FloatArray
 
 
-@dataclass(frozen=True)
-class Sensitivity:
-    """Reading q [m] of a run at the samples without the laser's offset, shape (N,), and its derivatives.
-
-    `columns` (N, C + 5): by the constants, of which those without a scale are left out, then by laser offset [1],
-    and by delay, charging time and probes in units of θ; `by_weights` (N, 9, M): by the weights of the corrections.
-    """
-
-    q: FloatArray
-    columns: FloatArray
-    by_weights: FloatArray
-
-
 def sensitivities(
     coefficients: JointCoefficients,
     scale: FloatArray,
@@ -66,7 +53,7 @@ def sensitivities(
     offset: float,
     driven: Driven,
     stepping: Stepping,
-) -> Sensitivity:
+) -> tuple[FloatArray, FloatArray, FloatArray]:
     """The run of one joint from rest, as in `run_joints`, and its derivatives.
 
     Parameters
@@ -86,7 +73,13 @@ def sensitivities(
 
     Returns
     -------
-    Sensitivity
+    q : FloatArray, shape (N,)
+        Reading [m] at the samples without the laser's offset.
+    columns : FloatArray, shape (N, C + 5)
+        Its derivatives by the constants, of which those without a scale are left out, then by laser offset [1], and by
+        delay, charging time and probes in units of θ.
+    by_weights : FloatArray, shape (N, 9, M)
+        Its derivatives by the weights of the corrections.
         Cost: 1.4 µs a stage for 104 constants, 2.3 with corrections; 37.5 s at two steps in 10 ms take 43 and 70 ms.
     """
     k, weights, basis = coefficients
@@ -94,14 +87,12 @@ def sensitivities(
     steps = (len(driven.squares) - 1) // 2
     active = np.flatnonzero(scale)
     x, z, starts, stops = _starts(coefficients, scale, active, widths, offset, driven, stepping)
-    p = prepare_rates(k[None])[0]
-    only = np.zeros(1, dtype=np.int64)
     points = np.empty((steps + 1, len(SHARES), STATES))
     slips = np.empty((steps + 1, STOPS))
     system = Joints(
-        (0,), p, np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3), driven.squares[None],
-        only, basis, weights[None], np.array([offset]), driven.observed, driven.pole, wall, lead,
-        reading, points, slips,
+        (0,), prepare_rates(k[None])[0], np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3),
+        driven.squares[None], np.zeros(1, dtype=np.int64), basis, weights[None], np.array([offset]), driven.observed,
+        driven.pole, wall, lead, reading, points, slips,
     )  # fmt: skip
     integrate_joints(system, x, np.empty((steps + 1, 3, 1)), workspace(x), 1, dt / substeps, -np.inf, np.inf)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
@@ -111,7 +102,7 @@ def sensitivities(
     count = weights.shape[1]
     by_weights = displacements[:, first : first + CURVES * count].reshape(len(displacements), CURVES, count)
     q = reading[0] * points[::substeps, 0, 0] + reading[1] * points[::substeps, 0, 2]
-    return Sensitivity(q, displacements[:, :first], by_weights)
+    return q, displacements[:, :first], by_weights
 
 
 def _starts(
@@ -130,26 +121,22 @@ def _starts(
     by_instruments = driven.by_instruments[:, 0]
     q = start[0] - offset
     first = len(active) + INSTRUMENTS
-    centres = weights.shape[1]
     total = blocks(first + weights.size)
     starts, stops = (np.zeros((total, rows, BATCH), dtype=np.float32) for rows in (STATES, STOPS))
     x, z = rest_at_reading(q, stepping.reading, u, k, prepare_rates(k[None])[0], basis, weights, start[2])
     moves: list[tuple[int, float, _Rest]] = []
-    for column, i in enumerate(active):
-        step = PARAMETER_STEP * scale[i]
-        moves.append((column, step, (q, u, k + step * _unit(len(k), i), weights)))
+    for column, (step, unit) in enumerate(zip(PARAMETER_STEP * scale[active], np.eye(len(k))[active], strict=True)):
+        moves.append((column, step, (q, u, k + step * unit, weights)))
     moves.append((len(active), -_SHIFT, (q + _SHIFT, u, k, weights)))
-    for i in range(len(by_instruments)):
-        step = 1e-6 * max(float(u.max()), 1.0) / max(float(np.abs(by_instruments[i]).max()), 1e-12)
-        moves.append((len(active) + 1 + i, step, (q, u + step * by_instruments[i], k, weights)))
-    for i in range(weights.size):
-        step = PARAMETER_STEP * widths[i // centres]
-        moved = weights + step * _unit(weights.size, i).reshape(weights.shape)
-        moves.append((first + i, step, (q, u, k, moved)))
+    for column, by in enumerate(by_instruments, start=len(active) + 1):
+        step = 1e-6 * max(float(u.max()), 1.0) / max(float(np.abs(by).max()), 1e-12)
+        moves.append((column, step, (q, u + step * by, k, weights)))
+    for i, unit in enumerate(np.eye(weights.size)):
+        step = PARAMETER_STEP * widths[i // weights.shape[1]]
+        moves.append((first + i, step, (q, u, k, weights + step * unit.reshape(weights.shape))))
     for column, step, (place, voltages, constants, changed) in moves:
-        prepared = prepare_rates(constants[None])[0]
         there, slipped = rest_at_reading(
-            place, stepping.reading, voltages, constants, prepared, basis, changed, start[2]
+            place, stepping.reading, voltages, constants, prepare_rates(constants[None])[0], basis, changed, start[2]
         )
         starts[column // BATCH, :, column % BATCH] = (there - x) / step
         stops[column // BATCH, :, column % BATCH] = (slipped - z) / step
@@ -160,9 +147,3 @@ def _starts(
 
 _Rest = tuple[float, FloatArray, FloatArray, FloatArray]
 """Displacement [m], squared voltages [V²], constants and weights of a joint at rest."""
-
-
-def _unit(count: int, i: int) -> FloatArray:
-    unit = np.zeros(count)
-    unit[i] = 1.0
-    return unit

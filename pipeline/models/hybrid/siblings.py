@@ -18,7 +18,7 @@ from ...fitting.population import (
     without_each,
 )
 from ...numerics.arrays import FloatArray
-from ..model_file import JointSet, ModelFile, Sizes, Table, Unit, column_of, tree_of
+from ..model_file import JointSet, ModelFile, Sizes, Table, Unit, column_of, read_part, tree_of
 from .identify import NOISE_INFLATION
 from .model import HybridModel
 from .parameters import DEVIATIONS, NAMES, PRIOR_STD
@@ -126,9 +126,8 @@ def information_of(model: HybridModel) -> Information:
     count = len(NAMES)
     own = prior_root(0)
     tau = float(model.diagnostics["integrated_correlation_time"])
-    covariance = (model.spread @ model.spread.T)[:count, :count]
     # shares of the prior's variance that the logs leave are 1 / (1 + λ)
-    shares, directions = np.linalg.eigh(own @ covariance @ own.T)
+    shares, directions = np.linalg.eigh(own @ (model.spread @ model.spread.T)[:count, :count] @ own.T)
     shares = np.clip(shares, np.finfo(float).eps, 1.0)
     precision = np.minimum(1.0 / shares - 1.0, SUREST)
     pulled = np.minimum(NOISE_INFLATION**2 / (tau * np.maximum(precision, np.finfo(float).eps)), 1.0)
@@ -158,8 +157,7 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
         units = model.joint.similarity
         if (units.length, units.time, units.voltage) != (1.0, 1.0, 1.0):
             raise InputError(f"{name}: was scaled by its own logs; give all joints one set, plant.parameters")
-    first, *others = [model.joint.parameters for model in models.values()]
-    if any(other != first for other in others):
+    if len({model.joint.parameters for model in models.values()}) > 1:
         raise InputError("the joints have not one parameter set; name the same plant.parameters for all of them")
     prior = usual_prior()
     members = [information_of(model) for model in models.values()]
@@ -222,7 +220,7 @@ def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulatio
     CorruptArtifactError
         An entry is missing, of another kind or shape or beyond its range, or of another version of the program.
     """
-    file = SiblingsFile.read(tree, "siblings", "fleet learn")
+    file = read_part(SiblingsFile, tree, "siblings", "fleet learn")
     current = file.deviations == " | ".join(NAMES) and np.array_equal(file.prior_std, PRIOR_STD)
     symmetric = np.allclose(file.covariance, file.covariance.T)
     if not current or not symmetric or np.linalg.eigvalsh(file.covariance).min() <= 0.0:

@@ -16,6 +16,7 @@ import numpy as np
 
 from ...device.device import JOINT
 from ...device.parameters import JointParameters
+from ...errors import DataRefusedError
 from ...fitting.population import NormalPopulation
 from ...generated.condensed_joint import CORRECTIONS
 from ...numerics.arrays import FloatArray, IntArray
@@ -23,8 +24,8 @@ from ...scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
 from ...signals.log import Log
 from . import parameters as condensed_parameters
 from .kernels import CURVES, INDEX
+from .log_reading import Similarity
 from .parameters import NAMES
-from .similarity import Similarity
 from .statics import static_curves
 
 NEAR = 0.4
@@ -36,13 +37,6 @@ only asymmetric; beyond it the laser's zero is taken to be elsewhere."""
 
 WELLS_DIFFER = 0.1
 """Share by which frequency and sensitivity of an asymmetric joint's two wells differ; errors below it weigh alike."""
-
-
-@dataclass(frozen=True)
-class NoJoint:
-    """Reason why the joint's equations are no candidate for a device."""
-
-    reason: str
 
 
 @dataclass(frozen=True)
@@ -58,9 +52,7 @@ class _SmallMotion:
     gain_error: float = 0.0
 
 
-def similar_joint(
-    records: Sequence[Log], parameters: JointParameters, mass: float | None = None
-) -> Similarity | NoJoint:
+def similar_joint(records: Sequence[Log], parameters: JointParameters, mass: float | None = None) -> Similarity:
     """The device of the training logs in units of a parameter set's joint.
 
     Parameters
@@ -74,26 +66,32 @@ def similar_joint(
 
     Returns
     -------
-    Similarity or NoJoint
+    Similarity
         Cost: two regressions over the samples near the wells.
+
+    Raises
+    ------
+    DataRefusedError
+        The joint's equations are no candidate for the device.
     """
     wells = _wells(records)
     if not isinstance(wells, Wells):
-        return NoJoint(f"no two wells: {wells.reason}")
+        raise DataRefusedError(f"no two wells: {wells.reason}")
     half = 0.5 * (wells.right - wells.left)
-    measured = [_measured(records, place, NEAR * half) for place in (wells.left, wells.right)]
+    measured = (_measured(records, place, NEAR * half) for place in (wells.left, wells.right))
     motions = [motion for motion in measured if motion is not None]
     if not motions:
-        return NoJoint("no small motion about a well is seen, so the joint's time scale is unknown")
+        raise DataRefusedError("no small motion about a well is seen, so the joint's time scale is unknown")
     gain = _weighted([(motion.gains[0] - motion.gains[1], motion.gain_error) for motion in motions])
     if gain <= 0.0:
-        return NoJoint("v1 pushes to smaller q and v2 to larger, against the sides of a joint; are they exchanged?")
+        raise DataRefusedError(
+            "v1 pushes to smaller q and v2 to larger, against the sides of a joint; are they exchanged?"
+        )
     reference = _reference_motion(parameters)
     length = half / reference.place
     stiffness = _weighted([(motion.stiffness, motion.stiffness_error) for motion in motions])
     time = float(np.sqrt(reference.stiffness / stiffness))
-    acceleration = length / time**2
-    voltage = float(np.sqrt(acceleration * (reference.gains[0] - reference.gains[1]) / gain))
+    voltage = float(np.sqrt(length / time**2 * (reference.gains[0] - reference.gains[1]) / gain))
     return Similarity(length, time, voltage, mass_factor(parameters, mass), _shift(wells))
 
 
@@ -110,9 +108,8 @@ def _wells(records: Sequence[Log]) -> Wells | NoWells:
 
 
 def _shift(wells: Wells) -> float:
-    half = 0.5 * (wells.right - wells.left)
     middle = 0.5 * (wells.right + wells.left)
-    return middle if abs(middle) > SHIFTED * half else 0.0
+    return middle if abs(middle) > SHIFTED * (0.5 * (wells.right - wells.left)) else 0.0
 
 
 def mass_factor(parameters: JointParameters, mass: float | None) -> float:
@@ -128,8 +125,7 @@ def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotio
     for record in records:
         near = record.valid & (np.abs(record.q - place) < reach)
         x = record.q[near] - place
-        u = record.v[near] ** 2
-        rows.append(np.column_stack([np.ones(len(x)), x, x**2, record.qdot[near], u]))
+        rows.append(np.column_stack([np.ones(len(x)), x, x**2, record.qdot[near], record.v[near] ** 2]))
         targets.append(record.qddot[near])
     matrix = np.concatenate(rows)
     target = np.concatenate(targets)
@@ -220,8 +216,7 @@ def prior_root(
             if i != j:
                 covariance[i, j] = sign * ALIKE
     places = theta_places(centres, rows)
-    root = np.linalg.inv(np.linalg.cholesky(covariance[np.ix_(places, places)]))
-    return np.asarray(root, dtype=np.float64)
+    return np.asarray(np.linalg.inv(np.linalg.cholesky(covariance[np.ix_(places, places)])), dtype=np.float64)
 
 
 def theta_places(centres: int, rows: Sequence[int]) -> IntArray:

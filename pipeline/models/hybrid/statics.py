@@ -291,22 +291,34 @@ def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c:
     along_q = mass[0] + slope * mass[1] + interior * mass[3]
     along_tau = mass[1] + slope * mass[2] + interior * mass[4]
     along_beta = mass[3] + slope * mass[4] + interior * mass[5]
-    force: float = along_q * rates[1] + along_tau * rates[3] + along_beta * rates[5]
-    return force
+    return float(along_q * rates[1] + along_tau * rates[3] + along_beta * rates[5])
 
 
-def curves_at(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
-    """The four curves of `static_curves`, shape (4, n).
+def static_curves(q: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
+    """Curves at q [m], shape (4, n), without voltage.
 
     Parameters
     ----------
     q : FloatArray, shape (n,)
         Displacements [m].
-    k, p : FloatArray, shapes (len(CONSTANTS),) and (PREPARED,)
-        Constants [SI] without dry friction, and the prepared ones.
+    k : FloatArray, shape (len(CONSTANTS),)
+        Constants [SI].
     basis, weights : FloatArray, shapes (3,) and (9, M)
         Of the corrections.
+
+    Returns
+    -------
+    restoring
+        F [N] that must be applied to hold q.
+    damping
+        Viscous coefficient [N·s/m] of beam, membranes and correction for slow motions; Maxwell branches, creep
+        and dry friction are no coefficient and are left out.
+    left, right
+        g_i = ½ ∂C_i/∂q [N/V²] (eqs. 33, 40).
     """
+    k = k.copy()
+    k[[INDEX[level] for level in DRY_LEVELS]] = 0.0
+    p = prepare(k[None])[0]
     curves = np.empty((4, len(q)))
     u = np.zeros(2)
     c = np.zeros(VALUES)
@@ -326,33 +338,3 @@ def curves_at(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, we
         loss = _moving_force(x, slope, interior, -_SPEED, c, p) - _moving_force(x, slope, interior, _SPEED, c, p)
         curves[1, i] = 0.5 * loss / _SPEED
     return curves
-
-
-def static_curves(
-    q: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Curves at q [m], shape (n,), without voltage.
-
-    Parameters
-    ----------
-    q : FloatArray, shape (n,)
-        Displacements [m].
-    k : FloatArray, shape (len(CONSTANTS),)
-        Constants [SI].
-    basis, weights : FloatArray, shapes (3,) and (9, M)
-        Of the corrections.
-
-    Returns
-    -------
-    restoring : FloatArray, shape (n,)
-        F [N] that must be applied to hold q.
-    damping : FloatArray, shape (n,)
-        Viscous coefficient [N·s/m] of beam, membranes and correction for slow motions; Maxwell branches, creep
-        and dry friction are no coefficient and are left out.
-    left, right : FloatArray, shape (n,)
-        g_i = ½ ∂C_i/∂q [N/V²] (eqs. 33, 40).
-    """
-    k = k.copy()
-    k[[INDEX[level] for level in DRY_LEVELS]] = 0.0
-    restoring, damping, left, right = curves_at(q, k, prepare(k[None])[0], basis, weights)
-    return restoring, damping, left, right

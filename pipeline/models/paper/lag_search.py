@@ -32,19 +32,17 @@ class LagSegment:
 
 @dataclass(frozen=True)
 class LagSearch:
-    """Result of the descent: T_z [s], the cost ½·mean squared residual there, whether it converged, and the path.
+    """Result of the descent: T_z [s], accepted steps, whether it converged, and the path.
 
     Attributes
     ----------
     history : FloatArray, shape (iterations + 1, 4)
-        T_z [s], cost, rank and condition number (of what the rank counts) of every accepted step; costs fall from row
-        to row.
+        T_z [s], cost (½·mean squared residual), rank and condition number (of what the rank counts) of every accepted
+        step; costs fall from row to row.
     """
 
     time_constant: float
-    cost: float
     iterations: int
-    evaluations: int
     converged: bool
     history: FloatArray
 
@@ -145,8 +143,7 @@ def search_lag(segments: Sequence[LagSegment], *, start: float, bounds: tuple[fl
         Cost: one Gram update (0.4 µs per sample at M = 10) and one gradient (20 ns) per evaluation, about ten of them.
     """
     equations = _NormalEquations(segments)
-    low = np.log(bounds[0])
-    high = np.log(bounds[1])
+    low, high = np.log(bounds)
 
     def evaluate(x: float) -> tuple[FloatArray, tuple[float, int, float]]:
         """Weights and criteria at the logarithm of a lag."""
@@ -157,13 +154,11 @@ def search_lag(segments: Sequence[LagSegment], *, start: float, bounds: tuple[fl
     weights, (cost, *conditioning) = evaluate(x)
     slope = equations.gradient(weights, float(np.exp(x)))
     history = [(float(np.exp(x)), cost, *conditioning)]
-    evaluations = 1
     step = 0.5
     converged = False
     while len(history) <= MOST_STEPS and not converged:
         trial = float(np.clip(x - np.sign(slope) * step, low, high))
         trial_weights, (trial_cost, *conditioning) = evaluate(trial)
-        evaluations += 1
         if trial_cost < cost:
             trial_slope = equations.gradient(trial_weights, float(np.exp(trial)))
             bend = (trial_slope - slope) / (trial - x)
@@ -177,4 +172,4 @@ def search_lag(segments: Sequence[LagSegment], *, start: float, bounds: tuple[fl
             step *= 0.3
             converged = step < 1e-4 or trial == x
     equations.update(float(np.exp(x)))
-    return LagSearch(float(np.exp(x)), cost, len(history) - 1, evaluations, converged, np.array(history))
+    return LagSearch(float(np.exp(x)), len(history) - 1, converged, np.array(history))

@@ -18,10 +18,9 @@ from pydantic import Field, model_validator
 
 from ...codegen.numba_writer import formula
 from ...fitting.information import coverage
-from ...fitting.posterior import curves_of_draws, posterior_draws, whiteness
+from ...fitting.posterior import posterior_draws, whiteness
 from ...fitting.regression import (
     InputAction,
-    LinearFit,
     basis_centres,
     basis_values,
     basis_width,
@@ -49,9 +48,9 @@ from ...numerics.linear_filters import first_order_lag
 from ...settings.models import CENTRES, LAG_START, SMOOTHING
 from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked
-from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
+from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit, read_part
 from ..model_type import ModelType, Training
-from .lag_search import LagSearch, LagSegment, search_lag
+from .lag_search import LagSegment, search_lag
 
 _gaussian = formula(GAUSSIAN)
 _lagged_rates = formula(LAGGED_RATES)
@@ -243,14 +242,9 @@ class RbfPaperModel(ModelFile):
         return self
 
     @property
-    def mass(self) -> float:
-        """m_q [kg]."""
-        return self.mass_kg
-
-    @property
     def equation(self) -> LaggedEquation:
         """State equation over the mass."""
-        weights = np.ascontiguousarray(self.weights.T) / self.mass
+        weights = np.ascontiguousarray(self.weights.T) / self.mass_kg
         return LaggedEquation(self.centres, weights, self.width, self.lag_s, self.inputs == "squared")
 
     @property
@@ -266,8 +260,7 @@ class RbfPaperModel(ModelFile):
         the training data by more than twice its length.
         """
         states, valid = self._run(t, v, (float(q0), float(qdot0)))
-        status, diverged_at = run_status(t, valid)
-        return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), status, diverged_at)
+        return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), *run_status(t, valid))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
@@ -280,9 +273,8 @@ class RbfPaperModel(ModelFile):
 
     def _run(self, t: FloatArray, v: FloatArray, start: tuple[float, ...]) -> tuple[FloatArray, int]:
         interval = sample_interval(t)
-        steps = steps_per_sample(interval, self.lag_s)
         bounds = escape_bounds(*self.centres[[0, -1]].tolist())
-        return lagged_rbf_run(self.equation, v, interval, steps, start, bounds)
+        return lagged_rbf_run(self.equation, v, interval, steps_per_sample(interval, self.lag_s), start, bounds)
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
@@ -302,8 +294,7 @@ class RbfPaperModel(ModelFile):
         z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag_s)
         signals = curve_signals(q, z, input_signal(v, self.inputs))
         curves = basis_values(q, self.centres, self.width) @ self.weights.T
-        force: FloatArray = np.einsum("ij,ij->i", curves, signals)
-        return force / self.mass
+        return np.asarray(np.einsum("ij,ij->i", curves, signals) / self.mass_kg)
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
@@ -319,7 +310,8 @@ class RbfPaperModel(ModelFile):
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """The curves of `count` draws of the weights, each of shape (count, n); the same at every call."""
         draws = posterior_draws(self.weights.ravel(), self.spread, count, SEED)
-        return curves_of_draws(draws.reshape(count, *self.weights.shape), lambda w: self._characteristics(w, q))
+        drawn = [self._characteristics(weights, q) for weights in draws.reshape(count, *self.weights.shape)]
+        return {name: np.array([each[name] for each in drawn]) for name in drawn[0]}
 
     def _characteristics(self, weights: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         values = basis_values(q, self.centres, self.width) @ weights.T
@@ -350,7 +342,7 @@ class RbfPaperModel(ModelFile):
             "centre_min_m": float(self.centres[0]),
             "centre_max_m": float(self.centres[-1]),
             "lag_s": self.lag_s,
-            "mass_kg": self.mass,
+            "mass_kg": self.mass_kg,
             "inputs": self.inputs,
             **self.diagnostics,
         }
@@ -390,6 +382,7 @@ def identify_rbf_paper(
     search = search_lag(segments, start=LAG_START, bounds=LAG_BOUNDS)
     fit = pseudo_inverse_fit(*triangular_factor(_rows(segments)))
     tau = _correlation_time(segments, fit.weights)
+    visited = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
     return RbfPaperModel(
         centres=centres,
         smoothing=smoothing,
@@ -399,9 +392,17 @@ def identify_rbf_paper(
         inputs=inputs,
         spread=fit.residual_rms * np.sqrt(tau) * fit.spread,
         diagnostics={
-            **_diagnostics(fit, search),
+            "rank": fit.rank,
+            "parameters": len(fit.weights),
+            "condition": fit.condition,
+            "residual_rms": fit.residual_rms,
+            "samples": fit.samples,
+            "lag_iterations": search.iterations,
+            "lag_converged": search.converged,
+            "lag_search": dict(zip(("lag_s", "cost", "rank", "condition"), search.history.T.copy(), strict=True)),
             "residual_correlation_samples": tau,
-            **_visits(centres, trajectories),
+            "visits_per_centre": visited.visits,
+            "driven_visits_per_centre": visited.driven,
         },
     )
 
@@ -426,24 +427,6 @@ def _correlation_time(segments: Sequence[LagSegment], weights: FloatArray) -> fl
     return whiteness(x.target - np.einsum("ij,ij->i", curves, x.signals)).integrated_correlation_time
 
 
-def _visits(centres: FloatArray, trajectories: Sequence[Log]) -> dict[str, Any]:
-    covered = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
-    return {"visits_per_centre": covered.visits, "driven_visits_per_centre": covered.driven}
-
-
-def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:
-    return {
-        "rank": fit.rank,
-        "parameters": len(fit.weights),
-        "condition": fit.condition,
-        "residual_rms": fit.residual_rms,
-        "samples": fit.samples,
-        "lag_iterations": search.iterations,
-        "lag_converged": search.converged,
-        "lag_search": dict(zip(("lag_s", "cost", "rank", "condition"), search.history.T.copy(), strict=True)),
-    }
-
-
 def _fit(training: Training) -> RbfPaperModel:
     return identify_rbf_paper(
         training.segments,
@@ -455,5 +438,5 @@ def _fit(training: Training) -> RbfPaperModel:
 
 
 RBF_PAPER = ModelType(
-    _fit, partial(RbfPaperModel.read, name="rbf-paper", command="identify"), "export.data_driven:realise_paper"
+    _fit, partial(read_part, RbfPaperModel, name="rbf-paper", command="identify"), "export.data_driven:realise_paper"
 )

@@ -79,8 +79,7 @@ def follow(
         block = np.vstack([forgotten[0] * factor, forgotten[1:] * stream[first:last]])
         factor = scipy.linalg.qr(block, mode="r")[0][: len(scales)]
         weights = scipy.linalg.solve_triangular(factor[:, :-1] / scales, factor[:, -1]) / scales
-        miss = rms(force @ weights - true_force[last - 1])
-        rows.append((float(last), miss / span, rms(error) / usual))
+        rows.append((float(last), rms(force @ weights - true_force[last - 1]) / span, rms(error) / usual))
     return OnlineRun(*(np.array(column) for column in zip(*rows, strict=True)))
 
 
@@ -110,8 +109,7 @@ def drifted(
         Factor of the restoring force at each sample.
     """
     growth = 1.0 + share * np.linspace(0.0, 1.0, len(target))
-    planted: FloatArray = target + (growth - 1.0) * (regressors[:, :count] @ weights[:count])
-    return planted, growth
+    return target + (growth - 1.0) * (regressors[:, :count] @ weights[:count]), growth
 
 
 def memories(forgetting: Sequence[float], interval: float) -> list[str]:

@@ -18,12 +18,12 @@ along falling observer gains, down to the free run (`pipeline.fitting.homotopy`)
 discrete scheme. Candidates of structure are fitted on a part of the training logs and judged on the rest. A bistable
 joint has one structure, and the prior of a population of simulated joints.
 
-- `model`: the identified model, its curves, draws and file. `identify`: the whole identification.
+- `model`: the identified model, its curves, draws, forces and file. `identify`: the whole identification.
 - `structure`: terms, scales, and the path of the inputs. `candidates`: structures that are offered.
 - `structure_search`: the choice among them on held-out data.
 - `parameter_layout`: order of θ, and its way into the coefficients of the equation.
-- `coefficients`: the numbers of the equation, and the basis of its curves. `dynamics`: the equation.
-- `observed_run`: a run of it, with observer and sensitivities. `elements`: the force of each of its elements.
+- `dynamics`: the numbers of the equation, the basis of its curves, and the equation.
+- `observed_run`: a run of it, with observer and sensitivities.
 - `problem`: residuals and Jacobians over the training logs, and the effort of a fit.
 - `start`: the convex fit. `prior`: smoothness, symmetry, population, and curves that were measured on a test stand.
 """

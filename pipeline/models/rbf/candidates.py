@@ -80,10 +80,6 @@ class RbfChoice:
     ----------
     friction : str, optional
         One of `FRICTION`.
-    basis_functions : int, optional
-        Gaussians M per curve.
-    smoothing : float, optional
-        σ_n.
     force, damping, gain : str, optional
         Shapes of the curves.
     drive : str, optional
@@ -103,8 +99,6 @@ class RbfChoice:
     """
 
     friction: FrictionLaw | None = None
-    basis_functions: int | None = None
-    smoothing: float | None = None
     force: ForceShape | None = None
     damping: CurveShape | None = None
     gain: CurveShape | None = None
@@ -119,8 +113,6 @@ class RbfChoice:
     def decided(self) -> dict[str, Any]:
         """Fields of the structure that are decided."""
         fields = {
-            "basis_functions": self.basis_functions,
-            "smoothing": self.smoothing,
             "force": self.force,
             "constant_damping": None if self.damping is None else self.damping == "constant",
             "constant_gain": None if self.gain is None else self.gain == "constant",
@@ -146,26 +138,26 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
     """A candidate that is called by what it consists of."""
     elements = {name: getattr(structure, name) for name in ("rates", "shape_elements", "slips")}
     friction = next((name for name, parts in FRICTION.items() if parts == elements), "own friction")
-    words = [friction]
-    if not (structure.force != "curve" and structure.constant_damping and structure.constant_gain):
-        words += [f"M = {structure.basis_functions}", f"sigma_n = {structure.smoothing:g}"]
-    words += {"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force]
-    words += (
-        ["tip on an arc"] * structure.arc
-        + ["constant damping"] * structure.constant_damping
-        + ["constant gain"] * structure.constant_gain
-    )
-    words += ["drag"] * structure.drag + ["end stops"] * structure.stops
-    words += (
-        ["overdamped"] * structure.overdamped
-        + ["turning arm"] * structure.turning_arm
-        + ["lagged effect" if structure.effect_lags else "lagged input"] * structure.input_lag
-    )
-    words += ["delayed input"] * structure.input_delay + ["bent input"] * structure.bent_input
-    words += ["dead zone"] * structure.dead_zone
-    words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
-    words += {"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold]
-    words += [] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]
+    smooth = structure.force == "curve" or not (structure.constant_damping and structure.constant_gain)
+    words = [
+        friction,
+        *[f"M = {structure.basis_functions}", f"sigma_n = {structure.smoothing:g}"] * smooth,
+        *{"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force],
+        *["tip on an arc"] * structure.arc,
+        *["constant damping"] * structure.constant_damping,
+        *["constant gain"] * structure.constant_gain,
+        *["drag"] * structure.drag,
+        *["end stops"] * structure.stops,
+        *["overdamped"] * structure.overdamped,
+        *["turning arm"] * structure.turning_arm,
+        *["lagged effect" if structure.effect_lags else "lagged input"] * structure.input_lag,
+        *["delayed input"] * structure.input_delay,
+        *["bent input"] * structure.bent_input,
+        *["dead zone"] * structure.dead_zone,
+        *["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs),
+        *{"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold],
+        *([] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]),
+    ]
     return Candidate(", ".join(words), structure, symmetry=symmetry)
 
 

@@ -1,8 +1,11 @@
-"""State equation of the data-driven joint, in a run of kernels and for traced values.
+"""Numbers and state equation of the data-driven joint, in a run of kernels and for traced values.
 
 It is that of `pipeline.equations.data_driven_joint`, which has one curve, relaxing element or friction state of each
 kind; here they are summed over as many as a joint has. F goes on as its cubic outside [low, high], but restores there
 at least as much as at the end, so that without inputs nothing rests far outside.
+
+F, d, h_l, g_k are weights times a common basis: four functions (`POLYNOMIALS`) and Gaussians. The Gaussians, and with
+them every curve but F, go on as constants outside [low, high].
 
 Friction states are exact (`elements.dahl_move`): within a step they are those of the distance travelled so far.
 """
@@ -15,32 +18,143 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...codegen.numba_writer import formula
-from ...generated.terms import ACCELERATION, CONFINED_FORCE, DAHL_MOVE, ELEMENT, STOP_FORCE
-from ...numerics.arrays import FloatArray
+from ...generated.terms import (
+    ACCELERATION,
+    BELL,
+    CLIPPED,
+    CONFINED_FORCE,
+    DAHL_MOVE,
+    ELEMENT,
+    POWERS,
+    STOP_FORCE,
+    TURNING_ARM,
+)
+from ...numerics.arrays import FloatArray, IntArray
 from ...numerics.compiled import compiled, shared
 from ...numerics.fixed_step import inlined
-from .coefficients import (
-    ARC,
-    CENTRE,
-    DAMPING,
-    DRAG,
-    FORCE,
-    INPUT,
-    POLYNOMIALS,
-    SLIP_LENGTH,
-    STOPS,
-    Coefficients,
-    SensitivityParameters,
-    basis_at,
-    no_sensitivities,
-    shapes,
-)
 
+_powers = formula(POWERS)
+_turning_arm = formula(TURNING_ARM)
+_clipped = formula(CLIPPED)
+_bell = formula(BELL)
 _acceleration = formula(ACCELERATION)
 _dahl_move = formula(DAHL_MOVE)
 _stop_force = formula(STOP_FORCE)
 _confined = formula(CONFINED_FORCE)
 element = formula(ELEMENT)
+
+POLYNOMIALS = 4
+"""Basis functions 1, x, x², x³ before the Gaussians (1, sin q, cos q, x³ with a wall for a turning arm)."""
+
+FORCE, DAMPING, INPUT = range(3)
+"""Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L, then ρ, β_1 … β_K of each shape element."""
+
+WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, NUMBER, INPUT_SHAPE = range(6)
+"""Kinds of parameters: the `kind` of `SensitivityParameters`; a `NUMBER` is one of those below."""
+
+CENTRE, ARC, DRAG, STOPS = range(3, 7)
+"""Places in `ObservedJoint.by` of derivatives by numbers of the equation: arm, arc, drag, the four of the stops."""
+
+
+class Coefficients(NamedTuple):
+    """Everything in the equation of motion but the inputs.
+
+    curves (2+K+L+S(1+K), 4+M) of S shape elements · rates (L,) [1/s] · slip_force (D,), slip_length (D,) · inertia (2,)
+    = a, x₀ · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
+    turning arm is arm[0] + arm[1] x; zeros for another joint · drag: κ · stops (4,): places of two end stops,
+    their stiffness and resistance; empty without · ends (2, 4+M), at_ends (2,): basis and F at low and high.
+    """
+
+    curves: FloatArray
+    rates: FloatArray
+    slip_force: FloatArray
+    slip_length: FloatArray
+    inertia: FloatArray
+    centres: FloatArray
+    bend: float
+    low: float
+    high: float
+    arm: FloatArray
+    drag: float
+    stops: FloatArray
+    ends: FloatArray
+    at_ends: FloatArray
+
+
+class SensitivityParameters(NamedTuple):
+    """Parameters of the sensitivities: P parameters in B blocks, one behind the other.
+
+    Attributes
+    ----------
+    kind : IntArray, shape (B,)
+        Kind of coefficient that the parameters of a block move.
+    first : IntArray, shape (B,)
+        Curve of a block of `WEIGHT`; else the element, input shape or number of its first parameter.
+    column : IntArray, shape (B,)
+        Basis function of the first parameter of a block of `WEIGHT`.
+    start : IntArray, shape (B + 1,)
+        First parameter of each block, then P.
+    factor : FloatArray, shape (P,)
+        Derivative of a curve weight, of the inertia, of a stop's number or of the logarithm of a slip length by the
+        parameter. Rates, slip forces and drag are taken by their logarithms.
+    """
+
+    kind: IntArray
+    first: IntArray
+    column: IntArray
+    start: IntArray
+    factor: FloatArray
+
+
+def no_sensitivities() -> SensitivityParameters:
+    """Empty parameters for a simulation without sensitivities."""
+    none = np.empty(0, dtype=np.int64)
+    return SensitivityParameters(none, none, none, np.zeros(1, dtype=np.int64), np.empty(0))
+
+
+@inlined
+def shapes(c, inputs):
+    """Number of relaxing elements with curves of their own."""
+    return (len(c.curves) - INPUT - inputs - len(c.rates)) // (1 + inputs)
+
+
+@shared
+def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray, curvatures: FloatArray) -> None:
+    """The basis (4 + M,) and its derivative at x, and the second derivative of the Gaussians (M,).
+
+    Parameters
+    ----------
+    x : float
+        Dimensionless displacement.
+    c : Coefficients
+        Numbers of the joint.
+    values : FloatArray, shape (4 + M,)
+        Takes the basis.
+    slopes : FloatArray, shape (4 + M,)
+        Takes its derivative.
+    curvatures : FloatArray, shape (M,)
+        Takes the second derivative of the Gaussians.
+    """
+    head = _powers((x,)) if c.arm[1] == 0.0 else _turning_arm((x, c.arm[0], c.arm[1]))
+    for i in range(POLYNOMIALS):
+        values[i], slopes[i] = head[i], head[POLYNOMIALS + i]
+    inside, moving = _clipped((x, c.low, c.high))
+    for i in range(len(c.centres)):
+        value, slope, curvature = _bell((inside, c.centres[i], c.bend))
+        values[POLYNOMIALS + i], slopes[POLYNOMIALS + i] = value, slope * moving
+        curvatures[i] = curvature * moving
+
+
+@compiled
+def basis_rows(x: FloatArray, c: Coefficients) -> FloatArray:
+    """The basis at all x, shape (N, 4 + M)."""
+    values = np.empty((len(x), c.curves.shape[1]))
+    slopes = np.empty(c.curves.shape[1])
+    curvatures = np.empty(len(c.centres))
+    for n in range(len(x)):
+        basis_at(x[n], c, values[n], slopes, curvatures)
+    return values
+
 
 INSIDE, LEFT, RIGHT = range(STOPS + 4, STOPS + 7)
 """Places of the derivatives of the confined force by F, and by F at the ends of its reach."""
@@ -143,9 +257,7 @@ def move(system, x, u, dx):
     for i in range(len(c.stops)):
         system.by[STOPS + i] = by_push * stopped[3 + i]
     for n in range(len(c.rates)):
-        rate = system.relaxing[RATE_NOW, n]
-        load = system.relaxing[LOAD, n]
-        dx[2 + n] = element((values[INPUT + inputs + n], p, rate, load))[0]
+        dx[2 + n] = element((values[INPUT + inputs + n], p, system.relaxing[RATE_NOW, n], system.relaxing[LOAD, n]))[0]
 
 
 @inlined
@@ -182,8 +294,7 @@ def _load(system, x, u):
             relaxing[LOAD, n] -= system.values[row + 1 + k] * u[k]
             relaxing[PULL, n] += system.changes[row + 1 + k] * u[k]
         relaxing[RATE_NOW, n] += system.values[row]
-        own = relaxing[RATE_NOW, n] * relaxing[PULL, n] - system.changes[row] * relaxing[LOAD, n]
-        relaxing[OWN_SLOPE, n] = own
+        relaxing[OWN_SLOPE, n] = relaxing[RATE_NOW, n] * relaxing[PULL, n] - system.changes[row] * relaxing[LOAD, n]
 
 
 @inlined
@@ -252,9 +363,8 @@ def free_rates(c: Coefficients, x: Sequence[Any], slip: Sequence[Any], u: Sequen
     x, slip, u : sequence
         State (2 + L,), friction states as they act (D,) and inputs (K,).
     """
-    system = _traced(c, slip)
     dx = np.empty(2 + len(c.rates), dtype=object)
-    move(system, x, u, dx)
+    move(_traced(c, slip), x, u, dx)
     return list(dx)
 
 
@@ -262,10 +372,9 @@ def resting_elements(c: Coefficients, x: Any, u: Sequence[Any]) -> list[Any]:
     """Relaxing elements at rest at x, w = Σ β u (L,), for traced values."""
     system = _traced(c, ())
     basis_at(x, c, system.basis, system.slopes, system.curvatures)
-    first = INPUT + len(u) + len(c.rates)
     rests: list[Any] = [0.0] * len(c.rates)
     for n in range(shapes(c, len(u))):
-        row = first + n * (1 + len(u)) + 1
+        row = INPUT + len(u) + len(c.rates) + n * (1 + len(u)) + 1
         for k, curve in enumerate(c.curves[row : row + len(u)]):
             rests[n] = rests[n] + u[k] * sum(weight * value for weight, value in zip(curve, system.basis, strict=True))
     return rests

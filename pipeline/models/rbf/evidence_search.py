@@ -96,12 +96,11 @@ def _trial(records: Sequence[Log], setting: Setting, option: Candidate, near: Tr
     p, start, prior = setting.begin(records, option)
     if near is not None and near.begun[0] == p:
         start = near.begun[1]
-    problem = JointProblem(p, records, effort=setting.effort)
     schedule = Schedule(
         GAINS[:1], last_iterations=LAST_ITERATIONS, tolerance=TOLERANCE, noise_inflation=option.noise_inflation
     )
     fit = fit_homotopy(
-        problem, start, prior, schedule,
+        JointProblem(p, records, effort=setting.effort), start, prior, schedule,
         callbacks=Callbacks(on_progress=setting.progress(option.label, p.scales.half)),
     )  # fmt: skip
     evidence = log_evidence(fit, prior, Candidate.noise_inflation**2) if fit.levels else -np.inf

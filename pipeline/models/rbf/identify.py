@@ -109,9 +109,9 @@ def identify_rbf(
         measured = measured.per_unit_mass(mass)
     # Passages near a separatrix would outweigh all else in the free run of a bistable joint.
     pair = is_bistable_pair(records, inputs)
-    coupled = COUPLED if pair else GAINS[-1]
-    effort = Effort(time_limit if pair else _search_limit(time_limit, records))
-    setting = Setting(inputs, measured, effort, on_progress, coupled=coupled)
+    samples = sum(len(record.t) for record in records)
+    effort = Effort(time_limit if pair else time_limit * max(1.0, samples / SAMPLES_OF_LIMIT))
+    setting = Setting(inputs, measured, effort, on_progress, coupled=COUPLED if pair else GAINS[-1])
     fine = all(r.fine is not None for r in records)
     complete = True
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
@@ -119,7 +119,7 @@ def identify_rbf(
         fitted, tried = _fit_joint(records, setting, wanted, first, angle=angle)
     else:
         slow = looks_overdamped(records, inputs)
-        driven = _begins_driven(records)
+        driven = any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
         usual = offers(wanted, fine=fine, slow=slow, driven=driven, squared=inputs == "squared")
         offered = ([lambda _: candidates[1:]], []) if candidates else usual
         result = search(records, setting, first, *offered)
@@ -128,26 +128,17 @@ def identify_rbf(
         fitted = _fit_to_all(records, setting, result.chosen, setting.begin(records, result.chosen, result.fit))
     if not fitted.fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
+    at_end = fitted.problem.jacobian(fitted.fit.theta, fitted.fit.levels[-1].gain)
     model = RbfModel(
         fitted.parameters,
         fitted.fit.theta,
         posterior_factor(fitted.fit, fitted.prior),
-        fitted.band_spread,
+        robust_spread(*at_end, fitted.fit.noise, fitted.prior),
         mass,
         _diagnostics(records, fitted, tried) | {"effort_s": setting.effort.spent, "search_complete": complete},
     )
     model = replace(model, diagnostics=model.diagnostics | {"elements": model.acting(records)})
     return replace(model, tube=scale_on(records, model, fitted.rms, TUBE_MARGIN, TUBE_LEAST))
-
-
-def _search_limit(limit: float, records: Sequence[Log]) -> float:
-    """The time limit of a structure search, longer on many samples."""
-    return limit * max(1.0, sum(len(record.t) for record in records) / SAMPLES_OF_LIMIT)
-
-
-def _begins_driven(records: Sequence[Log]) -> bool:
-    """True if an input of any log is not negligible at its first sample."""
-    return any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
 
 
 @dataclass(frozen=True)
@@ -160,12 +151,6 @@ class _Fitted:
     prior: Prior
     errors: FloatArray
     problem: JointProblem
-
-    @property
-    def band_spread(self) -> FloatArray:
-        """Factor of the covariance that leaving out parts of the logs shows."""
-        at_end = self.problem.jacobian(self.fit.theta, self.fit.levels[-1].gain)
-        return robust_spread(*at_end, self.fit.noise, self.prior)
 
     @property
     def rms(self) -> float:
@@ -233,9 +218,8 @@ def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float
     p = fitted.parameters
     fit = fitted.fit
     white = whiteness(fitted.errors)
-    scales = fitted.parameters.scales
     visited = coverage(
-        scales.middle + scales.half * p.centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records]
+        p.scales.middle + p.scales.half * p.centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records]
     )
     return {
         "chosen": fitted.candidate.label,
@@ -257,16 +241,13 @@ def _decided(training: Training) -> RbfChoice:
     """Choices of the settings for the structure."""
     structure = training.identify.structure
     before = training.inputs_before
-
-    def decided(name: str) -> Any:
-        value = getattr(structure, name)
-        return None if value == "auto" else value
-
+    names = ("friction", "force", "damping", "gain", "drive", "effect", "hold")
+    fixed: dict[str, Any] = {name: getattr(structure, name) for name in names if getattr(structure, name) != "auto"}
     return RbfChoice(
         stops=None if structure.stops == "auto" else structure.stops == "both",
         drag=None if structure.drag == "auto" else structure.drag == "quadratic",
         rest_at_zero=None if before == "auto" else before == "zero",
-        **{name: decided(name) for name in ("friction", "force", "damping", "gain", "drive", "effect", "hold")},
+        **fixed,
     )
 
 

@@ -8,16 +8,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 from pydantic.dataclasses import dataclass
 
+from ...codegen.graph import trace
 from ...errors import CorruptArtifactError
 from ...fitting.posterior import first_order_curves, outcome_draws, posterior_draws
 from ...generated.terms import CONFINED_FORCE, STOP_FORCE
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
+from ...numerics.metrics import rms
 from ...signals.log import Log
 from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, read_part, tree_of
-from .coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
-from .elements import acting_forces
+from .dynamics import DAMPING, FORCE, INPUT, Coefficients, basis_rows, free_rates, no_sensitivities
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
 from .problem import JointProblem, steps_per_sample
@@ -46,11 +47,8 @@ class RbfModel:
     tube: TubeScale = NO_TUBES
 
     name = "rbf"
-
-    @property
-    def mass(self) -> float:
-        """Moving mass [kg], as other models name it."""
-        return self.mass_kg
+    coupling = PATH_OBSERVER_GAIN
+    """Observer gain [frequency scale] at which each sample stands nearly alone."""
 
     @property
     def fine_voltages(self) -> bool:
@@ -70,11 +68,8 @@ class RbfModel:
         """
         s = self.parameters.scales
         states, valid = self._run(self.theta, t, v, _free(len(t)), ((q0 - s.middle) / s.half, qdot0 / s.half))
-        status, diverged_at = run_status(t, valid)
         q = s.middle + s.half * states[:, 0]
-        qdot = s.half * states[:, 1]
-        qddot = s.half * states[:, 2]
-        return FreeRun(t, q, qdot, qddot, status, diverged_at)
+        return FreeRun(t, q, s.half * states[:, 1], s.half * states[:, 2], *run_status(t, valid))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
@@ -150,7 +145,7 @@ class RbfModel:
         states, inputs = (np.concatenate(each) for each in zip(*parts, strict=True))
         known = np.isfinite(states).all(axis=1)
         forces = acting_forces(self.parameters, self.theta, states[known], inputs[known])
-        return {name: self.mass * s.half * force for name, force in forces.items()}
+        return {name: self.mass_kg * s.half * force for name, force in forces.items()}
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
@@ -182,11 +177,6 @@ class RbfModel:
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
         return posterior_draws(self.theta, self.spread, count, SEED)
-
-    @property
-    def coupling(self) -> float:
-        """Observer gain [frequency scale] at which each sample stands nearly alone."""
-        return PATH_OBSERVER_GAIN
 
     def observed(self, parts: Sequence[Log]) -> JointProblem:
         """The joint coupled to the parts of a log."""
@@ -239,32 +229,18 @@ class RbfModel:
     ) -> tuple[FloatArray, int]:
         return _Driven(self.parameters, theta, v, sample_interval(t)).run(coupling, start)
 
-    def _of_stops(self, c: Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:
-        """Force of the end stops, shape (n,)."""
-        stops = np.tile(c.stops, (len(x), 1))
-        forces: FloatArray = STOP_FORCE.evaluate(x=x[:, None], p=speed[:, None], stops=stops)["value"][:, 0]
-        return forces
-
-    def _curves_at(self, c: Coefficients, x: FloatArray) -> FloatArray:
-        """All curves at x, in the order of `Coefficients.curves`."""
-        curves: FloatArray = basis_rows(np.ascontiguousarray(x), c) @ c.curves.T
-        force = curves[:, [FORCE]]
-        ends = np.tile(c.at_ends, (len(x), 1))
-        low = np.array([c.low])
-        high = np.array([c.high])
-        confined = CONFINED_FORCE.evaluate(x=x[:, None], force=force, at_ends=ends, low=low, high=high)
-        curves[:, FORCE] = confined["value"][:, 0]
-        return curves
-
     def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         p = self.parameters
         s = self.parameters.scales
         c = p.coefficients(theta)
         inputs = len(p.signs)
         x = (q - s.middle) / s.half
-        curves = self._curves_at(c, x)
+        curves: FloatArray = basis_rows(np.ascontiguousarray(x), c) @ c.curves.T
+        ends = {"at_ends": c.at_ends, "low": np.array([c.low]), "high": np.array([c.high])}
+        confined = CONFINED_FORCE.evaluate(x=x[:, None], force=curves[:, [FORCE]], **ends)
+        curves[:, FORCE] = confined["value"][:, 0]
         if len(c.stops):
-            curves[:, FORCE] += self._of_stops(c, x, np.zeros(len(x)))
+            curves[:, FORCE] += STOP_FORCE.evaluate(x=x[:, None], p=np.zeros(1), stops=c.stops)["value"][:, 0]
         couplings = curves[:, INPUT + inputs : INPUT + inputs + len(c.rates)]
         rates = np.tile(c.rates, (len(q), 1))
         for i in range(p.structure.shape_elements):
@@ -309,14 +285,78 @@ def _free(samples: int) -> Coupling:
 def _equation_of_motion(structure: JointStructure) -> str:
     """The terms that a structure has, with F as it is drawn: positive where it pulls towards smaller q."""
     s = structure
-    terms = ["mu(q) q'' = -F" if s.arc else "q'' = -F"]
-    terms += ["- (d + k |q'|) q'" if s.drag else "- d q'"]
-    terms += ["- mu'(q) q'^2 / 2"] if s.arc else []
     pulled = s.shape_elements > 0
     elements = bool(s.rates)
-    terms += ["- h e + pulls' u w" if pulled else "- h w"] if elements else []
-    terms += ["- Dahl friction"] if s.slips else []
-    equations = [" ".join([*terms, "+ gains u"])]
-    equations += ["F with end stops"] if s.stops else []
-    equations += ["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] if elements else []
+    terms = [
+        "mu(q) q'' = -F" if s.arc else "q'' = -F",
+        "- (d + k |q'|) q'" if s.drag else "- d q'",
+        *["- mu'(q) q'^2 / 2"] * s.arc,
+        *["- h e + pulls' u w" if pulled else "- h w"] * elements,
+        *["- Dahl friction"] * bool(s.slips),
+        "+ gains u",
+    ]
+    equations = [
+        " ".join(terms),
+        *["F with end stops"] * s.stops,
+        *["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] * elements,
+    ]
     return ", ".join(equations)
+
+
+def acting_forces(p: ParameterLayout, theta: FloatArray, states: FloatArray, inputs: FloatArray) -> dict[str, float]:
+    """RMS of the acceleration [1/s²] that each element of the equation adds to states, 0 of one that is absent.
+
+    It is the difference between the accelerations with the element and without. Cost: a trace of the equation for each
+    element, and N evaluations of it.
+
+    Parameters
+    ----------
+    p : ParameterLayout
+        Structure.
+    theta : FloatArray, shape (P,)
+        Its parameters.
+    states : FloatArray, shape (N, 2 + L + D)
+        x, p, hidden elements and friction.
+    inputs : FloatArray, shape (N, K)
+        Acting inputs there.
+    """
+    c = p.coefficients(theta)
+    whole = _accelerations(c, states, inputs)
+    return {
+        name: 0.0 if without is None else rms(whole - _accelerations(without, states, inputs))
+        for name, without in _left_out(p, c).items()
+    }
+
+
+def _left_out(p: ParameterLayout, c: Coefficients) -> dict[str, Coefficients | None]:
+    """The equation without each of the elements; None of one that it does not have."""
+    s = p.structure
+    first = INPUT + len(p.signs)
+    shapes = first + s.shape_elements
+    own = first + len(s.rates)
+    return {
+        "restoring force": _without_curves(c, FORCE)._replace(at_ends=np.zeros(2)),
+        "damping": _without_curves(c, DAMPING),
+        "inputs": _without_curves(c, slice(INPUT, first)),
+        "hidden shapes": _without_curves(c, slice(first, shapes), slice(own, None)) if s.shape_elements else None,
+        "relaxation": _without_curves(c, slice(shapes, own)) if own > shapes else None,
+        "dry friction": c._replace(slip_force=np.zeros(s.slips)) if s.slips else None,
+        "drag": c._replace(drag=0.0) if s.drag else None,
+        "end stops": c._replace(stops=np.empty(0)) if s.stops else None,
+    }
+
+
+def _without_curves(c: Coefficients, *rows: int | slice) -> Coefficients:
+    curves = c.curves.copy()
+    for row in rows:
+        curves[row] = 0.0
+    return c._replace(curves=curves)
+
+
+def _accelerations(c: Coefficients, states: FloatArray, inputs: FloatArray) -> FloatArray:
+    """ṗ [1/s²] at the states, shape (N,)."""
+    elements = 2 + len(c.rates)
+    rates = trace(
+        lambda x, slip, u: {"dx": free_rates(c, x, slip, u)}, x=elements, slip=len(c.slip_force), u=inputs.shape[1]
+    )
+    return np.asarray(rates.evaluate(x=states[:, :elements], slip=states[:, elements:], u=inputs)["dx"][:, 1])

@@ -15,28 +15,26 @@ from numpy.typing import ArrayLike
 
 from ...numerics.arrays import FloatArray
 from ...numerics.fixed_step import Methods, inlined, integrator, workspace
-from .coefficients import (
+from .dynamics import (
     FORCE,
     INPUT,
     INPUT_SHAPE,
-    NUMBER,
-    RATE,
-    SLIP_FORCE,
-    WEIGHT,
-    Coefficients,
-    SensitivityParameters,
-    basis_rows,
-    shapes,
-)
-from .dynamics import (
     INSIDE,
     LEFT,
     LOAD,
+    NUMBER,
+    RATE,
     RATE_NOW,
     RIGHT,
+    SLIP_FORCE,
+    WEIGHT,
+    Coefficients,
     ObservedJoint,
+    SensitivityParameters,
+    basis_rows,
     element,
     move,
+    shapes,
     slide,
 )
 from .structure import spline_through
@@ -139,7 +137,6 @@ def _carry(system, x, gain, dx):
         for m in range(parameters):
             k1[m] += by_slip * system.sliding[n, 1 + m]
     values = system.values
-    changes = system.changes
     for n in range(len(c.rates)):
         row = INPUT + system.u.shape[1] + n
         at = first + (2 + n) * parameters
@@ -147,7 +144,7 @@ def _carry(system, x, gain, dx):
         s = x[at : at + parameters]
         k = dx[at : at + parameters]
         _, by_coupling, by_speed, _, by_own = element((values[row], x[1], rate, load))
-        by_place = by_coupling * changes[row] + own_slope
+        by_place = by_coupling * system.changes[row] + own_slope
         by_element = by_push * (pull - values[row])
         for m in range(parameters):
             k1[m] += by_element * s[m]
@@ -273,16 +270,6 @@ def _rested(
     return w, sensitivity
 
 
-def _path(measured: FloatArray, parts: int, gain: float) -> FloatArray:
-    """The measurement at `parts` places of each interval, on a cubic spline; zeros for a free run.
-
-    On lines between the samples it would have corners, which shake the run: by 2 µm where a vibration of 3 mm has 15
-    samples a period.
-    """
-    nodes = np.arange(parts * (len(measured) - 1) + 1) / parts
-    return np.asarray(spline_through(measured)(nodes) if gain else np.zeros(len(nodes)))
-
-
 def observed_run(
     c: Coefficients, drive: Drive, coupling: Coupling, start: ArrayLike, interval: float, steps: int,
     wrt: SensitivityParameters,
@@ -331,15 +318,15 @@ def observed_run(
     if len(start) > 2:
         w, slip[:, 0] = start[2 : 2 + elements], start[2 + elements :]
     x = np.concatenate([start[:2], w, np.zeros(2 * parameters), w_sensitivity.ravel()])
-    basis = np.zeros(c.curves.shape[1])
-    slopes = np.zeros(c.curves.shape[1])
-    curvatures = np.zeros(len(c.centres))
+    nodes = np.arange(2 * steps * (count - 1) + 1) / (2 * steps)
+    path = np.asarray(spline_through(measured)(nodes) if gain else np.zeros(len(nodes)))
+    basis, slopes = np.zeros((2, c.curves.shape[1]))
     values, changes, by_curve = np.zeros((3, len(c.curves)))
     system = ObservedJoint(
-        c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, _path(measured, 2 * steps, gain),
+        c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, path,
         gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps,
-        np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, curvatures, values, changes,
-        by_curve, np.zeros(13), np.zeros((4, elements)), states, sensitivity,
+        np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, np.zeros(len(c.centres)), values,
+        changes, by_curve, np.zeros(13), np.zeros((4, elements)), states, sensitivity,
     )  # fmt: skip
     out = np.full((count, 3, 1), np.nan)
     # The wall keeps x, so that only what is no number ends a run.

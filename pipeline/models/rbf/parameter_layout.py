@@ -16,7 +16,7 @@ from ...fitting.regression import InputAction
 from ...generated.terms import BENT, PAST_ZONE
 from ...numerics.arrays import FloatArray, IntArray
 from ..model_file import MOST_INPUTS, STORED, Unit, listed
-from .coefficients import (
+from .dynamics import (
     ARC,
     CENTRE,
     DRAG,
@@ -89,30 +89,41 @@ class ParameterLayout:
         s = self.structure
         k = len(self.signs)
         m = self.structure.basis_functions
-        force = {"curve": POLYNOMIALS + m, "polynomial": POLYNOMIALS, "offset": 1}[s.force]
-        sizes = {"force": force, "damping": 1 if s.constant_damping else m}
-        sizes |= {f"input{i}": 1 if s.constant_gain else m for i in range(k)}
-        sizes |= {f"coupling{i}": m for i in range(len(s.rates))}
-        for i in range(s.shape_elements):
-            sizes |= {f"relaxation{i}": m} | {f"pull{i}_{n}": m for n in range(k)}
-        sizes |= {"rate": len(s.rates), "slip_force": s.slips}
-        sizes |= {"slip_length": s.slips, "inertia": int(s.arc), "inertia_centre": int(s.arc)}
-        sizes |= {"drag": int(s.drag), "stops": 4 * int(s.stops)}
-        sizes |= {"input_offset": k if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
-        sizes |= {"input_delay": int(s.input_delay), "input_bend": int(s.bent_input)}
-        sizes |= {"input_zone": int(s.dead_zone)}
+        sizes = {
+            "force": {"curve": POLYNOMIALS + m, "polynomial": POLYNOMIALS, "offset": 1}[s.force],
+            "damping": 1 if s.constant_damping else m,
+            **{f"input{i}": 1 if s.constant_gain else m for i in range(k)},
+            **{f"coupling{i}": m for i in range(len(s.rates))},
+            **dict.fromkeys(self._shapes, m),
+            "rate": len(s.rates),
+            "slip_force": s.slips,
+            "slip_length": s.slips,
+            "inertia": int(s.arc),
+            "inertia_centre": int(s.arc),
+            "drag": int(s.drag),
+            "stops": 4 * int(s.stops),
+            "input_offset": k if self.law == "squared" else 0,
+            "input_lag": int(s.input_lag),
+            "input_delay": int(s.input_delay),
+            "input_bend": int(s.bent_input),
+            "input_zone": int(s.dead_zone),
+        }
         ends = np.cumsum(list(sizes.values()))
         return {name: slice(int(e) - n, int(e)) for (name, n), e in zip(sizes.items(), ends, strict=True)}
 
     @cached_property
     def rows(self) -> dict[str, int]:
         """Row of each block of weights in `dynamics.Coefficients.curves`."""
-        s = self.structure
-        k = len(self.signs)
-        names = ["force", "damping", *(f"input{i}" for i in range(k)), *(f"coupling{i}" for i in range(len(s.rates)))]
-        for i in range(s.shape_elements):
-            names += [f"relaxation{i}", *(f"pull{i}_{n}" for n in range(k))]
+        inputs = (f"input{i}" for i in range(len(self.signs)))
+        couplings = (f"coupling{i}" for i in range(len(self.structure.rates)))
+        names = ["force", "damping", *inputs, *couplings, *self._shapes]
         return {name: row for row, name in enumerate(names)}
+
+    @property
+    def _shapes(self) -> list[str]:
+        """Blocks of the shape elements: of each its relaxation, then the pulls of the inputs."""
+        parts = ("relaxation{i}", *(f"pull{{i}}_{n}" for n in range(len(self.signs))))
+        return [part.format(i=i) for i in range(self.structure.shape_elements) for part in parts]
 
     @cached_property
     def dimensionless(self) -> tuple[FloatArray, FloatArray]:
@@ -178,16 +189,15 @@ class ParameterLayout:
         factor = np.ones(self.count)
         if self.structure.force != "offset":
             factor[self.cubic] = -np.exp(theta[self.cubic])
-        for name in ("damping", *(f"relaxation{i}" for i in range(self.structure.shape_elements))):
+        relaxations = (f"relaxation{i}" for i in range(self.structure.shape_elements))
+        for name in ("damping", *relaxations, "inertia", "drag"):
             factor[self.slices[name]] = np.exp(theta[self.slices[name]])
         for i, sign in enumerate(self.signs):
             if sign:
                 factor[self.slices[f"input{i}"]] = sign * np.exp(theta[self.slices[f"input{i}"]])
         length = np.exp(theta[self.slices["slip_length"]])
         factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
-        factor[self.slices["inertia"]] = np.exp(theta[self.slices["inertia"]])
         factor[self.slices["inertia_centre"]] = -1.0  # of the arm, which counts from there
-        factor[self.slices["drag"]] = np.exp(theta[self.slices["drag"]])
         factor[self.slices["stops"]][2:] = np.exp(theta[self.slices["stops"]][2:])
         return SensitivityParameters(*self._blocks, factor)
 
@@ -245,10 +255,8 @@ class ParameterLayout:
         propeller's speed, the electrodes' charge) that lags and its square that pulls. Where the effect lags, as heat
         does, they are bent and squared first.
         """
-        hold = self.structure.hold
-        delay = self.delay(theta)
-        volts = drive_at_nodes(v, interval, steps, hold, delay, squared=self.squares_first) / self.scales.volts
-        return self.acting(volts, interval / steps / 2.0, theta)
+        drive = drive_at_nodes(v, interval, steps, self.structure.hold, self.delay(theta), squared=self.squares_first)
+        return self.acting(drive / self.scales.volts, interval / steps / 2.0, theta)
 
     def acting(self, volts: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
         """`inputs` from the scaled and delayed drive at every half step [s]."""
@@ -327,7 +335,7 @@ def kind_of(block: str) -> str:
 
 
 _PLACES = {"inertia": ARC, "inertia_centre": CENTRE, "drag": DRAG, "stops": STOPS}
-"""Places of the derivatives by numbers of the equation, see `coefficients.NUMBER`."""
+"""Places of the derivatives by numbers of the equation, see `dynamics.NUMBER`."""
 _KINDS = {
     "rate": RATE,
     "slip_force": SLIP_FORCE,

@@ -19,7 +19,7 @@ import numpy as np
 from ...fitting.descent import Prior
 from ...numerics.arrays import FloatArray, IntArray
 from ..model_type import KnownCurves
-from .coefficients import POLYNOMIALS, basis_rows
+from .dynamics import POLYNOMIALS, basis_rows
 from .parameter_layout import ParameterLayout, kind_of
 from .structure import JointScales, JointStructure
 
@@ -55,18 +55,15 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
     s = p.units
     size = 2.5 * s.stiffness
     force = np.arange(at["force"].start, at["force"].stop)
-    for i in force[: POLYNOMIALS - 1]:
-        rows.add([i], [1.0], 0.0, 3.0 * size)
-    for i in force[POLYNOMIALS - 1 : POLYNOMIALS]:
-        rows.add([i], [1.0], np.log(s.stiffness), LOG_SPREAD)
+    rows.each(force[: POLYNOMIALS - 1], 0.0, 3.0 * size)
+    rows.each(force[POLYNOMIALS - 1 : POLYNOMIALS], np.log(s.stiffness), LOG_SPREAD)
     bells = force[POLYNOMIALS:]
     bump = size * (ARM_BUMP if p.structure.turning_arm else 1.0)
-    rows.each(bells, np.zeros(len(bells)), 0.5 * bump)
+    rows.each(bells, 0.0, 0.5 * bump)
     rows.smooth(bells, 0.3 * bump)
     damping = np.arange(at["damping"].start, at["damping"].stop)
     rows.smooth(damping, 0.7)
-    usual = start[damping] if p.structure.overdamped else np.full(len(damping), np.log(SLOW_DAMPING * s.frequency))
-    rows.each(damping, usual, 2.0)
+    rows.each(damping, start[damping] if p.structure.overdamped else np.log(SLOW_DAMPING * s.frequency), 2.0)
     for k, sign in enumerate(p.signs):
         gain = np.arange(at[f"input{k}"].start, at[f"input{k}"].stop)
         unit = 1.0 if sign else float(np.abs(start[gain]).max())
@@ -76,7 +73,7 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
         coupling = np.arange(at[f"coupling{i}"].start, at[f"coupling{i}"].stop)
         spread = 0.5 if i < p.structure.shape_elements else 0.3
         rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
-        rows.each(coupling, np.zeros(len(coupling)), spread * np.sqrt(s.stiffness))
+        rows.each(coupling, 0.0, spread * np.sqrt(s.stiffness))
     _shapes(rows, p, start)
     stops = np.arange(at["stops"].start, at["stops"].stop)
     rows.each(stops[:2], start[stops[:2]], STOP_SPREAD)
@@ -86,7 +83,7 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
         rows.each(index, start[index], spread)
     if symmetry is not None and s.middle == 0.0:
         _mirror(rows, p, symmetry)
-    return rows.prior()
+    return Prior(np.array(rows.rows), np.array(rows.right))
 
 
 def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
@@ -127,7 +124,7 @@ def _shapes(rows: "_PriorRows", p: ParameterLayout, start: FloatArray) -> None:
         for k in range(len(p.signs)):
             pull = np.arange(at[f"pull{i}_{k}"].start, at[f"pull{i}_{k}"].stop)
             rows.smooth(pull, 0.1 * unit)
-            rows.each(pull, np.zeros(len(pull)), 0.5 * unit)
+            rows.each(pull, 0.0, 0.5 * unit)
 
 
 class _PriorRows:
@@ -144,17 +141,14 @@ class _PriorRows:
         self.rows.append(row / spread)
         self.right.append(mean / spread)
 
-    def each(self, index: FloatArray, means: FloatArray, spread: float) -> None:
-        for i, mean in zip(index, means, strict=True):
+    def each(self, index: FloatArray, means: FloatArray | float, spread: float) -> None:
+        for i, mean in zip(index, np.broadcast_to(means, index.shape), strict=True):
             self.add([int(i)], [1.0], float(mean), spread)
 
     def smooth(self, index: FloatArray, spread: float) -> None:
         """Second differences along the centres are small."""
         for a, b, c in zip(index, index[1:], index[2:], strict=False):
             self.add([int(a), int(b), int(c)], [-1.0, 2.0, -1.0], 0.0, spread)
-
-    def prior(self) -> Prior:
-        return Prior(np.array(self.rows), np.array(self.right))
 
 
 def mirror_image(p: ParameterLayout) -> FloatArray:

@@ -18,7 +18,7 @@ from ...numerics.arrays import BoolArray, FloatArray, bridged
 from ...signals.log import Log
 from ...signals.noise import noise_std
 from ...signals.resampling import sharpened
-from .coefficients import basis_rows, no_sensitivities
+from .dynamics import basis_rows, no_sensitivities
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
 from .structure import drive_at_nodes, known_inputs, spline_through
@@ -162,8 +162,7 @@ class _Log:
         seen = self.measured[: self.split]
         if self.travel is not None:
             seen = np.concatenate((seen, self.weight * self.travel[: self.split - 1]))
-        difference: FloatArray = (self.compared(x) - seen)[self.in_residual]
-        return difference
+        return np.asarray((self.compared(x) - seen)[self.in_residual])
 
     def at_nodes(self, p: ParameterLayout, steps: int, delay: float) -> FloatArray:
         """The scaled inputs at every half step, `delay` [s] later."""
@@ -245,11 +244,8 @@ class JointProblem:
     def jacobian_effort(self, theta: FloatArray) -> float:
         """Seconds of a Jacobian by the cost model."""
         p = self.parameters
-        seconds = 0.0
-        for log in self.logs:
-            steps = log.split * steps_per_sample(p, log.interval, theta, self.step)
-            seconds += simulation_effort(steps, p.count)
-        return seconds
+        steps = [log.split * steps_per_sample(p, log.interval, theta, self.step) for log in self.logs]
+        return sum(simulation_effort(count, p.count) for count in steps)
 
     def is_chaotic(self, theta: FloatArray) -> bool:
         """True if the free run of any log diverges from one that starts beside it."""
@@ -266,10 +262,10 @@ class JointProblem:
     @property
     def of_displacement(self) -> BoolArray:
         """Mask of the rows of the residual that are errors of x; the others are weighted errors of the velocity."""
-        kinds = []
-        for log in self.logs:
-            rows = np.count_nonzero(log.observe[: log.split] > 0.0)
-            kinds.append(np.arange(np.count_nonzero(log.in_residual)) < rows)
+        kinds = [
+            np.arange(np.count_nonzero(log.in_residual)) < np.count_nonzero(log.observe[: log.split] > 0.0)
+            for log in self.logs
+        ]
         return np.concatenate(kinds)
 
     def held_out(self, theta: FloatArray, gain: float, coupled: float = 0.0) -> list[FloatArray]:
@@ -326,10 +322,11 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
         past = len(before) // every
         inputs = np.concatenate((before[len(before) - past * every :], inputs))
     split = len(measured) if free_after is None else int(free_after * len(measured))
-    start = float(record.qdot[0] / s.half)
-    interval = every * record.interval
     travel, weight = _travel(p, record, every)
-    return _Log(measured, observe, start, interval, split, travel, weight, inputs, past, every, record.interval, {})
+    return _Log(
+        measured, observe, float(record.qdot[0] / s.half), every * record.interval, split, travel, weight, inputs, past,
+        every, record.interval, {},
+    )  # fmt: skip
 
 
 def _travel(p: ParameterLayout, record: Log, every: int) -> tuple[FloatArray | None, float]:

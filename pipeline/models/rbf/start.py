@@ -16,8 +16,7 @@ from ...generated.terms import BELL, STOP_FORCE
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import Log, operating_range
-from .coefficients import FORCE, POLYNOMIALS, basis_rows
-from .dynamics import slid
+from .dynamics import FORCE, POLYNOMIALS, basis_rows, slid
 from .parameter_layout import ParameterLayout
 from .structure import OVERDAMPED, JointScales, JointStructure
 
@@ -111,25 +110,21 @@ def starting_joint(
         timed = _undriven(provisional)
         for name, times in timing.items():
             timed[provisional.slices[name]] = times
-    u = _driven(records, provisional, timed)
-    columns = [*motion[:2], *_gains(u, motion[2])]
+    columns = [*motion[:2], *_gains(_driven(records, provisional, timed), motion[2])]
     signs = tuple(_signs(columns, target, structure)) if action == "squared" else (0,) * inputs
     if known_signs and action == "squared":
         signs = tuple(known_signs.get(i, sign) for i, sign in enumerate(signs))
     parameters = ParameterLayout(structure, measured, action, signs)
     fitted = _bounded_fit(columns, target, structure, signs)
-    sizes = zip(columns[2:], fitted[2:], strict=True)
-    typical = [_typical_gain(basis, gain, scales) for basis, gain in sizes]
+    typical = [_typical_gain(basis, gain, scales) for basis, gain in zip(columns[2:], fitted[2:], strict=True)]
     start = _start_vector(parameters, fitted, typical)
     if structure.slips:
         start[parameters.slices["slip_force"]] = np.log(START_SLIP_FORCE * scales.stiffness / structure.slips)
         start[parameters.slices["slip_length"]] = np.log(SLIP_LENGTHS[: structure.slips])
     if structure.slips and not structure.shape_elements:  # whose memory would be taken for friction
         forces, lengths = _best_slips(records, scales, columns, target, structure.slips)
-        start[parameters.slices["slip_force"]], start[parameters.slices["slip_length"]] = (
-            np.log(forces),
-            np.log(lengths),
-        )
+        start[parameters.slices["slip_force"]] = np.log(forces)
+        start[parameters.slices["slip_length"]] = np.log(lengths)
     if structure.stops:
         start[parameters.slices["stops"]] = _best_stops(records, scales, columns, target)
     for name in TIMES:
@@ -207,8 +202,7 @@ def _best_timing(
 
     def misfit(times: tuple[float, float]) -> float:
         """Rest of the convex fit at a lag and a delay [1/frequency scale]."""
-        u = _driven(records, p, at(*times))
-        return _misfit([*motion[:2], *_gains(u, motion[2])], target)
+        return _misfit([*motion[:2], *_gains(_driven(records, p, at(*times)), motion[2])], target)
 
     s = p.structure
     if not (s.input_lag or s.input_delay):
@@ -263,12 +257,8 @@ def _best_stops(
 
     def stop_forces(left: float, right: float) -> FloatArray:
         """Force per stiffness and per resistance at the valid samples, shape (N, 2)."""
-        places = np.tile([left, right], (len(x), 1))
-        forces = [
-            STOP_FORCE.evaluate(x=x[:, None], p=p[:, None], stops=np.column_stack((places, np.tile(each, (len(x), 1)))))
-            for each in ((1.0, 0.0), (0.0, 1.0))
-        ]
-        return np.column_stack([each["value"][:, 0] for each in forces])
+        stops = (np.array([left, right, *each]) for each in ((1.0, 0.0), (0.0, 1.0)))
+        return np.hstack([STOP_FORCE.evaluate(x=x[:, None], p=p[:, None], stops=each)["value"] for each in stops])
 
     tried = product(-np.array(STOP_PLACES), STOP_PLACES)
     places = min(tried, key=lambda ends: _misfit([*columns, stop_forces(*ends)], target))
@@ -300,11 +290,10 @@ def _motion(records: Sequence[Log], p: ParameterLayout) -> tuple[list[FloatArray
     speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
     target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
     basis = basis_rows(x, p.coefficients(np.zeros(p.count)))
-    force = basis[:, p.basis_of("force")]
     damping = -speed[:, None] * basis[:, p.basis_of("damping")]
     if shape.overdamped:
         damping, target = np.zeros_like(damping), OVERDAMPED * s.frequency * speed
-    return [force, damping, basis[:, p.basis_of("input0")]], target
+    return [basis[:, p.basis_of("force")], damping, basis[:, p.basis_of("input0")]], target
 
 
 def _gains(u: FloatArray, basis: FloatArray) -> list[FloatArray]:
@@ -367,14 +356,11 @@ def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[fl
     theta = np.zeros(p.count)
     at = p.slices
     s = p.units
-    force = fitted[0]
-    damping = fitted[1]
-    gains = fitted[2:]
+    force, damping, *gains = fitted
     theta[at["force"]] = force
     if p.structure.force != "offset":
         theta[p.cubic] = np.log(max(-force[POLYNOMIALS - 1], 0.05 * s.stiffness))
-    bells = BELL.evaluate(inside=np.zeros(1), centre=p.centres[:, None], bend=np.array([p.bend]))
-    overlap = bells["value"].sum()
+    overlap = BELL.evaluate(inside=np.zeros(1), centre=p.centres[:, None], bend=np.array([p.bend]))["value"].sum()
     theta[at["damping"]] = np.log(np.maximum(damping, 0.3 * np.median(damping) + 0.015 * s.frequency))
     if p.structure.overdamped:
         theta[at["damping"]] = np.log(OVERDAMPED * s.frequency / (1.0 if p.structure.constant_damping else overlap))

@@ -143,15 +143,10 @@ class Setting:
             """Report a level: observer gain, error in half ranges."""
             level = f"observer {gain:g}" if gain else "free run"
             self.on_progress(
-                f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.limit)
+                f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.effort.limit)
             )
 
         return report
-
-    @property
-    def limit(self) -> float:
-        """Seconds of the effort, for shares."""
-        return self.effort.limit
 
 
 def search(
@@ -407,19 +402,17 @@ def _quick_fit(
 
 def _alike(p: ParameterLayout, near: ParameterLayout) -> bool:
     """True if the fit of another structure is a good start: its inputs act alike, its scales and signs are equal."""
-    a = p.structure
-    b = near.structure
-    drive = all(getattr(a, name) == getattr(b, name) for name in ("effect_lags", "rest_at_zero", *TIMES))
+    names = ("effect_lags", "rest_at_zero", *TIMES)
+    drive = all(getattr(p.structure, name) == getattr(near.structure, name) for name in names)
     return drive and near.scales == p.scales and near.signs == p.signs
 
 
 def _adopted(p: ParameterLayout, start: FloatArray, near: ParameterLayout, theta: FloatArray) -> FloatArray:
     """The start with every block that the structure near by has in the same size."""
     adopted = start.copy()
+    same = all(getattr(p.structure, name) == getattr(near.structure, name) for name in ("basis_functions", "smoothing"))
     for name, where in p.slices.items():
         other = near.slices.get(name)
-        basis = p.structure.basis_functions == near.structure.basis_functions
-        same = p.structure.smoothing == near.structure.smoothing and basis
         if other is not None and other.stop - other.start == where.stop - where.start and (same or name in _PLAIN):
             adopted[where] = theta[other]
     return adopted

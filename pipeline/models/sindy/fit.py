@@ -6,7 +6,7 @@ Weak form and sparse regression are pysindy's estimators.
 import importlib
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from ...errors import InputError
 from ...fitting.regression import triangular_factor
 from ...numerics.arrays import FloatArray
 from ...numerics.fixed_step import escape_bounds
-from ...scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error
+from ...scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error, mean_over_folds
 from ...signals.log import Log, operating_range
 from ..polynomial_dynamics import FIRST_INPUT, QDOT, PolynomialDynamics, Q, free_run
 from .weak_form import LAG_SETS, Library, Problem, prepare_problem, seeded
@@ -47,47 +47,13 @@ class Treatment:
     threshold: float
 
 
-@dataclass(frozen=True)
-class SindyFit:
-    """The chosen equation and how it was chosen.
-
-    Attributes
-    ----------
-    dynamics : PolynomialDynamics
-        Sparse right-hand side.
-    candidate : Treatment
-        The treatment chosen.
-    half_width : float
-        Of the test functions [s].
-    errors : dict of Treatment to FloatArray, shape (folds,)
-        Free-run NRMSE of q on the held-out blocks of every candidate, the mean over their parts; 1 stands for a run
-        that diverged or missed everything.
-    search_status : {"completed", "limit"}
-        Reason for the end of the search.
-    library_terms, rank : int
-        Columns and numerical rank of the scaled library on all training data.
-    condition_number : float
-        Of the scaled library.
-    acceleration_residual : float
-        RMS of the regression's residual over the RMS of its target.
-    """
-
-    dynamics: PolynomialDynamics
-    candidate: Treatment
-    half_width: float
-    errors: dict[Treatment, FloatArray]
-    search_status: SearchStatus
-    library_terms: int
-    rank: int
-    condition_number: float
-    acceleration_residual: float
-
-
 class _LimitReachedError(Exception):
     """The search has reached its limit of candidates."""
 
 
-def fit_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | None = None) -> SindyFit:
+def fit_sindy(
+    trajectories: Sequence[Log], plant: Device, *, most: int | None = None
+) -> tuple[PolynomialDynamics, dict[str, Any]]:
     """Fit the acceleration by pysindy's weak form, treated as held-out parts of the training data decide.
 
     A coordinate search: lags, then the library, then the threshold. Each candidate is fitted on all blocks but
@@ -103,6 +69,14 @@ def fit_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | None = 
     most : int, optional
         Candidates after which the search ends with what it has tried; it ends by itself if left out. Counted, so that
         no machine decides.
+
+    Returns
+    -------
+    dynamics : PolynomialDynamics
+        Sparse right-hand side.
+    notes : dict
+        Choice of the equation, by the names of `pipeline.models.model_file`. The held-out error is the free-run NRMSE
+        of q, the mean over the parts of a block; 1 stands for a run that diverged or missed everything.
 
     Raises
     ------
@@ -204,8 +178,8 @@ def _cross_validate(problem: Problem, candidate: Treatment) -> tuple[FloatArray,
     for fold in folds:
         dynamics = _fitted(problem, candidate, fold if len(folds) > 1 else None)
         terms = max(terms, len(dynamics.exponents) - 1)
-        blocks = [block for block in problem.blocks if block.fold == fold]
-        errors.append(float(np.mean([_error(problem, dynamics, block, i) for block in blocks for i in range(STARTS)])))
+        parts = ((block, i) for block in problem.blocks if block.fold == fold for i in range(STARTS))
+        errors.append(float(np.mean([_error(problem, dynamics, *part) for part in parts])))
     return np.array(errors), terms
 
 
@@ -219,17 +193,32 @@ def _error(problem: Problem, dynamics: PolynomialDynamics, block: HeldOutBlock, 
     return free_run_error(x.q, path[:, 0], problem.span)
 
 
-def _refit(problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArray], status: SearchStatus) -> SindyFit:
+def _refit(
+    problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArray], status: SearchStatus
+) -> tuple[PolynomialDynamics, dict[str, Any]]:
     rows, target = problem.without(None)
     theta, scaled, _, _ = _scaled(rows[:, problem.columns(chosen.library)], target)
     dynamics = _fitted(problem, chosen, None)
     singular = np.linalg.svd(theta, compute_uv=False)
     rank = int(np.sum(singular > singular[0] * max(theta.shape) * np.finfo(np.float64).eps))
     residual = theta @ np.linalg.lstsq(theta, scaled, rcond=None)[0] - scaled
-    return SindyFit(
-        dynamics, chosen, problem.half_width, errors, status, theta.shape[1], rank,
-        float(singular[0] / singular[rank - 1]), float(np.linalg.norm(residual)),
-    )  # fmt: skip
+    mean, band = mean_over_folds(errors[chosen])
+    return dynamics, {
+        "library": str(chosen.library),
+        "library_terms": theta.shape[1],
+        "terms_kept": np.count_nonzero(dynamics.coefficients[1]),
+        "test_function_half_width_s": problem.half_width,
+        "optimizer": "STLSQ",
+        "threshold_of_rms_acceleration": chosen.threshold,
+        "inner_validation_nrmse": mean,
+        "inner_validation_nrmse_interval": np.array([mean, mean] if band is None else [band.low, band.high]),
+        "inner_validation_nrmse_of_folds": errors[chosen],
+        "candidates_tried": len(errors),
+        "search_status": status,
+        "rank": rank,
+        "condition": float(singular[0] / singular[rank - 1]),
+        "acceleration_residual": float(np.linalg.norm(residual)),
+    }
 
 
 def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> PolynomialDynamics:
@@ -258,8 +247,7 @@ def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> PolynomialD
         raise InputError("the training logs differ in inputs or sample interval; ingest them alike")
     inputs = trajectories[0].v.shape[1]
     length = plant.displacement.factor
-    volt = plant.inputs[0].factor
-    input_scale = volt**2 if plant.squared else volt
+    input_scale = plant.inputs[0].factor ** (2 if plant.squared else 1)
     model = pysindy.SINDy()
     with seeded():
         model.fit(

@@ -11,7 +11,6 @@ from pydantic import model_validator
 from ...device.device import Device
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
-from ...scoring.cross_validation import mean_over_folds
 from ...signals.log import Log
 from ..base import FreeRun, checked
 from ..model_file import (
@@ -25,6 +24,7 @@ from ..model_file import (
     Table,
     Unit,
     Units,
+    read_part,
 )
 from ..model_type import ModelType
 from ..polynomial_dynamics import (
@@ -117,18 +117,11 @@ class SindyModel(ModelFile):
     @cached_property
     def dynamics(self) -> PolynomialDynamics:
         """The right-hand side."""
-        times = self.lag_s.tolist()
-        sources = self.lag_source.tolist()
+        lags = tuple(map(Lag, self.lag_source.tolist(), self.lag_s.tolist()))
         return PolynomialDynamics(
-            self.exponents, self.coefficients, self.scales[: self.scales.size - len(times)],
-            tuple(Lag(source, time) for source, time in zip(sources, times, strict=True)),
+            self.exponents, self.coefficients, self.scales[: self.scales.size - len(lags)], lags,
             self.inputs == "squared", *self.bounds.tolist(),
         )  # fmt: skip
-
-    @property
-    def mass(self) -> float:
-        """Moving mass [kg]; 1 if it is unknown."""
-        return self.mass_kg
 
     @property
     def input_count(self) -> int:
@@ -144,24 +137,21 @@ class SindyModel(ModelFile):
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.DynamicModel.simulate`. Lag states start at what they follow."""
         path, reached = free_run(self.dynamics, v, sample_interval(t), q0, qdot0)
-        status, diverged_at = run_status(t, reached)
-        return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)
+        return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), *run_status(t, reached))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
     ) -> Iterator[FloatArray]:
         """Predictions with lag states filtered from the measured signals; see `pipeline.models.base.Predicts`."""
         dt = sample_interval(t)
-        lags = len(self.dynamics.lags)
         measured = np.isfinite(seen) & np.isfinite(speed)
         followed = scaled_variables(
-            self.dynamics, _at_samples(v), bridged(seen, measured), bridged(speed, measured), dt
+            self.dynamics, v if v.ndim == 2 else v[:, 0], bridged(seen, measured), bridged(speed, measured), dt
         )
-        states = followed[:, followed.shape[1] - lags :]
+        states = followed[:, followed.shape[1] - len(self.dynamics.lags) :]
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             rows = slice(start, start + count + 1)
-            begin = (float(seen[start]), float(speed[start]))
-            yield free_run(self.dynamics, v[rows], dt, *begin, states[start])[0][:, 0]
+            yield free_run(self.dynamics, v[rows], dt, float(seen[start]), float(speed[start]), states[start])[0][:, 0]
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves on a grid of q [m], shape (n,) (fig. 14).
@@ -174,13 +164,12 @@ class SindyModel(ModelFile):
             Per unit mass where `mass` is 1 because it is unknown.
         """
         d = self.dynamics
-        rest = np.zeros_like(q)
-        x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, rest, 1.0)
+        x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, np.zeros_like(q), 1.0)
         x = np.column_stack([x, np.zeros((q.size, len(d.lags)))])
         damping = self._slope(x, QDOT) + self._slope(x, FRICTION)
-        curves = {"F": -self.mass * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass * damping}
+        curves = {"F": -self.mass_kg * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass_kg * damping}
         for k in range(d.inputs):
-            g = self.mass * self._slope(x, FIRST_INPUT + k)
+            g = self.mass_kg * self._slope(x, FIRST_INPUT + k)
             curves |= {f"dC{k + 1}_dq": 2.0 * g} if d.squared else {f"g{k + 1}": g}
         return curves
 
@@ -204,17 +193,16 @@ class SindyModel(ModelFile):
         symbols = self._symbols()
         for k, lag in enumerate(d.lags):
             z = symbols[d.scales.size + k]
-            followed = symbols[lag.source]
             square = "²" if d.squared and lag.source >= FIRST_INPUT else ""
-            lines.append(f"d{z}/dt = ({followed}{square} − {z}) / ({lag.time:.4g} s)")
+            lines.append(f"d{z}/dt = ({symbols[lag.source]}{square} − {z}) / ({lag.time:.4g} s)")
         if np.any(d.exponents[:, FRICTION]):
             lines.append(f"w = {d.scales[FRICTION]:.4g} {length}/s")
         return lines
 
     def _symbols(self) -> list[str]:
         d = self.dynamics
-        voltages = [f"v{k + 1}" for k in range(d.inputs)]
-        return ["q", "q̇", "tanh(q̇/w)", "sin q", "cos q", *voltages, *(f"z{k + 1}" for k in range(len(d.lags)))]
+        numbered = [f"{letter}{k + 1}" for letter, count in (("v", d.inputs), ("z", len(d.lags))) for k in range(count)]
+        return ["q", "q̇", "tanh(q̇/w)", "sin q", "cos q", *numbered]
 
     def _sum(self, row: int) -> str:
         d = self.dynamics
@@ -236,20 +224,17 @@ class SindyModel(ModelFile):
 
     def _unit(self, powers: Any, row: int) -> str:
         """Unit of a coefficient: that of q̇ or q̈ over that of its monomial."""
-        metres = 1 - int(powers[Q] + powers[QDOT])
-        seconds = -1 - row + int(powers[QDOT])
-        volts = -int(powers[FIRST_INPUT:].sum()) * (2 if self.dynamics.squared else 1)
-        named = ((self.units[0], metres), ("s", seconds), (self.units[1], volts))
+        named = (
+            (self.units[0], 1 - int(powers[Q] + powers[QDOT])),
+            ("s", -1 - row + int(powers[QDOT])),
+            (self.units[1], -int(powers[FIRST_INPUT:].sum()) * (2 if self.dynamics.squared else 1)),
+        )
         parts = [f"{u}^{n}" if n != 1 else u for u, n in named if n and u != "1"]
         return f" {' '.join(parts)}" if parts else ""
 
     def describe(self) -> dict[str, Any]:
         """Structure, equations and how they were chosen."""
         return {"structure": "sparse polynomial", "equations": self.equations(), **self.diagnostics}
-
-
-def _at_samples(v: FloatArray) -> FloatArray:
-    return v if v.ndim == 2 else v[:, 0]
 
 
 def identify_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | None = None) -> SindyModel:
@@ -271,30 +256,8 @@ def identify_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | No
     """
     from .fit import fit_sindy
 
-    fit = fit_sindy(trajectories, plant, most=most)
-    errors = fit.errors[fit.candidate]
-    mean, band = mean_over_folds(errors)
-    return SindyModel.of(
-        fit.dynamics,
-        plant,
-        "sindy",
-        {
-            "library": str(fit.candidate.library),
-            "library_terms": fit.library_terms,
-            "terms_kept": _terms(fit.dynamics),
-            "test_function_half_width_s": fit.half_width,
-            "optimizer": "STLSQ",
-            "threshold_of_rms_acceleration": fit.candidate.threshold,
-            "inner_validation_nrmse": mean,
-            "inner_validation_nrmse_interval": np.array([mean, mean] if band is None else [band.low, band.high]),
-            "inner_validation_nrmse_of_folds": errors,
-            "candidates_tried": len(fit.errors),
-            "search_status": fit.search_status,
-            "rank": fit.rank,
-            "condition": fit.condition_number,
-            "acceleration_residual": fit.acceleration_residual,
-        },
-    )
+    dynamics, notes = fit_sindy(trajectories, plant, most=most)
+    return SindyModel.of(dynamics, plant, "sindy", notes)
 
 
 def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyModel:
@@ -310,22 +273,18 @@ def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyM
     from .fit import fit_default_sindy
 
     dynamics = fit_default_sindy(trajectories, plant)
-    notes = {"library": "poly2(q, q̇, u), pysindy's default, in the units of the log", "terms_kept": _terms(dynamics)}
+    library = "poly2(q, q̇, u), pysindy's default, in the units of the log"
+    notes = {"library": library, "terms_kept": np.count_nonzero(dynamics.coefficients[1])}
     return SindyModel.of(dynamics, plant, "sindy-default", notes)
-
-
-def _terms(dynamics: PolynomialDynamics) -> int:
-    """Terms of the acceleration's equation."""
-    return int(np.count_nonzero(dynamics.coefficients[1]))
 
 
 SINDY = ModelType(
     lambda data: identify_sindy(data.fitted_segments, data.device, most=data.compare.candidates),
-    partial(SindyModel.read, name="sindy", command="compare"),
+    partial(read_part, SindyModel, name="sindy", command="compare"),
     "export.data_driven:realise_polynomial",
 )
 SINDY_DEFAULT = ModelType(
     lambda data: identify_default_sindy(data.segments, data.device),
-    partial(SindyModel.read, name="sindy", command="compare"),
+    partial(read_part, SindyModel, name="sindy", command="compare"),
     "export.data_driven:realise_polynomial",
 )

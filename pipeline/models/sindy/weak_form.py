@@ -59,9 +59,8 @@ def seeded() -> Iterator[None]:
 def feature_library(variables: int, angle: bool) -> Any:
     """Pysindy's library of the powers of q, and of q (for an `angle` also sin q, cos q) times every other variable."""
     pysindy = importlib.import_module("pysindy")
-    others = [k for k in range(variables) if k not in (Q, SINE, COSINE)]
     libraries = [pysindy.PolynomialLibrary(HIGHEST), pysindy.PolynomialLibrary(COUPLED), pysindy.IdentityLibrary()]
-    inputs = [[Q], [Q], others]
+    inputs = [[Q], [Q], [k for k in range(variables) if k not in (Q, SINE, COSINE)]]
     tensors = [[0, 1, 1]]
     if angle:
         libraries.append(pysindy.PolynomialLibrary(1))
@@ -74,10 +73,9 @@ def exponents_of(names: list[str], variables: int) -> IntArray:
     table = np.zeros((len(names), variables), dtype=np.int64)
     for row, name in zip(table, names, strict=True):
         for factor in name.split():
-            if factor == "1":
-                continue
-            variable, _, power = factor[1:].partition("^")
-            row[int(variable)] += int(power or 1)
+            if factor != "1":
+                variable, _, power = factor[1:].partition("^")
+                row[int(variable)] += int(power or 1)
     return table
 
 
@@ -112,13 +110,12 @@ def weak_rows(
     """
     pysindy = importlib.import_module("pysindy")
     features = feature_library(x.shape[1], angle)
-    grid = interval * np.arange(len(x))
     with seeded():
         terms = np.asarray(features.fit_transform(x))
         exponents = exponents_of(features.get_feature_names([f"x{k}" for k in range(x.shape[1])]), x.shape[1])
         first = np.sort(np.unique(exponents, axis=0, return_index=True)[1])  # the libraries share some terms
         weak = pysindy.WeakPDELibrary(
-            pysindy.IdentityLibrary(), spatiotemporal_grid=grid, K=count, H_xt=half_width, p=4
+            pysindy.IdentityLibrary(), spatiotemporal_grid=interval * np.arange(len(x)), K=count, H_xt=half_width, p=4
         )
         rows = np.asarray(weak.fit_transform(terms[:, first]))
         target = np.asarray(weak.convert_u_dot_integral(qdot[:, None]))[:, 0]
@@ -243,14 +240,12 @@ class Problem:
 
     def columns(self, library: Library) -> IntArray:
         """Places of the library's terms."""
-        inputs = self.empty.inputs
-        first = self.empty.scales.size
         lags = {
-            first + k
+            self.empty.scales.size + k
             for k, lag in enumerate(self.empty.lags)
             if lag.time in library.lags and (lag.source == QDOT or library.lagged_inputs)
         }
-        return admitted(self.exponents, inputs, library.degrees, library.friction, library.turning, lags)
+        return admitted(self.exponents, self.empty.inputs, library.degrees, library.friction, library.turning, lags)
 
     def without(self, fold: int | None) -> tuple[FloatArray, FloatArray]:
         """The regression on all blocks but those of a fold."""
@@ -279,8 +274,8 @@ def prepare_problem(trajectories: Sequence[Log], plant: Device) -> Problem:
     followed = (QDOT, *range(FIRST_INPUT, scales.size))
     times = [time_scale * ratio for ratio in sorted({ratio for ratios in LAG_SETS for ratio in ratios})]
     lags = tuple(Lag(source, time) for time in times if time >= _SHORTEST_LAG * interval for source in followed)
-    nothing = np.zeros((0, scales.size + len(lags)), dtype=np.int64)
-    empty = PolynomialDynamics(nothing, np.zeros((2, 0)), scales, lags, plant.squared, *escape_bounds(low, high))
+    no_terms = np.zeros((0, scales.size + len(lags)), dtype=np.int64), np.zeros((2, 0))
+    empty = PolynomialDynamics(*no_terms, scales, lags, plant.squared, *escape_bounds(low, high))
     blocks = held_out_blocks(trajectories)
     half_width = _half_width(trajectories, blocks, time_scale)
     angle = plant.displacement.symbol == "rad"

@@ -11,7 +11,7 @@ from ...control.plant import ASSUMED_LAG, ControlledJoint, plant_of
 from ...device.device import JOINT, device
 from ...diagnostics.events import converter_lag
 from ...errors import DataRefusedError, InputError
-from ...models.hybrid.angle_reading import ANGLE_IS_READ
+from ...models.hybrid.log_reading import ANGLE_IS_READ
 from ...models.hybrid.model import HybridModel
 from ...scoring.wells import Wells, wells_of
 from ...settings.prototype import Prototype

@@ -9,7 +9,7 @@ from pipeline.device.device import device
 from pipeline.device.parameters import NOMINAL, TABLE1
 from pipeline.errors import InputError
 from pipeline.models.analytical.statics import displacement_of_rotation, rotation_nodes, static_rotation
-from pipeline.models.hybrid.angle_reading import AngleReading
+from pipeline.models.hybrid.log_reading import AngleReading
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import nominal_deviations, static_slope_ratio
 from pipeline.models.hybrid.problem import CondensedJoint

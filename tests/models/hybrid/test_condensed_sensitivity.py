@@ -6,8 +6,8 @@ import pytest
 from pipeline.device.parameters import NOMINAL
 from pipeline.models.analytical.statics import rotation_nodes
 from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.log_reading import Similarity
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
-from pipeline.models.hybrid.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.log import Log
 

@@ -8,9 +8,9 @@ import pytest
 from pipeline.device.parameters import NOMINAL
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import CURVES
+from pipeline.models.hybrid.log_reading import Similarity
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.problem import DEVIATION_COUNT, CondensedJoint
-from pipeline.models.hybrid.similarity import Similarity
 from pipeline.signals.log import Log
 
 UNITS = Similarity(length=0.4, time=1.6, voltage=2.5, mass=3.0, origin=4e-3)

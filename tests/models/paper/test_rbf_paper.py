@@ -34,7 +34,7 @@ def reference(model, t, v, start):
         c, d, g1, g2 = model.weights @ bells
         volts = [np.interp(s, t, v[:, k]) for k in range(2)]
         force = -c * y[0] - d * y[2] + g1 * volts[0] ** 2 + g2 * volts[1] ** 2
-        return y[1], force / model.mass, (y[1] - y[2]) / model.lag_s
+        return y[1], force / model.mass_kg, (y[1] - y[2]) / model.lag_s
 
     return solve_ivp(slope, (t[0], t[-1]), [*start, start[1]], t_eval=t, rtol=1e-9, atol=1e-12, max_step=2e-3).y
 

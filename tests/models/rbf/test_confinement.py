@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from pipeline.models.rbf.coefficients import POLYNOMIALS
+from pipeline.models.rbf.dynamics import POLYNOMIALS
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.observed_run import WALL
 from pipeline.models.rbf.parameter_layout import OVERHANG, ParameterLayout

@@ -4,8 +4,7 @@ from scipy.integrate import solve_ivp
 
 from pipeline.codegen.graph import trace
 from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
-from pipeline.models.rbf.coefficients import basis_rows, no_sensitivities
-from pipeline.models.rbf.dynamics import free_rates
+from pipeline.models.rbf.dynamics import basis_rows, free_rates, no_sensitivities
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import JointProblem
