@@ -118,13 +118,18 @@ def settings(
             raise InputError("settings has identify.models; the argument `model` names the model")
         document[name] = {**document.get(name, {}), **_plain(table)} if isinstance(table, Mapping) else table
     prototype = parse_prototype(document, "debist.identify")
-    if prototype.compare.curves is not None:
-        raise InputError("settings has compare.curves, which only the report of a run draws; leave it out")
-    if prototype.ingest.sample_rate is not None:
-        raise InputError("settings has ingest.sample_rate, but t has the time of each sample; leave it out")
-    for key in ("curves", "siblings") if model in names("compare") else ():
-        if getattr(prototype.plant, key) is not None:
-            raise InputError(f"settings has plant.{key}, which the model {model!r} does not take; leave it out")
+    compared = model in names("compare")
+    unread = (
+        ("compare.curves", prototype.compare.curves is not None, "which only the report of a run draws"),
+        ("ingest.sample_rate", prototype.ingest.sample_rate is not None, "but t has the time of each sample"),
+        *(
+            (f"plant.{key}", compared and value is not None, f"which the model {model!r} does not take")
+            for key, value in (("curves", prototype.plant.curves), ("siblings", prototype.plant.siblings))
+        ),
+    )
+    for key, stated, why in unread:
+        if stated:
+            raise InputError(f"settings has {key}, {why}; leave it out")
     return prototype
 
 

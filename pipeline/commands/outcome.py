@@ -153,14 +153,12 @@ def emit_fleet_progress(folder: Path, members: "Sequence[MemberState]", *, as_js
     if as_json:
         prototypes = [vars(member) | {"since": member.since and member.since.isoformat()} for member in members]
         emit_json({"folder": folder, "counts": counts, "prototypes": prototypes})
-        return
-    rows = [
-        (member.name, member.state, member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "", member.reason)
-        for member in members
-    ]
-    emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=None)
-    counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)
-    emit_text(f"{len(members)} prototypes: {counted}")
+    else:
+        stamps = [member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "" for member in members]
+        rows = [(m.name, m.state, since, m.reason) for m, since in zip(members, stamps, strict=True)]
+        emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=None)
+        counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)
+        emit_text(f"{len(members)} prototypes: {counted}")
 
 
 def emit_members(members: "Sequence[Member]", *, as_json: bool) -> None:

@@ -221,10 +221,10 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
     if as_json:
         shares = {"energy_share": result.energy_share, "largest_amplitude_m": peaks}
         emit_json(shares | {"x_m": result.x, "shapes": result.shapes})
-        return
-    pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
-    rows = [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs]
-    emit_table("Modes of the beam", ("mode", "energy share [%]", "largest amplitude [mm]"), rows)
+    else:
+        pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
+        rows = [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs]
+        emit_table("Modes of the beam", ("mode", "energy share [%]", "largest amplitude [mm]"), rows)
 
 
 @_command_on_motions

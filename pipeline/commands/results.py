@@ -156,10 +156,10 @@ def export(
     exported = export_run(run, target, model=model, output=output, force=force)
     if as_json:
         emit_json(vars(exported))
-        return
-    typer.echo("\n".join(map(str, exported.written)))
-    for note in exported.notes:
-        typer.echo(f"note: {note}", err=True)
+    else:
+        typer.echo("\n".join(map(str, exported.written)))
+        for note in exported.notes:
+            typer.echo(f"note: {note}", err=True)
 
 
 def paper(
@@ -252,11 +252,11 @@ def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -
         result = run_study(run, name, progress, jobs=jobs)
     if as_json:
         emit_json(_study_document(result))
-        return
-    columns, conclusion = study_conclusion(name, result.columns, result.units, result.notes)
-    rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
-    emit_table(f"Study of {name}", list(columns), rows, numeric_from=0)
-    emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
+    else:
+        columns, conclusion = study_conclusion(name, result.columns, result.units, result.notes)
+        rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
+        emit_table(f"Study of {name}", list(columns), rows, numeric_from=0)
+        emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
 
 
 _MOST_NAMED = 20

@@ -36,11 +36,9 @@ def _timeline(
     data: RunData, log: LogData, wells: Wells | NoWells, kind: str, title: str, caption: str, panels: list[Panel]
 ) -> Figure:
     t = log.motion.t
-    q = log.motion.q
-    v = log.motion.v
-    switched = {"voltage switched": voltage_switches(t, v)} if data.device.joint else {}
-    marks = switched or {f"{data.device.input_word} steps": input_steps(t, v)}
-    marks["device snaps over"] = t[snaps(q, wells)]
+    switched = {"voltage switched": voltage_switches(t, log.motion.v)} if data.device.joint else {}
+    marks = switched or {f"{data.device.input_word} steps": input_steps(t, log.motion.v)}
+    marks["device snaps over"] = t[snaps(log.motion.q, wells)]
     places = {name: at[~_unknown(log, at)] for name, at in marks.items()}
     return Figure(
         name=f"{log.key}-{kind}",
@@ -106,11 +104,10 @@ def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
 def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     unit = signal_units(data.device.displacement.symbol)
     t = log.motion.t
-    q = log.motion.q
-    velocity = np.gradient(q, t)
+    velocity = np.gradient(log.motion.q, t)
     raw = {"qdot": velocity, "qddot": np.gradient(velocity, t)}
     panels = [
-        Panel("q", unit["q"], (Line("q measured", "measured", t, q),), low=True),
+        Panel("q", unit["q"], (Line("q measured", "measured", t, log.motion.q),), low=True),
         *(
             Panel(
                 HEADINGS[name],

@@ -141,13 +141,11 @@ def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
     """Reasons why "auto" chose the model `name`, for readers; empty where it chose another or was not used."""
     if choice is None or choice["chosen"] != name:
         return {}
-    facts: dict[str, Any] = {WHY: choice["reason"]}
-    for model, error in choice["held_out_error"].items():
-        facts[f"held-out error of {model} [%]"] = 100.0 * error
+    errors = {f"held-out error of {model} [%]": 100.0 * error for model, error in choice["held_out_error"].items()}
+    facts: dict[str, Any] = {WHY: choice["reason"], **errors}
     if (excess := choice["excess_of_the_other"]) is not None:
-        low = 100.0 * excess["low"]
-        high = 100.0 * excess["high"]
-        facts["the other's error is higher by, 95 % interval"] = f"{low:.2f} to {high:.2f} % of the range"
+        low, high = (f"{100.0 * excess[end]:.2f}" for end in ("low", "high"))
+        facts["the other's error is higher by, 95 % interval"] = f"{low} to {high} % of the range"
     return facts
 
 
