@@ -42,18 +42,16 @@ def emit_scores(
     if as_json:
         page = {"verdict": load_datasheet(run)["verdict"], "report": run / "report.html"} if with_report else {}
         emit_json({"scores": load_scores(run), **page})
-        return
-    if form != "text":
+    elif form != "text":
         typer.echo(score_text(run, form), nl=False)
-        return
-    if details:
+    elif details:
         _emit_details(run)
-        return
-    from ..reporting.tables import main_table
+    else:
+        from ..reporting.tables import main_table
 
-    table = main_table(shown_scores(run))
-    emit_table(table.where, table.heading, table.rows)
-    emit_text(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
+        table = main_table(shown_scores(run))
+        emit_table(table.where, table.heading, table.rows)
+        emit_text(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
 
 
 def _emit_details(run: Path) -> None:

@@ -282,9 +282,9 @@ def verify(
         from ..workflow.studies.diff import compare_runs
 
         _emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
-        return
-    _emit(checked, as_json)
-    _fail(run, checked)
+    else:
+        _emit(checked, as_json)
+        _fail(run, checked)
 
 
 def _emit(checked: "Verified", as_json: bool) -> None:
