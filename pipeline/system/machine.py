@@ -1,6 +1,5 @@
 """Settings of numerical libraries that keep results independent of the surroundings; made before NumPy loads."""
 
-import importlib
 import importlib.util
 import os
 from collections.abc import Callable
