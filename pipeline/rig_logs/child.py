@@ -12,7 +12,7 @@ import errno
 import os
 import re
 import struct
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from io import FileIO
@@ -100,7 +100,6 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
                 failed[names[0]] = error
                 if not alone or len(failed) == len(needed):
                     raise
-    places = {name: spool.places.get(name, []) for name in needed}
     wanted = [(name, entry) for name, entry in wanted if not {entry.name, entry.time} & failed.keys()]
     return {
         "format": source.format,
@@ -120,8 +119,8 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
                 "name": name,
                 "unit": entry.unit,
                 "dtype": entry.dtype,
-                "samples": places[entry.name],
-                "time": None if entry.time is None else places[entry.time],
+                "samples": spool.places[entry.name],
+                "time": None if entry.time is None else spool.places[entry.time],
             }
             for name, entry in wanted
         ],
@@ -136,9 +135,11 @@ def _wanted(
         return [(entry.name, entry) for entry in entries]
     wild = [for_any_variable(entry.name) for entry in entries]
     times = Counter(wild)
-    by_alias = {alias: entry for alias, entry in zip(wild, entries, strict=True) if times[alias] == 1}
-    by_alias.update({alias: entry for entry in entries for alias in entry.aliases})
-    by_alias.update({entry.name: entry for entry in entries})
+    by_alias = (
+        {alias: entry for alias, entry in zip(wild, entries, strict=True) if times[alias] == 1}
+        | {alias: entry for entry in entries for alias in entry.aliases}
+        | {entry.name: entry for entry in entries}
+    )
     for name in names:
         if name in texts:
             way_out = "" if ":" in texts[name] or ";" in texts[name] else "; export it as numbers"
@@ -165,7 +166,7 @@ class _Spool:
     """
 
     def __init__(self, path: Path, file: FileIO, declared: int, limits: Limits) -> None:
-        self.places: dict[str, list[list[int]]] = {}
+        self.places: defaultdict[str, list[list[int]]] = defaultdict(list)
         self._path = path
         self._largest = limits.largest(path.stat().st_size)
         self._file = file
@@ -180,7 +181,7 @@ class _Spool:
         position = self._file.tell()
         if position + len(content) > self._largest:
             raise UnreadableLogError(self._beyond("holds more"))
-        places = self.places.setdefault(name, [])
+        places = self.places[name]
         if places and places[-1][0] + 8 * places[-1][1] == position:
             places[-1][1] += len(samples)
         else:
@@ -223,29 +224,26 @@ class Format:
 
     Attributes
     ----------
-    name : str
-        Name for readers.
     module : str
         In `pipeline.rig_logs`; imported in the guarded child when such a file is opened.
     begins : callable
         Test of the first 1024 bytes of a file for the format.
     """
 
-    name: str
     module: str
     begins: Callable[[bytes], bool]
 
 
 FORMATS = (
-    Format("MDF", "mdf", lambda start: start.startswith((b"MDF ", b"UnFinMF "))),
-    Format("Parquet", "parquet", lambda start: start.startswith(b"PAR1")),
-    Format("MAT v7.3", "matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB ")),
-    Format("HDF5", "hdf5", lambda start: _is_hdf5(start)),
-    Format("TDMS", "tdms", lambda start: start.startswith(b"TDSm")),
-    Format("NPY", "numpy_arrays", lambda start: start.startswith(b"\x93NUMPY")),
-    Format("workbook", "workbook", lambda start: start.startswith(b"\xd0\xcf\x11\xe0")),
-    Format("compressed", "archives", lambda start: start.startswith((b"PK\x03\x04", b"\x1f\x8b", b"BZh", b"\xfd7zXZ"))),
-    Format("MAT v5", "matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
+    Format("mdf", lambda start: start.startswith((b"MDF ", b"UnFinMF "))),
+    Format("parquet", lambda start: start.startswith(b"PAR1")),
+    Format("matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB ")),
+    Format("hdf5", lambda start: _is_hdf5(start)),
+    Format("tdms", lambda start: start.startswith(b"TDSm")),
+    Format("numpy_arrays", lambda start: start.startswith(b"\x93NUMPY")),
+    Format("workbook", lambda start: start.startswith(b"\xd0\xcf\x11\xe0")),
+    Format("archives", lambda start: start.startswith((b"PK\x03\x04", b"\x1f\x8b", b"BZh", b"\xfd7zXZ"))),
+    Format("matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
 )
 """Tried in this order; what none of them takes is read as CSV."""
 _COMTRADE = re.compile(rb"[^\n]*\n *\d+, *\d+A, *\d+D")
@@ -286,11 +284,6 @@ _KNOWN_BY_MORE: tuple[tuple[Callable[[bytes], object], str], ...] = (
 """Formats that are refused by more than the bytes with which they begin."""
 
 
-def module_for(start: bytes) -> str:
-    """The module of `pipeline.rig_logs` that reads a file which begins so."""
-    return next((form.module for form in FORMATS if form.begins(start)), "csv")
-
-
 def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     """Open a raw log with the reader of its format.
 
@@ -302,7 +295,7 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     start = read_start(path, START)
     if not start:
         raise UnreadableLogError("the file is empty")
-    module = module_for(start)
+    module = next((form.module for form in FORMATS if form.begins(start)), "csv")
     for magic, what in _KNOWN_BUT_NOT_READ.items():
         if module == "csv" and start.startswith(magic):
             raise UnreadableLogError(f"this is {what}")

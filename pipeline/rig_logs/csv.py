@@ -173,7 +173,7 @@ class CsvSource(Source):
             if plain and plain.fullmatch(line):  # as most lines do, and at a third of the cost
                 yield "\t".join(line.replace(dialect.delimiter, " ").split()) + "\n"
                 continue
-            cells = dialect.split(line)
+            cells = split_row(line, dialect.delimiter)
             dialect.check_same_segment(cells, number)
             if dialect.is_remark(line, cells):
                 self._remarks.append(f"line {number}: {line.strip()[:40]!r}")

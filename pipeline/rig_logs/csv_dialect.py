@@ -27,7 +27,6 @@ from .csv_heading import (
     cells_above,
     check_long_table,
     heading_rows,
-    is_comment,
     names_and_units,
     rows_by_key,
 )
@@ -236,10 +235,6 @@ class Dialect:
     """The rows of names and units, which a logger may write once more where it begins anew."""
     is_labview: bool
 
-    def split(self, line: str) -> list[str]:
-        """The cells of a row of data."""
-        return split_row(line, self.delimiter)
-
     def is_remark(self, line: str, cells: Sequence[str]) -> bool:
         """True if a line among rows of numbers is none of them: a comment, an event, a statistic, a row from above."""
         if COMMENT.match(line) and cells[0].lower() not in MISSING:
@@ -401,9 +396,9 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
             cells = []
         while len(cells) > width and (not cells[-1] or "=" in cells[-1]):  # as of an oscilloscope, behind the names
             del cells[-1]
-        wider = table.delimiter == " " or is_comment(line)
+        wider = table.delimiter == " " or COMMENT.match(line)
         rows.append(cells_above(line, cells, width) if wider else cells)
-    return rows, [is_comment(line) for line in lines]
+    return rows, [bool(COMMENT.match(line)) for line in lines]
 
 
 def _check_marks(table: SampleTable, header: Sequence[str]) -> None:

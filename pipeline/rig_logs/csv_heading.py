@@ -45,11 +45,6 @@ def bare_line(line: str) -> str:
     return line[match.end() :] if match else line
 
 
-def is_comment(line: str) -> bool:
-    """True if a line is marked as a comment."""
-    return bool(COMMENT.match(line))
-
-
 def cells_above(line: str, cells: Row, width: int) -> Row:
     """Cells of a line above rows of `width` cells, which often is separated otherwise than those."""
     if len(cells) == width:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import pyarrow as pa
 
-from .csv_cells import rows_of
+from .csv_cells import rows_of, split_row
 from .source import PART, UnreadableLogError, temporary_path
 
 if TYPE_CHECKING:
@@ -170,10 +170,9 @@ def _last_rows(content: bytes | mmap.mmap, end: int, encoding: str) -> tuple[lis
     width = len("0".encode(codec)) if codec != "utf-8-sig" else 1
     start = max(0, end - _TAIL_BYTES)
     start -= start % width
-    tail = content[start:end]
     if width == 1:  # line ends are single bytes in all of these, whatever stands between them
         codec = "latin-1"
-    text = tail.decode(codec)
+    text = content[start:end].decode(codec)
     last = max(text.rfind("\n"), text.rfind("\r")) + 1
     return rows_of(text), len(text[last:].encode(codec))
 
@@ -208,7 +207,7 @@ def whole_rows(path: Path, dialect: "Dialect") -> tuple[int, list[str]]:
         raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
     if not length:
         return size, notes
-    last = dialect.split(rows[-1])
+    last = split_row(rows[-1], dialect.delimiter)
     if dialect.is_remark(rows[-1], last):
         return size, notes
     width = len(dialect.headings)

@@ -172,10 +172,9 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
                 description=recording.descriptions.get(channel.name, ""),
             )
         )
-    size = path.stat().st_size
     return Inspection(
-        path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, rates, tuple(notes),
-        recording.heading,
+        path, recording.format, path.stat().st_size, own_time, tuple(bases), tuple(channels), roles, apart, rates,
+        tuple(notes), recording.heading,
     )  # fmt: skip
 
 

@@ -150,8 +150,9 @@ def _is_time(kind: Any) -> bool:
 
 def _is_number(kind: Any) -> bool:
     """True if numbers are read from a column; a switch that is on or off is 1 or 0."""
-    kinds = (pa.types.is_integer, pa.types.is_floating, pa.types.is_decimal, pa.types.is_boolean)
-    return any(holds(kind) for holds in kinds)
+    return any(
+        holds(kind) for holds in (pa.types.is_integer, pa.types.is_floating, pa.types.is_decimal, pa.types.is_boolean)
+    )
 
 
 def _mapping(value: Any) -> dict[str, Any]:
