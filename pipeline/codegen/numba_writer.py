@@ -10,6 +10,7 @@ vector instructions are written out, and do not depend on an optimiser.
 
 import hashlib
 from collections.abc import Sequence
+from itertools import islice
 from typing import Any
 
 from llvmlite import ir
@@ -135,10 +136,9 @@ def formula(graph: Graph) -> Any:
 
     Compiled code has the operations in place. Plain Python calls it with traced values or numbers.
     """
-    entries = [(name, i) for name, size in graph.inputs.items() for i in range(size)]
-    results = [(name, i) for name, size in graph.outputs.items() for i in range(size)]
-    given_type = types.UniTuple(types.float64, len(entries))
-    result_type = types.UniTuple(types.float64, len(results))
+    count = sum(graph.inputs.values())
+    given_type = types.UniTuple(types.float64, count)
+    result_type = types.UniTuple(types.float64, sum(graph.outputs.values()))
 
     def run(numbers):
         """The formula."""
@@ -150,8 +150,8 @@ def formula(graph: Graph) -> Any:
 
         def of(numbers):
             """The signature for a tuple of numbers."""
-            if not isinstance(numbers, types.BaseTuple) or len(numbers) != len(entries):
-                raise TypingError(f"a formula takes {len(entries)} numbers of {', '.join(graph.inputs)}, not {numbers}")
+            if not isinstance(numbers, types.BaseTuple) or len(numbers) != count:
+                raise TypingError(f"a formula takes {count} numbers of {', '.join(graph.inputs)}, not {numbers}")
             return result_type(given_type)
 
         return of
@@ -159,10 +159,13 @@ def formula(graph: Graph) -> Any:
     @lower_builtin(run, given_type)
     def generate(context, builder, signature, arguments):
         """LLVM code: the graph's operations, in place."""
-        given = {place: builder.extract_value(arguments[0], i) for i, place in enumerate(entries)}
-        writer = _NumberWriter(builder, given)
-        writer.write(graph)
-        values = [writer.found.get(place, ir.Constant(_REAL, 0.0)) for place in results]
+        given = (builder.extract_value(arguments[0], i) for i in range(count))
+        arrays = {name: list(islice(given, size)) for name, size in graph.inputs.items()}
+        writer = _Writer(builder, {}, 1)
+        outputs = graph.inline(
+            lambda name, operands: writer.value_of(Operation(name, ()), operands), writer.number, **arrays
+        )
+        values = [writer.as_real(value) for entries in outputs.values() for value in entries]
         return context.make_tuple(builder, signature.return_type, values)
 
     return run
@@ -189,18 +192,19 @@ class _Writer:
         """Emit the operations of a graph in order."""
         values: list[Any] = []
         for operation in graph.operations:
-            values.append(self._value(operation, [values[i] for i in operation.operands]))
+            values.append(self.value_of(operation, [values[i] for i in operation.operands]))
 
-    def _value(self, operation: Operation, operands: list[Any]) -> Any:
+    def value_of(self, operation: Operation, operands: list[Any]) -> Any:
+        """Emit one operation."""
         build = self.builder
         name = operation.name
         match name:
             case "constant":
-                return self._number(operation.value)
+                return self.number(operation.value)
             case "input":
                 return self._load(operation)
             case "store":
-                return self._store(operation, self._real(operands[0]))
+                return self._store(operation, self.as_real(operands[0]))
             case "lt" | "le":
                 return build.fcmp_ordered("<" if name == "lt" else "<=", *operands)
             case "and" | "or":
@@ -208,15 +212,15 @@ class _Writer:
             case "not":
                 return build.not_(self._truth(operands[0]))
             case "where":
-                return build.select(self._truth(operands[0]), self._real(operands[1]), self._number(0.0))
+                return build.select(self._truth(operands[0]), self.as_real(operands[1]), self.number(0.0))
             case "choose":
-                return build.select(self._truth(operands[0]), *(self._real(value) for value in operands[1:]))
+                return build.select(self._truth(operands[0]), *(self.as_real(value) for value in operands[1:]))
             case "fetch":
-                return build.load(self._fetched(operation, self._real(operands[0])), align=self.bytes)
+                return build.load(self._fetched(operation, self.as_real(operands[0])), align=self.bytes)
             case "finite":
-                size = self._value(Operation("abs", ()), operands)
-                return build.fcmp_ordered("<", size, self._number(float("inf")))
-        a, *more = (self._real(value) for value in operands)
+                size = self.value_of(Operation("abs", ()), operands)
+                return build.fcmp_ordered("<", size, self.number(float("inf")))
+        a, *more = (self.as_real(value) for value in operands)
         if name in _ARITHMETIC:
             return getattr(build, _ARITHMETIC[name])(a, more[0], flags=self.flags)
         if name == "neg":
@@ -233,9 +237,9 @@ class _Writer:
         return self._of_library(name, a)
 
     def _sign(self, a: Any) -> Any:
-        positive, negative = (self.builder.fcmp_ordered(way, a, self._number(0.0)) for way in "><")
-        low = self.builder.select(negative, self._number(-1.0), self._number(0.0))
-        return self.builder.select(positive, self._number(1.0), low)
+        positive, negative = (self.builder.fcmp_ordered(way, a, self.number(0.0)) for way in "><")
+        low = self.builder.select(negative, self.number(-1.0), self.number(0.0))
+        return self.builder.select(positive, self.number(1.0), low)
 
     def _of_library(self, name: str, a: Any) -> Any:
         """A function of the C library, of one joint after the other."""
@@ -279,36 +283,21 @@ class _Writer:
         at = self.builder.add(self.builder.fptosi(index, _PLACE), ir.Constant(_PLACE, entry))
         return self.builder.gep(self.pointers[array], [at], inbounds=True)
 
-    def _number(self, value: float) -> Any:
+    def number(self, value: float) -> Any:
+        """A constant."""
         return ir.Constant(self.type, value if self.width == 1 else [value] * self.width)
 
-    def _real(self, value: Any) -> Any:
+    def as_real(self, value: Any) -> Any:
         """A truth as 0 or 1."""
         if self._is_real(value):
             return value
-        return self.builder.select(value, self._number(1.0), self._number(0.0))
+        return self.builder.select(value, self.number(1.0), self.number(0.0))
 
     def _truth(self, value: Any) -> Any:
         if not self._is_real(value):
             return value
-        return self.builder.fcmp_unordered("!=", value, self._number(0.0))
+        return self.builder.fcmp_unordered("!=", value, self.number(0.0))
 
     def _is_real(self, value: Any) -> bool:
         element = value.type.element if self.width > 1 else value.type
         return bool(element == self.real)
-
-
-class _NumberWriter(_Writer):
-    """Emits a graph of numbers that are given and found by their place."""
-
-    def __init__(self, builder: Any, given: dict[tuple[str, int], Any]) -> None:
-        super().__init__(builder, {}, 1)
-        self.given = given
-        self.found: dict[tuple[str, int], Any] = {}
-
-    def _load(self, operation: Operation) -> Any:
-        return self.given[operation.place]
-
-    def _store(self, operation: Operation, value: Any) -> Any:
-        self.found[operation.place] = value
-        return value

@@ -80,9 +80,7 @@ def slow_switching_voltage(path: list[tuple[FloatArray, FloatArray]], wells: lis
     """Voltage [V] with which a side carries the joint slowly from its well to the saddle."""
     start = float(wells[0 if side == 0 else 2].x[0])
     saddle = float(wells[1].x[0])
-    low = min(start, saddle)
-    high = max(start, saddle)
-    needed = [float(u[side]) for x, u in path if low < float(x[0]) < high]
+    needed = [float(u[side]) for x, u in path if min(start, saddle) < float(x[0]) < max(start, saddle)]
     return float(np.sqrt(max(needed, default=0.0)))
 
 
@@ -472,10 +470,7 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
     farthest = 0.9 * plant.wall
     decays = [math.exp(-PERIOD / lag) for lag in lags]
     grid = np.linspace(-farthest, farthest, RESTS)
-    rests = []
-    for q in grid:
-        x, z = rest_state(q, np.zeros(2), k, p, basis, weights, 0.0)
-        rests.append((x[2], x[4], z[0]))
+    rests = [rest_state(q, np.zeros(2), k, p, basis, weights, 0.0) for q in grid]
     first, per_metre, curves = tabulate(basis, weights, NODES)
     numbers = {
         "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
@@ -488,7 +483,7 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
     }  # fmt: skip
     return Law(
         np.array([numbers.get(name, 0.0) for name in NUMBERS], dtype=np.float64),
-        p, prepare_slopes(k), np.ascontiguousarray(curves), np.array(rests),
+        p, prepare_slopes(k), np.ascontiguousarray(curves), np.array([(x[2], x[4], z[0]) for x, z in rests]),
         np.zeros((TARGETS, 0)), np.zeros((4 * TARGETS, 0)),
     )  # fmt: skip
 

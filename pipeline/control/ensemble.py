@@ -147,8 +147,7 @@ def ensemble_of(model: HybridModel, draws: int, converters: Converters) -> Ensem
     rng = np.random.default_rng(SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
     lags = np.array(converters.lags) * np.exp(converters.spread * _spread(rng, draws, 2))
-    gains = 1.0 + converters.probe * _spread(rng, draws, 1)[:, 0]
-    return ensemble_at(model, thetas, lags, gains, converters.highest)
+    return ensemble_at(model, thetas, lags, 1.0 + converters.probe * _spread(rng, draws, 1)[:, 0], converters.highest)
 
 
 def ensemble_at(
@@ -208,11 +207,10 @@ def _behind(fine: FloatArray, lags: Iterable[float]) -> FloatArray:
 def _mean_squares(fine: FloatArray, count: int, width: float, delay: float) -> FloatArray:
     """Means of v² [V²] in windows of `width` [s] about the half steps, `delay` [s] earlier, shape (P, count, 2)."""
     total = np.concatenate([np.zeros((len(fine), 1, 2)), np.cumsum(fine**2, axis=1)], axis=1)
-    step = PERIOD / _FINE
-    edges = np.clip(((np.arange(count + 1) - 0.5) * width - delay) / step, 0.0, fine.shape[1])
+    edges = np.clip(((np.arange(count + 1) - 0.5) * width - delay) / (PERIOD / _FINE), 0.0, fine.shape[1])
     lower = np.minimum(edges.astype(np.int64), fine.shape[1] - 1)
     share = (edges - lower)[None, :, None]
     at = (1.0 - share) * total[:, lower] + share * total[:, lower + 1]
-    length = np.maximum(np.diff(edges), 1e-9)[None, :, None]
-    means: FloatArray = np.diff(at, axis=1) / length
-    return np.where(np.diff(edges)[None, :, None] > 1e-9, means, 0.0)
+    length = np.diff(edges)[None, :, None]
+    means: FloatArray = np.diff(at, axis=1) / np.maximum(length, 1e-9)
+    return np.where(length > 1e-9, means, 0.0)

@@ -102,8 +102,7 @@ def rest(q: Any, n: dict[str, Any]) -> State:
 def begin(signals: Values, n: Numbers, rests: Values) -> Outputs:
     """The state after the first reading at zero voltages; a reading that is not finite is a lost sensor."""
     q, finite = _reading(signals, n)
-    state = rest(clip(q, -n["farthest"], n["farthest"]), n)
-    return {"s": joined(state | {"lost": [choose(finite, 0.0, RAMP)]})}
+    return {"s": joined(rest(clip(q, -n["farthest"], n["farthest"]), n) | {"lost": [choose(finite, 0.0, RAMP)]})}
 
 
 def listen(now: State, signals: Values, n: Numbers, rests: Values) -> Outputs:
@@ -269,8 +268,7 @@ def rates(now: State, y: Values, u: Values, prepared: Values, n: Numbers, curves
         Table of corrections.
     """
     c, _ = corrections(y[0], n)
-    start = [now["x"][i] for i in SHAPE]
-    derivatives = inline(RATES, x=y, u=u, c=c, z=now["z"], start=start, p=prepared)["rates"]
+    derivatives = inline(RATES, x=y, u=u, c=c, z=now["z"], start=[now["x"][i] for i in SHAPE], p=prepared)["rates"]
     twist, _ = _pushed(y, prepared)
     for i, on in twist.items():
         derivatives[i] = derivatives[i] + now["moment"][0] * on

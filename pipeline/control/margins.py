@@ -128,10 +128,9 @@ def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float
     friction : float
         Factor on friction that sticks.
     """
-    x = joint[PLACES["x"]]
     volts = joint[PLACES["volts"]]
     n = STATES
-    a, b = full_jacobian(x, volts**2, plant.constants)
+    a, b = full_jacobian(joint[PLACES["x"]], volts**2, plant.constants)
     whole = np.zeros((n + 4, n + 4))
     whole[:n, :n] = a[:, :n] + friction * a[:, n:] @ _stops(law)
     whole[:n, n : n + 2] = 2.0 * b * volts
@@ -139,8 +138,7 @@ def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float
         rate = -np.log(law.number(f"kept_{name}")) / PERIOD
         whole[n + side, [n + side, n + 2 + side]] = -rate, rate
     step = expm(PERIOD * whole)
-    c = np.eye(1, n + 2)
-    return step[: n + 2, : n + 2], step[: n + 2, n + 2 :], c, np.zeros((1, 2))
+    return step[: n + 2, : n + 2], step[: n + 2, n + 2 :], np.eye(1, n + 2), np.zeros((1, 2))
 
 
 def _stops(law: Law) -> FloatArray:
@@ -157,7 +155,9 @@ def differentiated(law: Law, s: FloatArray, target: float) -> Matrices:
     at = s[PLACES["x"]][0] + law.number("offset")
     size = len(_ENTRIES)
     stops = _stops(law)
-    lengths = _lengths(law)
+    step = float(np.sqrt(np.finfo(float).eps))
+    *reach, moment = (law.number(f"bound_{i}") for i in range(FILTER))
+    units = [*reach, *np.ones(STATES - CORRECTED), *np.full(2, law.number("highest")), moment, moment]  # of `_ENTRIES`
 
     def after(moved: FloatArray, reading: float) -> FloatArray:
         """The state's entries and the voltages after a period."""
@@ -167,7 +167,8 @@ def differentiated(law: Law, s: FloatArray, target: float) -> Matrices:
         return np.concatenate([state[_ENTRIES], v])
 
     columns = []
-    for entry, length in zip(_ENTRIES, lengths, strict=True):
+    for entry, unit in zip(_ENTRIES, units, strict=True):
+        length = step * unit
         ends = []
         for sign in (1.0, -1.0):
             moved = s.copy()
@@ -176,20 +177,10 @@ def differentiated(law: Law, s: FloatArray, target: float) -> Matrices:
                 moved[PLACES["z"]] += sign * length * stops[:, entry]
             ends.append(after(moved, at))
         columns.append((ends[0] - ends[1]) / (2.0 * length))
-    length = lengths[0]
+    length = step * units[0]
     columns.append((after(s, at + length) - after(s, at - length)) / (2.0 * length))
     by = np.array(columns).T
     return by[:size, :size], by[:size, size:], by[size:, :size], by[size:, size:]
-
-
-def _lengths(law: Law) -> FloatArray:
-    """Lengths of the differences by which the controller is differentiated, in the units of its state.
-
-    Stop operators move along with the shape.
-    """
-    step = float(np.sqrt(np.finfo(float).eps))
-    *reach, moment = (law.number(f"bound_{i}") for i in range(FILTER))
-    return step * np.array([*reach, *np.ones(STATES - CORRECTED), *np.full(2, law.number("highest")), moment, moment])
 
 
 def _stable(joint: Matrices, controller: Matrices, gain: float = 1.0) -> bool:

@@ -89,13 +89,12 @@ def plant_of(model: "HybridModel", rests: tuple[float, float] | None = None) -> 
     instruments = condensed.instruments(theta)
     k = condensed.in_use(theta)
     constants = Constants(k, prepare(k[None])[0], condensed.basis, condensed.weights(theta))
-    probe = np.asarray(instruments.probe, dtype=np.float64)
     return ControlledJoint(
         constants,
         float(instruments.offset),
         float(instruments.delay),
         float(instruments.charging),
-        probe,
+        np.asarray(instruments.probe, dtype=np.float64),
         condensed.largest_voltage,
         0.5 * condensed.length,
         rests,
@@ -188,10 +187,9 @@ class LinearModel:
     @property
     def ringing(self) -> tuple[float, float] | None:
         """Frequency [Hz] and damping ratio of the slowest oscillation; None if there is none."""
-        waves = [p for p in self.poles if p.imag > 1.0]
-        if not waves:
+        slowest = min((p for p in self.poles if p.imag > 1.0), key=abs, default=None)
+        if slowest is None:
             return None
-        slowest = min(waves, key=abs)
         return float(slowest.imag / (2.0 * np.pi)), float(-slowest.real / abs(slowest))
 
     def state_space(self, *, squared: bool = False) -> Any:
@@ -273,16 +271,12 @@ def linearise(plant: ControlledJoint, x: FloatArray, v: FloatArray) -> LinearMod
     Dry friction whose level sets in with the speed is left out with the stop operators: over the few millimetres per
     second in which it does, its slope is a damping that no motion of a millimetre meets.
     """
-    a, b_squared = jacobian(x, v**2, _without_dry_friction(plant.constants))
-    c = np.zeros((1, STATES))
-    c[0, 0] = 1.0
-    return LinearModel(plant.reading(float(x[0])), v, x, a, 2.0 * b_squared * v, c, np.zeros((1, 2)), b_squared)
-
-
-def _without_dry_friction(c: Constants) -> Constants:
-    k = c.k.copy()
+    k = plant.constants.k.copy()
     k[[INDEX[name] for name in DRY_LEVELS]] = 0.0
-    return c._replace(k=k, p=prepare(k[None])[0])
+    a, b_squared = jacobian(x, v**2, plant.constants._replace(k=k, p=prepare(k[None])[0]))
+    return LinearModel(
+        plant.reading(float(x[0])), v, x, a, 2.0 * b_squared * v, np.eye(1, STATES), np.zeros((1, 2)), b_squared
+    )
 
 
 def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:
@@ -294,11 +288,10 @@ def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:
     u = v**2
     places = list[FloatArray]()
     c = plant.constants
-    length = float(c.k[INDEX["l"]])
     low, high = _window(plant)
     for q in np.linspace(low, high, 25):
         relaxed, _ = rest_state(q, u, c.k, c.p, c.basis, c.weights, 0.0)
-        for shape in (relaxed, still(q, float(c.k[INDEX["slope_ratio"]]) * q / length, 0.0)):
+        for shape in (relaxed, still(q, float(c.k[INDEX["slope_ratio"]]) * q / float(c.k[INDEX["l"]]), 0.0)):
             x = newton(plant, shape, u)
             if x is not None and low <= x[0] <= high and not any(abs(x[0] - y[0]) < _SAME for y in places):
                 places.append(x)
@@ -338,9 +331,8 @@ _TOLERANCE = 1e-3
 
 def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArray | None:
     """The equilibrium near a state under the squared voltages `u`, shape (2,) [V²]; None if Newton's method fails."""
-    c = plant.constants
     steps = np.array([1e-7, 1e-6, 1e-6])  # m, 1, 1
-    root = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], c)), near[SHAPE], steps)
+    root = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], plant.constants)), near[SHAPE], steps)
     return None if root is None or abs(root[0]) > plant.wall else still(*root)
 
 
@@ -364,13 +356,12 @@ def held(
     u : float
         [V²].
     """
-    c = plant.constants
     q = float(near[0])
 
     def left(at: FloatArray) -> FloatArray:
         """Forces that are left at a slope, an interior shape and a squared voltage [kV²]: zero at rest."""
         u = base + 1e6 * at[2] * direction
-        return np.asarray(forces(still(q, at[0], at[1]), u[0], u[1], c))
+        return np.asarray(forces(still(q, at[0], at[1]), u[0], u[1], plant.constants))
 
     root = _root(left, np.array([near[2], near[4], 0.0]), np.array([1e-6, 1e-6, 1e-3]))
     return None if root is None else (still(q, root[0], root[1]), 1e6 * float(root[2]))
@@ -414,13 +405,10 @@ def held_at(plant: ControlledJoint, q: float, saddle: FloatArray) -> tuple[Float
     """
     c = plant.constants
     relaxed, _ = rest_state(q, np.zeros(2), c.k, c.p, c.basis, c.weights, 0.0)
-    best: tuple[FloatArray, FloatArray] | None = None
-    for start in (relaxed, still(q, float(saddle[2]), float(saddle[4]))):
-        for side in (0, 1):
-            answer = held(plant, start, np.zeros(2), np.eye(2)[side])
-            if answer is None or answer[1] < 0.0:
-                continue
-            u = answer[1] * np.eye(2)[side]
-            if best is None or u.sum() < best[1].sum():
-                best = answer[0], u
-    return (relaxed, np.zeros(2)) if best is None else best
+    equilibria_held = [
+        (answer[0], answer[1] * side)
+        for start in (relaxed, still(q, float(saddle[2]), float(saddle[4])))
+        for side in np.eye(2)
+        if (answer := held(plant, start, np.zeros(2), side)) is not None and answer[1] >= 0.0
+    ]
+    return min(equilibria_held, key=lambda each: float(each[1].sum()), default=(relaxed, np.zeros(2)))

@@ -124,8 +124,8 @@ def design_pulse(
         pulses = rng.uniform(_BOUNDS[:, 0], _BOUNDS[:, 1], (_POPULATION, len(_BOUNDS)))
         pulses[::2, 1], pulses[::2, 3] = 1.0, -1.0
         searches.append(search(alone, pulses, _ROUNDS))
-    optima = np.array([each.x for each in searches])
-    best = search(judges, searches[int(np.argmin(cost(optima.T, judges)))].population, _ROUNDS // 2).x
+    costs = cost(np.array([each.x for each in searches]).T, judges)
+    best = search(judges, searches[int(np.argmin(costs))].population, _ROUNDS // 2).x
     v = commands(best[None], side, highest)
     q = joint.run(v, start)[0]
     settling = settling_times(q, target, distance)

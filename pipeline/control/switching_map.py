@@ -224,9 +224,8 @@ def _first(
 
     None where none switches it.
     """
-    unit = _unit(joint, to, duration)
     volts = joint.highest * np.exp(np.arange(np.log(LEAST_VOLTAGE), RESOLUTION / 2.0, RESOLUTION))
-    over = _switched(joint, volts[:, None, None, None] ** 2 * unit, wells, to)[:, 0]
+    over = _switched(joint, volts[:, None, None, None] ** 2 * _unit(joint, to, duration), wells, to)[:, 0]
     if over[0] or not over.any():
         return None
     at = int(np.argmax(over))

@@ -97,9 +97,8 @@ class Device:
     @property
     def energy_unit(self) -> str:
         """SI unit of the integral of its restoring force over q."""
-        if self.known_mass is not None:
-            return "J"
-        return "J/kg" if self.displacement.symbol == "m" else f"{self.displacement.symbol}²/s²"
+        of_unit_mass = "J/kg" if self.displacement.symbol == "m" else f"{self.displacement.symbol}²/s²"
+        return of_unit_mass if self.known_mass is None else "J"
 
     @property
     def input_word(self) -> str:

@@ -122,8 +122,7 @@ class JointParameters:
     s_c: float = _quantity("m", "pre-sliding displacement of the friction", 1e-4)
 
     def __post_init__(self) -> None:
-        values = self._values if self.left and self.right else ()
-        for value, name in zip(values, VECTOR_NAMES, strict=False):
+        for value, name in zip(self._values if self.left and self.right else (), VECTOR_NAMES, strict=False):
             quantity = QUANTITIES[name]
             if not (math.isfinite(value) and _ALLOWED[quantity.sign](value)):
                 raise InputError(
@@ -214,8 +213,6 @@ def quantity_of(name: str) -> ParameterQuantity:
     """
     if name in QUANTITIES:
         return QUANTITIES[name]
-    import difflib
-
     near = difflib.get_close_matches(name, QUANTITIES, n=3, cutoff=0.4) or sorted(_OWN)
     raise InputError(f"unknown parameter {name!r}; did you mean {', '.join(near)}?")
 

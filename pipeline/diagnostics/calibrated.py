@@ -43,16 +43,14 @@ def calibrated(model: DynamicModel | None) -> list[Calibrated]:
 
     Each is that of the device, whose size is another than the set's joint's.
     """
-    if not isinstance(model, HybridModel):
-        return []
-    quantities = [_one(model, i) for i in range(len(DEVIATIONS))]
+    quantities = [_one(model, i) for i in range(len(DEVIATIONS))] if isinstance(model, HybridModel) else []
     return sorted(quantities, key=lambda quantity: quantity.nominal is None)
 
 
 def _one(model: HybridModel, i: int) -> Calibrated:
     """Deviation number i as a quantity: what it is at the set's size, times the device's size."""
     entry = DEVIATIONS[i]
-    name = DEVIATIONS[i].quantity
+    name = entry.quantity
     nominal = model.joint.parameters.value(name) if name in VECTOR_NAMES else None
     begin = nominal if nominal is not None else (entry.typical or float(entry.logarithm))
     powers = np.array(POWERS[entry.unit])

@@ -48,8 +48,7 @@ class Curves:
     @property
     def energy(self) -> FloatArray:
         """U [J] = ∫F dq, zero at its lowest point, shape (n,)."""
-        steps = np.diff(self.q) * (self.force[1:] + self.force[:-1]) / 2.0
-        total = np.concatenate(([0.0], np.cumsum(steps)))
+        total = np.concatenate(([0.0], np.cumsum(np.diff(self.q) * (self.force[1:] + self.force[:-1]) / 2.0)))
         return np.asarray(total - total.min())
 
 
@@ -76,16 +75,13 @@ def curves_from(named: Mapping[str, FloatArray], q: FloatArray) -> Curves:
 def model_curves(data: RunData) -> tuple[dict[str, Curves], dict[str, list[Curves]]]:
     """Curves of every model that has them, over the range of the training data, and draws of their posterior."""
     grid = _operating_range([log.motion.q for log in data.role("train")])
-    curves: dict[str, Curves] = {}
-    draws: dict[str, list[Curves]] = {}
-    for name, model in data.models.items():
-        named = _own_curves(model, grid)
-        if named is None:
-            continue
-        curves[name] = curves_from(named, grid)
-        if isinstance(model, HasCurveDraws):
-            draws[name] = [curves_from(drawn, grid) for drawn in _drawn_curves(model, named, grid)]
-    return curves, draws
+    named = {name: own for name, model in data.models.items() if (own := _own_curves(model, grid)) is not None}
+    draws = {
+        name: [curves_from(drawn, grid) for drawn in _drawn_curves(model, own, grid)]
+        for name, own in named.items()
+        if isinstance(model := data.models[name], HasCurveDraws)
+    }
+    return {name: curves_from(own, grid) for name, own in named.items()}, draws
 
 
 def _operating_range(motions: Sequence[FloatArray]) -> FloatArray:
@@ -187,9 +183,7 @@ def outer_wells(curves: Curves, plant: Device) -> tuple[CurveEquilibrium, CurveE
         return None
     left, saddle, right = (places[i] for i in pair)
     between = (curves.q[:-1] > left.q) & (curves.q[1:] < right.q)
-    if np.any(jumps(curves.force)[between]):
-        return None
-    return left, saddle, right
+    return None if np.any(jumps(curves.force)[between]) else (left, saddle, right)
 
 
 def switching_input(curves: Curves, k: int, start: float, saddle: float, plant: Device) -> float | None:
@@ -211,16 +205,13 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float, plant: 
     plant : Device
         Action of its inputs.
     """
-    low = min(start, saddle)
-    high = max(start, saddle)
-    path = (curves.q > low) & (curves.q < high)
+    path = (curves.q > min(start, saddle)) & (curves.q < max(start, saddle))
     force = curves.force[path]
     gain = curves.gains[k][path]
     toward = np.sign(saddle - start)
     resisting = force * toward > 0.0
-    if not resisting.any() or (plant.squared and np.any(gain[resisting] * toward <= 0.0)):
-        return None
-    if np.any(gain[resisting] == 0.0):
+    useless = gain[resisting] * toward <= 0.0 if plant.squared else gain[resisting] == 0.0
+    if not resisting.any() or np.any(useless):
         return None
     u = force[resisting] / gain[resisting]
     if plant.squared:
@@ -281,7 +272,7 @@ def intervals(
         if len(drawn) >= COVERAGE * len(draws):
             low, high = np.quantile(drawn, [(1.0 - COVERAGE) / 2.0, (1.0 + COVERAGE) / 2.0])
             own = values.get(key)
-            ends = [float(low), float(high)] + ([] if own is None else [own])
+            ends = [float(low), float(high)] if own is None else [float(low), float(high), own]
             limits[key] = (min(ends), max(ends))
     return limits
 

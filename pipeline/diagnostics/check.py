@@ -1,6 +1,6 @@
 """All checks of a prototype's logs, each by itself and without a model: findings, and their table."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -57,29 +57,23 @@ RESOLUTION = 0.01
 """Step of the converter, in ranges of q: beyond, velocities come in steps of a few per cent."""
 
 
-def input_findings(fact: LogFacts, plant: Device) -> list[Finding]:
+def input_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """The findings on the inputs of a log."""
-    findings = [
-        _unseen_force(fact, i) if force is None else _force(fact, i, force, plant)
-        for i, force in enumerate(fact.input_forces)
-    ]
-    findings += [_noise(fact, i, plant) for i in range(len(fact.input_forces))]
-    findings += [*_correlated(fact, plant), *_input_actions(fact, plant)]
+    for i, force in enumerate(fact.input_forces):
+        yield _unseen_force(fact, i) if force is None else _force(fact, i, force, plant)
+    yield from (_noise(fact, i, plant) for i in range(len(fact.input_forces)))
+    yield from (*_correlated(fact, plant), *_input_actions(fact, plant))
     if plant.joint:
-        findings += [*_late(fact, plant), _field(fact, plant), *_rest_levels(fact, plant)]
-        findings += [*_scale(fact, plant), *_sides(fact)]
-    return findings
+        yield from (*_late(fact, plant), _field(fact, plant), *_rest_levels(fact, plant))
+        yield from (*_scale(fact, plant), *_sides(fact))
 
 
 def _unseen_force(fact: LogFacts, i: int) -> Finding:
     """Finding on an input whose force the log does not show: it is never on, or hardly ever changes."""
     v = fact.signals.v[:, i]
-    subject = f"v{i + 1}"
-    if np.ptp(v) > 0.0 and is_idle(v):
-        return Finding("idle_input", "fair", fact.signals.name, subject)
-    if fact.peaks[i] == 0.0:
-        return Finding("never_on", "fair", fact.signals.name, subject)
-    return Finding("hardly_changes", "unseen", fact.signals.name, subject)
+    idle = np.ptp(v) > 0.0 and is_idle(v)
+    code = "idle_input" if idle else "never_on" if fact.peaks[i] == 0.0 else "hardly_changes"
+    return Finding(code, "unseen" if code == "hardly_changes" else "fair", fact.signals.name, f"v{i + 1}")
 
 
 def _force(fact: LogFacts, i: int, force: InputForce, plant: Device) -> Finding:
@@ -96,12 +90,12 @@ def _force(fact: LogFacts, i: int, force: InputForce, plant: Device) -> Finding:
 
 def _noise(fact: LogFacts, i: int, plant: Device) -> Finding:
     """Noise of an input that is measured; a command has none, and an amplifier need not follow it."""
-    v = fact.signals.v[:, i]
-    noise = noise_level(v)
+    noise = noise_level(fact.signals.v[:, i])
     if noise <= np.finfo(np.float32).eps * fact.peaks[i]:
         return Finding("command", "good", fact.signals.name, f"v{i + 1}")
-    numbers = {"noise": Number(noise, plant.input_symbols[i])}
-    return Finding("input_noise", "good", fact.signals.name, f"v{i + 1}", numbers)
+    return Finding(
+        "input_noise", "good", fact.signals.name, f"v{i + 1}", {"noise": Number(noise, plant.input_symbols[i])}
+    )
 
 
 def _late(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -112,8 +106,11 @@ def _late(fact: LogFacts, plant: Device) -> list[Finding]:
     most = LATE * fact.sample_interval
     if plant.angle or abs(fact.late) < most:
         return []
-    numbers = {"late": Number(fact.late, "s"), "most": Number(most, "s")}
-    return [Finding("late_answer", "fair", fact.signals.name, "q", numbers)]
+    return [
+        Finding(
+            "late_answer", "fair", fact.signals.name, "q", {"late": Number(fact.late, "s"), "most": Number(most, "s")}
+        )
+    ]
 
 
 def _scale(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -131,9 +128,12 @@ def _scale(fact: LogFacts, plant: Device) -> list[Finding]:
         "most": Number(allowed),
         "mass": Number(mass, "kg"),
     }
-    subject = "drawn" if plant.known_mass is None else "stated"
-    severity: Severity = "poor" if wrong else "good"
-    return [Finding("coupling", severity, fact.signals.name, subject, numbers, "scale" if wrong else None)]
+    return [
+        Finding(
+            "coupling", "poor" if wrong else "good", fact.signals.name,
+            "drawn" if plant.known_mass is None else "stated", numbers, "scale" if wrong else None,
+        )
+    ]  # fmt: skip
 
 
 def _couplings(fact: LogFacts) -> list[float]:
@@ -153,8 +153,12 @@ def _sides(fact: LogFacts) -> list[Finding]:
     ratio = couplings[0] / couplings[1]
     error = np.linalg.norm([force.error / force.value for force in fact.input_forces if force is not None])
     alike = abs(np.log(ratio)) <= np.log(SIDES) + SURE * error
-    numbers = {"ratio": Number(ratio), "most": Number(SIDES)}
-    return [Finding("coupling_ratio", "good" if alike else "fair", fact.signals.name, "", numbers)]
+    return [
+        Finding(
+            "coupling_ratio", "good" if alike else "fair", fact.signals.name, "",
+            {"ratio": Number(ratio), "most": Number(SIDES)},
+        )
+    ]  # fmt: skip
 
 
 def _correlated(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -165,8 +169,12 @@ def _correlated(fact: LogFacts, plant: Device) -> list[Finding]:
     correlation = float(np.asarray(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T))[0, 1])
     if abs(correlation) < CORRELATED:
         return []
-    numbers = {"correlation": Number(correlation), "most": Number(CORRELATED)}
-    return [Finding("correlated", "fair", fact.signals.name, "", numbers)]
+    return [
+        Finding(
+            "correlated", "fair", fact.signals.name, "",
+            {"correlation": Number(correlation), "most": Number(CORRELATED)},
+        )
+    ]  # fmt: skip
 
 
 def _field(fact: LogFacts, plant: Device) -> Finding:
@@ -180,23 +188,21 @@ def _field(fact: LogFacts, plant: Device) -> Finding:
         "film": Number(plant.film_thickness, "m"),
     }
     of_units = not limit / RATIO < field < limit * RATIO and largest > 0.0
-    code = "field_units" if of_units else "field"
-    return Finding(code, "fair" if of_units or field > FIELD * limit else "good", fact.signals.name, "", numbers)
+    severity: Severity = "fair" if of_units or field > FIELD * limit else "good"
+    return Finding("field_units" if of_units else "field", severity, fact.signals.name, "", numbers)
 
 
-def _rest_levels(fact: LogFacts, plant: Device) -> list[Finding]:
+def _rest_levels(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """A joint's voltage of one sign whose lowest level is not zero; one of two signs may switch between them.
 
     What drives another device, as a fan, need never have been off, and an offset would bend the law of its square.
     """
-    findings = []
     for i, (peak, unit) in enumerate(zip(fact.peaks.tolist(), plant.input_symbols, strict=True)):
         level = rest_level(fact.signals.v[:, i])
         most = REST_LEVEL * peak
         if level is not None and abs(level) > most:
             numbers = {"level": Number(level, unit), "most": Number(most, unit)}
-            findings.append(Finding("rest_level", "fair", fact.signals.name, f"v{i + 1}", numbers))
-    return findings
+            yield Finding("rest_level", "fair", fact.signals.name, f"v{i + 1}", numbers)
 
 
 def rest_level(v: FloatArray) -> float | None:
@@ -211,8 +217,7 @@ def rest_level(v: FloatArray) -> float | None:
         return None
     sign = -1.0 if -np.min(v) > np.max(v) else 1.0
     low, level, high = np.quantile(sign * v, (0.01, 0.05, 0.1)).tolist()
-    rests = high - low <= REST_LEVEL * float(np.max(np.abs(v)))
-    return sign * level if rests else None
+    return sign * level if high - low <= REST_LEVEL * float(np.max(np.abs(v))) else None
 
 
 def _input_actions(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -226,24 +231,25 @@ def _input_actions(fact: LogFacts, plant: Device) -> list[Finding]:
     if fact.as_signed_monitor is not None and fact.as_signed_monitor < OTHER_ACTION * min(own, other):
         numbers["left_by_membranes"] = Number(fact.as_signed_monitor)
         return [Finding("signed_monitor", "fair", fact.signals.name, actions[1], numbers)]
-    right = other >= OTHER_ACTION * own
-    return [Finding("law", "good" if right else "fair", fact.signals.name, actions[1], numbers)]
+    severity: Severity = "good" if other >= OTHER_ACTION * own else "fair"
+    return [Finding("law", severity, fact.signals.name, actions[1], numbers)]
 
 
 ROUNDING = 1e-9
 """Range of q over its largest value up to which it is constant but for the rounding of its unit."""
 
 
-def motion_findings(fact: LogFacts, plant: Device) -> list[Finding]:
+def motion_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """The findings on the motion of a log."""
-    findings = [*_ranges(fact, plant), _resolution(fact, plant), _rate(fact)]
-    findings += [*_held(fact), *_wrapped(fact, plant), _rests(fact, plant)]
+    rate = {"rate": Number(1.0 / fact.signals.raw_step, "Hz")}
+    yield from (*_ranges(fact, plant), _resolution(fact, plant))
+    yield Finding("sampling_rate", "good", fact.signals.name, "", rate)
+    yield from (*_held(fact), *_wrapped(fact, plant), _rests(fact, plant))
     if fact.drift is not None:
         unit = plant.displacement.symbol
         moved = abs(fact.drift) * float(np.ptp(fact.signals.t))
         numbers = {"drift": Number(fact.drift, f"{unit}/s"), "moved": Number(moved, unit)}
-        findings.append(Finding("drift", "fair", fact.signals.name, "q", numbers))
-    return findings
+        yield Finding("drift", "fair", fact.signals.name, "q", numbers)
 
 
 def starts(facts: Sequence[LogFacts]) -> list[Finding]:
@@ -266,13 +272,14 @@ def starts(facts: Sequence[LogFacts]) -> list[Finding]:
     ]  # fmt: skip
 
 
-def _ranges(fact: LogFacts, plant: Device) -> list[Finding]:
+def _ranges(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """Ranges of q and of the inputs against those that a device can have."""
-    findings = [Finding("from_angle", "good", fact.signals.name, "q")] if plant.angle else []
-    names = ("q", *(f"v{i + 1}" for i in range(fact.peaks.size)))
-    spans = (fact.span, *fact.peaks.tolist())
-    units = (plant.displacement.symbol, *plant.input_symbols)
-    for name, span, unit in zip(names, spans, units, strict=True):
+    if plant.angle:
+        yield Finding("from_angle", "good", fact.signals.name, "q")
+    for name, span, unit in [
+        ("q", fact.span, plant.displacement.symbol),
+        *((f"v{i}", *each) for i, each in enumerate(zip(fact.peaks.tolist(), plant.input_symbols, strict=True), 1)),
+    ]:
         allowed = plant.plausible_span(unit)
         times = scale_suspicion(span, allowed)
         still = name == "q" and span <= ROUNDING * float(np.nanmax(np.abs(fact.signals.q)))
@@ -284,9 +291,8 @@ def _ranges(fact: LogFacts, plant: Device) -> list[Finding]:
             numbers |= {"least": Number(allowed[0], unit), "most": Number(allowed[1], unit)}
         if times is not None:
             numbers["times"] = Number(times)
-        code = "still" if still else "range"
-        findings.append(Finding(code, severity, fact.signals.name, name, numbers, "scale" if judged else None))
-    return findings
+        gate: Gate | None = "scale" if judged else None
+        yield Finding("still" if still else "range", severity, fact.signals.name, name, numbers, gate)
 
 
 def _resolution(fact: LogFacts, plant: Device) -> Finding:
@@ -298,10 +304,6 @@ def _resolution(fact: LogFacts, plant: Device) -> Finding:
     most = RESOLUTION * fact.span
     numbers |= {"resolution": Number(log.resolution, unit), "most": Number(most, unit)}
     return Finding("resolution", "good" if log.resolution <= most else "fair", log.name, "q", numbers)
-
-
-def _rate(fact: LogFacts) -> Finding:
-    return Finding("sampling_rate", "good", fact.signals.name, "", {"rate": Number(1.0 / fact.signals.raw_step, "Hz")})
 
 
 def _held(fact: LogFacts) -> list[Finding]:
@@ -343,10 +345,13 @@ def check_logs(logs: Sequence[LogSignals], plant: Device, sample_interval: float
     facts = [log_facts(log, sample_interval, plant) for log in logs]
     findings = [finding for fact in facts for finding in (*motion_findings(fact, plant), *input_findings(fact, plant))]
     seen = {finding.subject for finding in findings if finding.code in ("side", "push")}  # in some log
-    for place, finding in enumerate(findings):
-        if finding.code in ("idle_input", "never_on") and finding.subject in seen:
-            findings[place] = replace(finding, severity="unseen")
-    return [*findings, *starts(facts)]
+    judged = (
+        replace(finding, severity="unseen")
+        if finding.code in ("idle_input", "never_on") and finding.subject in seen
+        else finding
+        for finding in findings
+    )
+    return [*judged, *starts(facts)]
 
 
 def refusing(findings: Sequence[Finding]) -> list[Finding]:
@@ -406,19 +411,13 @@ class CheckRow:
 
 def check_rows(findings: Sequence[Finding]) -> list[CheckRow]:
     """The findings of a check as rows."""
-    rows = []
-    for finding in findings:
-        shown = log_sentences.row(finding)
-        advice = shown.advice if finding.severity in ("fair", "poor") else ""
-        state = STATES[finding.severity]
-        values = _in_si(finding)
-        rows.append(
-            CheckRow(
-                finding.log, shown.what, shown.found, shown.limit, state, finding.gate, advice, shown.more, values,
-                finding.code,
-            )
-        )  # fmt: skip
-    return rows
+    return [
+        CheckRow(
+            finding.log, shown.what, shown.found, shown.limit, STATES[finding.severity], finding.gate,
+            shown.advice if finding.severity in ("fair", "poor") else "", shown.more, _in_si(finding), finding.code,
+        )
+        for finding, shown in zip(findings, map(log_sentences.row, findings), strict=True)
+    ]  # fmt: skip
 
 
 def remarks(findings: Sequence[Finding]) -> list[str]:
@@ -440,11 +439,9 @@ def beside(rows: Sequence[CheckRow]) -> tuple[tuple[str, ...], list[tuple[str, .
     table = []
     for what in dict.fromkeys(row.what for row in rows):
         kind = [row for row in rows if row.what == what]
-        shown: list[CheckRow | None]
+        shown = [next((row for row in kind if row.log == log), None) for log in logs]
         if len(logs) > _MOST_BESIDE:
             shown = [max(kind, key=lambda row: order.index(row.state))]
-        else:
-            shown = [next((row for row in kind if row.log == log), None) for log in logs]
         table.append((what, *map(_cell, shown), kind[0].limit))
     columns = logs if len(logs) <= _MOST_BESIDE else [f"most remarkable of {len(logs)} logs"]
     return ("checked", *columns, "limit"), table

@@ -4,7 +4,6 @@ A copy that was resampled, rounded, filtered, or to which noise was added has ot
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -24,12 +23,8 @@ _FACTOR = np.uint64(0x9E3779B97F4A7C15)
 """Odd, so that it has an inverse modulo 2⁶⁴."""
 
 
-@dataclass(frozen=True)
-class Overlap:
-    """Spans [s] that two logs have in common, in the clock of the first and of the second."""
-
-    here: tuple[float, float]
-    there: tuple[float, float]
+Overlap = tuple[tuple[float, float], tuple[float, float]]
+"""Spans [s] that two logs have in common, in the clock of the first and of the second."""
 
 
 def sketch(time: FloatArray, q: FloatArray) -> list[tuple[int, float]]:
@@ -67,11 +62,11 @@ def shared_findings(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int,
         Finding(
             "shared_recording", "fair", logs[k].name, logs[i].name,
             {
-                "start": Number(each.there[0], "s"), "stop": Number(each.there[1], "s"),
-                "other_start": Number(each.here[0], "s"), "other_stop": Number(each.here[1], "s"),
+                "start": Number(there[0], "s"), "stop": Number(there[1], "s"),
+                "other_start": Number(here[0], "s"), "other_stop": Number(here[1], "s"),
             },
         )
-        for i, k, each in shared
+        for i, k, (here, there) in shared
     ]  # fmt: skip
 
 
@@ -82,7 +77,7 @@ def overlap(first: Sequence[tuple[int, float]], second: Sequence[tuple[int, floa
     if len(stamps) < _FEWEST:
         return None
     here, there = stamps.T
-    return Overlap((float(here.min()), float(here.max())), (float(there.min()), float(there.max())))
+    return (float(here.min()), float(here.max())), (float(there.min()), float(there.max()))
 
 
 def _windows(time: FloatArray, q: FloatArray) -> Iterator[tuple[FloatArray, FloatArray]]:
@@ -98,8 +93,7 @@ def _windows(time: FloatArray, q: FloatArray) -> Iterator[tuple[FloatArray, Floa
             hashes = (sums[_WINDOW:] - sums[:-_WINDOW]) * np.cumprod(np.full(part.size - _WINDOW + 1, inverse))
         with np.errstate(invalid="ignore"):
             moves = np.diff(part, prepend=part[0]) != 0.0
-        finite = np.isfinite(part)
-        counts = [np.concatenate(([0], np.cumsum(each))) for each in (moves, finite)]
+        counts = [np.concatenate(([0], np.cumsum(each))) for each in (moves, np.isfinite(part))]
         moving, measured = (each[_WINDOW:] - each[:-_WINDOW] for each in counts)
         usable = (2 * moving > _WINDOW) & (measured == _WINDOW)
         # High bits alone, as the low ones depend on the low bits of the samples, which are often zero; exact in JSON.

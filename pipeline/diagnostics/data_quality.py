@@ -27,21 +27,20 @@ DEALT_WITH = re.compile(
 def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     """The measurement: gaps, noise, rails, excitation, and whether validation stays inside the training range."""
     advice = "judge every number with that in mind, or record again without it"
-    checks = [Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted]
-    checks += _remark_checks(data)
-    checks.append(_masked_check(data))
     span, noise, rails = _signal_numbers(data)
-    checks.append(_noise_check(data, span, noise))
+    checks = [
+        *(Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted),
+        *_remark_checks(data), _masked_check(data), _noise_check(data, span, noise),
+    ]  # fmt: skip
     if data.prototype.ingest.rails == "keep" and rails > 0.0:  # the user has said what they are
         checks.append(of_finding("data", Finding("rails", "good", subject="kept", numbers={"value": Number(rails)})))
     else:
         checks.append(graded("data", "rails", rails))
-    train = data.role("train")
     if isinstance(wells, NoWells):
         if data.device.joint:  # another device need not have two
             checks.append(of_finding("data", Finding("no_wells", "fair", subject=wells.reason)))
     else:
-        count = sum(len(snaps(log.motion.q, wells)) for log in train)
+        count = sum(len(snaps(log.motion.q, wells)) for log in data.role("train"))
         checks.append(graded("data", "switches", count, subject="joint" if data.device.joint else ""))
     checks += _coverage_checks(data)
     return checks + _extrapolation_checks(data)
@@ -51,17 +50,12 @@ def _remark_checks(data: RunData) -> list[Check]:
     """Every remark on a log, and every (!) of the checks; what was masked or split is graded by its share."""
     advice = "see to it, or judge every number with that in mind"
     remarks = [
-        (log.title, str(text))
+        Check("data", "remark", "good" if DEALT_WITH.search(text) else "fair", f"{log.title}: {text}", advice)
         for log in data.logs
-        for text in log.record_notes.get("warnings", ())
-        if text not in log.record_notes.get("accepted", ())  # which have a row of their own
+        for text in map(str, log.record_notes.get("warnings", ()))
+        if text not in (*log.record_notes.get("accepted", ()), *data.accepted)  # which have a row of their own
     ]
-    checks = [
-        Check("data", "remark", "good" if DEALT_WITH.search(text) else "fair", f"{title}: {text}", advice)
-        for title, text in remarks
-        if text not in data.accepted
-    ]
-    return checks + [
+    return remarks + [
         Check("data", "check", "fair", f"{row['log']}: {row['what']}: {row['found']}", row["advice"])
         for row in data.log_checks
         if row["state"] == "note"
@@ -82,10 +76,17 @@ def _masked_check(data: RunData) -> Check:
 
 def _extrapolation_checks(data: RunData) -> list[Check]:
     """Validation samples outside the range of the training data."""
-    outside = _outside(data)
-    if outside is None:
+    validation = data.role("validation")
+    if not validation:
         return []
-    return [graded("data", "extrapolation", outside)]
+    trained = [np.column_stack((log.motion.q, log.motion.v)) for log in data.role("train")]
+    low = np.nanmin(np.concatenate(trained), axis=0)
+    high = np.nanmax(np.concatenate(trained), axis=0)
+    rows = np.concatenate([np.column_stack((g.motion.q, g.motion.v)) for g in validation])
+    margin = 0.01 * (high - low)
+    rows = rows[np.isfinite(rows).all(axis=1)]
+    beyond = np.any((rows < low - margin) | (rows > high + margin), axis=1)
+    return [graded("data", "extrapolation", float(np.mean(beyond)))] if rows.size else []
 
 
 def _coverage_checks(data: RunData) -> list[Check]:
@@ -94,8 +95,7 @@ def _coverage_checks(data: RunData) -> list[Check]:
     if inner.size == 0:
         return []
     subject = "joint" if data.device.joint else ""
-    numbers = {"centres": Number(inner.size)}
-    return [graded("data", "coverage", float(inner.min()), subject=subject, numbers=numbers)]
+    return [graded("data", "coverage", float(inner.min()), subject=subject, numbers={"centres": Number(inner.size)})]
 
 
 def _noise_check(data: RunData, span: float, noise: float) -> Check:
@@ -117,21 +117,20 @@ def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
 
 def _signal_numbers(data: RunData) -> tuple[float, float, float]:
     """Range of q, its largest noise and rail share over the logs."""
-    spans = []
-    noises = []
-    rails = []
-    for log in data.logs:
-        t = log.record["t"]
-        q = log.record["q"]
-        quality = examine_signal(t, q, sample_interval(t))
-        spans.append(quality.largest - quality.smallest)
-        rails.append(quality.low_rail + quality.high_rail)
-        # The differentiator works on the noise at the log's own rate; the record has what the filter left of it.
-        notes = log.kinematics_notes
-        of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
-        stated = [s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std")]
-        noises.append(min(max(stated, default=quality.noise), _noise_of_residual(data, log)))
+    spans, noises, rails = zip(*(_numbers_of_log(data, log) for log in data.logs), strict=True)
     return max(spans) or 1.0, max(noises), max(rails)
+
+
+def _numbers_of_log(data: RunData, log: LogData) -> tuple[float, float, float]:
+    """Range of q, its noise and rail share of one log."""
+    t = log.record["t"]
+    quality = examine_signal(t, log.record["q"], sample_interval(t))
+    # The differentiator works on the noise at the log's own rate; the record has what the filter left of it.
+    notes = log.kinematics_notes
+    of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
+    stated = [s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std")]
+    noise = min(max(stated, default=quality.noise), _noise_of_residual(data, log))
+    return quality.largest - quality.smallest, noise, quality.low_rail + quality.high_rail
 
 
 def _noise_of_residual(data: RunData, log: LogData) -> float:
@@ -147,17 +146,3 @@ def _noise_of_residual(data: RunData, log: LogData) -> float:
     residual = log.motion.q - run["q"]
     valid = residual[np.isfinite(residual) & log.motion.valid]
     return noise_std(valid) or np.inf if valid.size else np.inf
-
-
-def _outside(data: RunData) -> float | None:
-    validation = data.role("validation")
-    if not validation:
-        return None
-    trained = [np.column_stack((log.motion.q, log.motion.v)) for log in data.role("train")]
-    low = np.nanmin(np.concatenate(trained), axis=0)
-    high = np.nanmax(np.concatenate(trained), axis=0)
-    rows = np.concatenate([np.column_stack((g.motion.q, g.motion.v)) for g in validation])
-    margin = 0.01 * (high - low)
-    rows = rows[np.isfinite(rows).all(axis=1)]
-    beyond = np.any((rows < low - margin) | (rows > high + margin), axis=1)
-    return float(np.mean(beyond)) if rows.size else None

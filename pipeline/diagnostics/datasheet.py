@@ -11,7 +11,7 @@ from ..models.base import DynamicModel, HasOutcomeDraws
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90
 from ..scoring.wells import NoWells, Wells
-from ..signals.findings import Finding, Number
+from ..signals.findings import SEVERITIES, Finding, Number, Severity
 from ..store.columns import FACT_COLUMNS, STABLE
 from .characteristics import (
     COVERAGE,
@@ -26,7 +26,7 @@ from .characteristics import (
 )
 from .data_quality import data_checks
 from .events import RestFacts, rest_facts, ring_down
-from .grades import THRESHOLDS, Check, Grade, graded, of_finding, overall
+from .grades import THRESHOLDS, Check, graded, of_finding
 from .model_quality import model_checks
 from .run_data import RunData, wells_of_run
 
@@ -96,15 +96,13 @@ def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
     Compared is what the model's free runs show in the same events, by the same estimator: damping depends on the size
     of the motion, and a rest on how long ago the joint came there. Without a free run it is the model's own value.
     """
-    compared = [(fact, distance(fact)) for fact in facts]
-    distances = [(fact, apart) for fact, apart in compared if apart is not None]
+    distances = [(fact, apart) for fact in facts if (apart := distance(fact)) is not None]
     if not distances:
         return []
-    limit = THRESHOLDS["measured_facts"]
     off = [
         graded("model", "measured_facts", apart, subject=fact.title, numbers=_compared(fact))
         for fact, apart in distances
-        if limit.grade(apart) != "good"
+        if THRESHOLDS["measured_facts"].grade(apart) != "good"
     ]
     if off:
         return off
@@ -133,9 +131,8 @@ def distance(fact: DatasheetFact) -> float | None:
     spread = max(fact.measured_spread, LEAST_SPREAD * abs(fact.measured))
     if fact.free_run is not None:
         return abs(fact.free_run - fact.measured) / spread
-    if fact.value is None:
-        return None
-    return abs(fact.value - fact.measured) / float(np.hypot(spread, (fact.half_width or 0.0) / NORMAL_90))
+    together = float(np.hypot(spread, (fact.half_width or 0.0) / NORMAL_90))
+    return None if fact.value is None else abs(fact.value - fact.measured) / together
 
 
 @dataclass(frozen=True)
@@ -168,9 +165,12 @@ class Datasheet:
         return self.model == self.main_model and is_refused([vars(check) for check in self.checks])
 
     @property
-    def grades(self) -> dict[str, Grade]:
+    def grades(self) -> dict[str, Severity]:
         """The assessment of the data and on the model: the worst grade of the checks of each."""
-        return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
+        return {
+            about: max((c.grade for c in self.checks if c.about == about), key=SEVERITIES.index, default="good")
+            for about in ("data", "model")
+        }
 
     def elements(self, data: RunData) -> list[dict[str, Any]]:
         """Forces of the elements of the judged model along the training logs, the largest first; 0 of what is absent.
@@ -179,11 +179,13 @@ class Datasheet:
         """
         forces: Mapping[str, float] = data.descriptions.get(self.main_model, {}).get("elements", {})
         whole = forces.get("restoring force")
-        unit = data.device.curve_units["F"]
         return [
-            {"name": name, "force_rms": force, "unit": unit, "share": force / whole if whole else None}
+            {
+                "name": name, "force_rms": force, "unit": data.device.curve_units["F"],
+                "share": force / whole if whole else None,
+            }
             for name, force in sorted(forces.items(), key=lambda item: -item[1])
-        ]
+        ]  # fmt: skip
 
     def to_json(self, data: RunData) -> dict[str, Any]:
         """The document that is written as ``datasheet.json``; SI units, null where unknown."""
@@ -212,7 +214,6 @@ def make_datasheet(data: RunData) -> Datasheet:
     wells = wells_of_run(data)
     records = [(g.motion.t, g.motion.q, g.motion.v) for g in data.logs]
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
-    rests = rest_facts(records, wells, hum, plant=data.device)
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
@@ -222,15 +223,13 @@ def make_datasheet(data: RunData) -> Datasheet:
         drawn = draws.get(source, [])
         values, limits, in_draws = _by_model(data, curves[source], drawn)
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
-        believed = believed_wells(wells, source, stable, plant=data.device)
-        if believed is not wells:
-            wells = believed
-            rests = rest_facts(records, believed, hum, plant=data.device)
+        wells = believed_wells(wells, source, stable, plant=data.device)
         rings = simulated_ring_downs(data.models[source], values, curves[source], len(data.device.inputs))
         limits |= intervals(rings, drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device))
         values |= rings
+    rests = rest_facts(records, wells, hum, plant=data.device)
     events = _in_free_run(data, source, wells)
-    facts = _facts(data, values, limits, in_draws, rests, wells, events)
+    facts = tuple(_facts(data, values, limits, in_draws, rests, wells, events))
     main_model = data.model_names[0]
     checks = (
         *data_checks(data, wells),
@@ -249,10 +248,9 @@ def _by_model(
     """
     values = device_facts(curves, plant=data.device)
     drawn = [device_facts(draw, plant=data.device) for draw in draws]
-    limits = intervals(values, drawn) if draws else {}
     compared = {key for key in values if not key.startswith(STABLE)}
-    in_draws = {key: share for key, share in shares(values, drawn).items() if key in compared}
-    return values, {key: ends for key, ends in limits.items() if key in compared}, in_draws
+    limits = {key: ends for key, ends in intervals(values, drawn).items() if key in compared}
+    return values, limits, {key: share for key, share in shares(values, drawn).items() if key in compared}
 
 
 def simulated_ring_downs(
@@ -319,8 +317,10 @@ def drawn_ring_downs(
         rings_near = simulated_ring_downs(near, device_facts(curves, plant=plant), curves, len(own.gains))
         return np.array([rings_near.get(key) for key in keys], dtype=np.float64)
 
-    rows = model.outcome_ensemble(simulated, len(draws))
-    return [{key: float(x) for key, x in zip(keys, row, strict=True) if np.isfinite(x)} for row in rows]
+    return [
+        {key: float(x) for key, x in zip(keys, row, strict=True) if np.isfinite(x)}
+        for row in model.outcome_ensemble(simulated, len(draws))
+    ]
 
 
 def _ring_downs_by_curves(
@@ -338,9 +338,8 @@ def _ring_downs_by_curves(
         faster = float(np.sqrt(stiffness_drawn / stiffness))
         facts[f"frequency{side}"] = frequency * faster
         if own.damping is not None and draw.damping is not None and place is not None and place_drawn is not None:
-            resistance = np.interp(place, own.q, own.damping)
-            resistance_drawn = np.interp(place_drawn, draw.q, draw.damping)
-            facts[f"damping{side}"] = damping * float(resistance_drawn / resistance) / faster
+            more = np.interp(place_drawn, draw.q, draw.damping) / np.interp(place, own.q, own.damping)
+            facts[f"damping{side}"] = damping * float(more) / faster
     return facts
 
 
@@ -380,43 +379,38 @@ def _facts(
     rests: RestFacts,
     wells: Wells | NoWells,
     in_free_run: Mapping[str, float],
-) -> tuple[DatasheetFact, ...]:
+) -> Iterator[DatasheetFact]:
     # One rest measured over several modelled ones is the mean of all, and none of them.
     several = values.get("well_left") is not None or any(key.startswith(STABLE) for key in values)
     measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
     if "rest" in measured and _scattered(measured["rest"], [log.motion.q for log in data.logs]):
         del measured["rest"]
-    of_mass = data.device.known_mass is not None
-    stiffness = f"{data.device.curve_units['F']}/{data.device.displacement.symbol}" if of_mass else "1/s²"
+    q = data.device.displacement.symbol
+    stiffness = "1/s²" if data.device.known_mass is None else f"{data.device.curve_units['F']}/{q}"
     units = {
-        "{q}": data.device.displacement.symbol,
+        "{q}": q,
         "{v}": data.device.inputs[0].symbol,
         "{U}": data.device.energy_unit,
         "{k}": stiffness,
     }
-    facts = []
     for key, title, unit in _listed(values):
-        events = measured.get(key)
-        if values.get(key) is None and events is None:
+        samples = measured.get(key, np.empty(0))
+        if values.get(key) is None and not samples.size:
             continue
         low, high = limits.get(key, (None, None))
-        samples = np.empty(0) if events is None else events
-        facts.append(
-            DatasheetFact(
-                key,
-                title,
-                units.get(unit, unit),
-                values.get(key),
-                low,
-                high,
-                float(np.mean(samples)) if samples.size else None,
-                float(np.std(samples, ddof=1)) if samples.size > 1 else None,
-                int(samples.size),
-                in_free_run.get(key) if samples.size else None,
-                in_draws.get(key),
-            )
+        yield DatasheetFact(
+            key,
+            title,
+            units.get(unit, unit),
+            values.get(key),
+            low,
+            high,
+            float(np.mean(samples)) if samples.size else None,
+            float(np.std(samples, ddof=1)) if samples.size > 1 else None,
+            int(samples.size),
+            in_free_run.get(key) if samples.size else None,
+            in_draws.get(key),
         )
-    return tuple(facts)
 
 
 def _listed(values: Mapping[str, float | None]) -> Iterator[tuple[str, str, str]]:
@@ -434,13 +428,14 @@ def _scattered(places: FloatArray, motions: Sequence[FloatArray]) -> bool:
 
 
 def _measured(rests: RestFacts, wells: Wells | NoWells) -> dict[str, FloatArray]:
-    if isinstance(wells, NoWells):
-        sides = {"rest": ("", rests.left, rests.rings_left)}
-    else:
-        sides = {
+    sides = (
+        {"rest": ("", rests.left, rests.rings_left)}
+        if isinstance(wells, NoWells)
+        else {
             "well_left": ("_left", rests.left, rests.rings_left),
             "well_right": ("_right", rests.right, rests.rings_right),
         }
+    )
     events = {}
     for key, (side, places, rings) in sides.items():
         events[key] = places

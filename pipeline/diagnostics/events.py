@@ -80,28 +80,18 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     unexplained = float(np.linalg.norm(outcome["fvec"]))
     if unexplained > MOST_UNEXPLAINED or angular * span < 2.0 * np.pi:
         return None
-    if unexplained * size > BESIDE_MONOTONE * _left_by_monotone(q):
+    # An overdamped device creeps back and does not ring: what the best monotone courses leave.
+    monotone = [np.linalg.norm(q - isotonic_regression(q, increasing=rises).x) for rises in (True, False)]
+    if unexplained * size > BESIDE_MONOTONE * min(monotone):
         return None
-    natural = float(np.hypot(decay, angular))
-    return RingDown(float(angular / (2.0 * np.pi)), float(decay / natural), unexplained)
-
-
-def _left_by_monotone(q: FloatArray) -> float:
-    """Norm of what the best monotone course leaves of q: an overdamped device creeps back and does not ring."""
-    return min(float(np.linalg.norm(q - isotonic_regression(q, increasing=rises).x)) for rises in (True, False))
+    return RingDown(float(angular / (2.0 * np.pi)), float(decay / np.hypot(decay, angular)), unexplained)
 
 
 def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:
     """Times [s] at which an input is switched on or off; of a burst (a chirp) only the first, shape (n,)."""
-    times = []
-    for column in v.T:
-        peak = float(np.max(np.abs(column), initial=0.0))
-        if peak > 0.0:
-            on = np.abs(column) > SWITCHED * peak
-            times.append(t[1:][on[1:] != on[:-1]])
-    ordered = np.sort(np.concatenate(times)) if times else np.empty(0)
-    apart = np.diff(ordered, prepend=-np.inf) > QUIET
-    return np.asarray(ordered[apart])
+    on = np.abs(v) > SWITCHED * np.max(np.abs(v), axis=0, initial=0.0)
+    ordered = np.sort(np.concatenate([t[1:][switched] for switched in (on[1:] != on[:-1]).T]))
+    return np.asarray(ordered[np.diff(ordered, prepend=-np.inf) > QUIET])
 
 
 def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
@@ -114,12 +104,10 @@ def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
     for column in v.T:
         size = float(np.ptp(column))
         moving = runs_of(np.abs(np.diff(column)) > LEVEL_MOVES * size)
-        begins = np.array([rows.start for rows in moving])
-        ends = np.array([rows.stop for rows in moving])
+        begins, ends = np.array([(rows.start, rows.stop) for rows in moving], dtype=np.int64).reshape(-1, 2).T
         stays = np.concatenate(([LEVEL_SAMPLES], begins[1:] - ends[:-1], [LEVEL_SAMPLES])) >= LEVEL_SAMPLES
         for begin, end, before, after in zip(begins, ends, stays[:-1], stays[1:], strict=False):
-            short = before and after and end - begin <= STEP_SAMPLES
-            if short and abs(column[end] - column[begin]) >= STEP * size:
+            if before and after and end - begin <= STEP_SAMPLES and abs(column[end] - column[begin]) >= STEP * size:
                 times.append(float(t[begin + 1]))
     apart = np.unique(times)
     return apart if apart.size <= MOST_STEPS else np.empty(0)
@@ -171,7 +159,7 @@ def rest_facts(
     rings: tuple[list[RingDown], list[RingDown]] = ([], [])
     for t, q, v in records:
         interval = sample_interval(t)
-        quiet = rests(v, sample_interval(t), plant=plant)
+        quiet = rests(v, interval, plant=plant)
         standing = [rest.start for rest in places_of_rest(q, v, interval, plant=plant)]
         step = -(-len(quiet) // MOST_RING_DOWNS)
         for number, rest in enumerate(quiet):
@@ -190,8 +178,9 @@ def rest_facts(
 
 def _is_driven(ring: RingDown, interval: float, hum: Collection[float]) -> bool:
     """True if it does not decay, or is a line of the mains [Hz] in samples an interval [s] apart."""
-    at_line = any(abs(ring.frequency - aliased(line, interval)) < MAINS_WIDTH for line in hum)
-    return ring.damping < LEAST_DAMPING or at_line
+    return ring.damping < LEAST_DAMPING or any(
+        abs(ring.frequency - aliased(line, interval)) < MAINS_WIDTH for line in hum
+    )
 
 
 def _ring_down(t: FloatArray, q: FloatArray, rest: slice, interval: float, wells: Wells | NoWells) -> RingDown | None:

@@ -1,14 +1,12 @@
 """Grades: what is judged, where it begins to be fair and poor, and why."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal
 
-from ..signals.findings import SEVERITIES, Finding, Number, Severity
+from ..signals.findings import Finding, Number, Severity
 from .sentences import sentences
-
-Grade = Severity
 
 
 @dataclass(frozen=True)
@@ -20,12 +18,10 @@ class Threshold:
     reason: str
     more_is_better: bool = False
 
-    def grade(self, value: float) -> Grade:
+    def grade(self, value: float) -> Severity:
         """The grade of a value."""
         sign = -1.0 if self.more_is_better else 1.0
-        if sign * value <= sign * self.good:
-            return "good"
-        return "fair" if sign * value <= sign * self.fair else "poor"
+        return "good" if sign * value <= sign * self.good else "fair" if sign * value <= sign * self.fair else "poor"
 
 
 THRESHOLDS = {
@@ -66,7 +62,7 @@ class Check:
 
     about: Literal["data", "model"]
     name: str
-    grade: Grade
+    grade: Severity
     statement: str
     advice: str
     log: str = ""
@@ -80,11 +76,6 @@ def of_finding(about: Literal["data", "model"], finding: Finding) -> Check:
     return Check(
         about, finding.code, finding.severity, statement, advice, finding.log, finding.subject, finding.numbers
     )
-
-
-def overall(checks: Iterable[Check]) -> Grade:
-    """The worst grade of all."""
-    return max((check.grade for check in checks), key=SEVERITIES.index, default="good")
 
 
 def graded(
@@ -111,5 +102,5 @@ def graded(
     numbers : mapping of str to Number
         Others that its sentences name.
     """
-    severity = THRESHOLDS[code].grade(value)
-    return of_finding(about, Finding(code, severity, log, subject, {"value": Number(value), **numbers}))
+    numbers = {"value": Number(value), **numbers}
+    return of_finding(about, Finding(code, THRESHOLDS[code].grade(value), log, subject, numbers))

@@ -77,14 +77,6 @@ class ObservedModel(Protocol):
 
 
 @dataclass(frozen=True)
-class Instrument:
-    """An instrument's error: its name, and the limit of practical interest [1, m, rad or s]."""
-
-    name: str
-    limit: float
-
-
-@dataclass(frozen=True)
 class Linearised:
     """A log near its present corrections: r of shape (N,), J of shape (N, K) per limit, and A of shape (N, R)."""
 
@@ -129,13 +121,12 @@ class Reading:
     unlike: float
 
 
-def quantities(parts: Sequence[Log]) -> tuple[Instrument, ...]:
-    """The errors that are measured of a log, with limits for its range of q and its sample interval."""
+def quantities(parts: Sequence[Log]) -> dict[str, float]:
+    """Limits of practical interest [1, m, rad or s] by error that is measured, for a log's range of q and interval."""
     span = float(np.ptp(np.concatenate([part.known_q for part in parts])))
     scales = {"zero_q": span, "delay": parts[0].interval}
-    inputs = [Instrument(f"gain_v{k}", LIMITS["gain"]) for k in range(1, parts[0].v.shape[1] + 1)]
-    rest = [name for name in LIMITS if name != "gain"]
-    return (*inputs, *(Instrument(name, LIMITS[name] * scales.get(name, 1.0)) for name in rest))
+    inputs = {f"gain_v{k}": LIMITS["gain"] for k in range(1, parts[0].v.shape[1] + 1)}
+    return inputs | {name: limit * scales.get(name, 1.0) for name, limit in LIMITS.items() if name != "gain"}
 
 
 class InstrumentTest:
@@ -157,18 +148,15 @@ class InstrumentTest:
         self._model = model
         self._logs = [within(parts, MOST_SAMPLES) for parts in training]
         self.quantities = quantities([part for parts in training for part in parts])
-        self._limits = np.array([quantity.limit for quantity in self.quantities])
+        self._limits = np.array([*self.quantities.values()])
         self._training = [self._linearised(parts, np.zeros(len(self._limits))) for parts in self._logs]
 
-    def of_training(self, number: int) -> Reading:
-        """Errors of one of several training logs, compared with the others.
+    @cached_property
+    def of_training(self) -> list[Reading]:
+        """Errors of each of several training logs, compared with the others.
 
         The model was fitted to all of them, so unlike residuals show its own errors, which then hide the instruments.
         """
-        return self._fitted[number]
-
-    @cached_property
-    def _fitted(self) -> list[Reading]:
         count = len(self._logs)
         others = [self._training[:number] + self._training[number + 1 :] for number in range(count)]
         nothing = np.zeros(len(self._limits))
@@ -184,7 +172,7 @@ class InstrumentTest:
         new one is compared with that of all: factors 1 − 1/n and 1 + 1/n.
         """
         count = len(self._logs)
-        measured = [reading for reading in self._fitted if reading.status == "measured"] if count > 1 else []
+        measured = [reading for reading in self.of_training if reading.status == "measured"] if count > 1 else []
         if not measured:
             return np.zeros(len(self._limits))
         excess = [reading.estimate**2 - reading.standard_error**2 for reading in measured]
@@ -226,20 +214,22 @@ class InstrumentTest:
             log = self._linearised(parts, delta)
         unlike = abs(fit.unlike) if fitted else fit.unlike
         alike = unlike <= 1.0 or fit.size <= 1.0
-        if fitted and not alike:
-            return self._not_measured(exchange)
-        astray = np.abs(fit.step) > fit.error
-        if alike and (np.any(np.abs(delta) >= FARTHEST) or np.any(astray)):
+        astray = np.any(np.abs(delta) >= FARTHEST) or np.any(np.abs(fit.step) > fit.error)
+        if (alike and astray) or (fitted and not alike):
             return self._not_measured(exchange)
         errors = np.hypot(between, np.maximum(fit.error, np.sqrt(np.sum(fit.spread() ** 2, axis=1))))
         if alike and np.all(errors > SIGNIFICANCE):  # no quantity is known to some limits: the model errs, as it shows
             return self._not_measured(exchange)
         ahead, behind = (self._errors(delta + side * errors) for side in (1.0, -1.0))
-        status: Status = "measured" if alike else "another device"
-        corrections = _corrections(delta * self._limits)
-        estimate = self._errors(delta)
-        standard_error = 0.5 * np.abs(ahead - behind)
-        return Reading(status, exchange, corrections, estimate, standard_error, fit.residual_ratio, fit.unlike)
+        return Reading(
+            status="measured" if alike else "another device",
+            exchange=exchange,
+            corrections=_corrections(delta * self._limits),
+            estimate=self._errors(delta),
+            standard_error=0.5 * np.abs(ahead - behind),
+            residual_ratio=fit.residual_ratio,
+            unlike=fit.unlike,
+        )
 
     def _not_measured(self, exchange: Exchange) -> Reading:
         nothing = np.full(len(self._limits), np.nan)
@@ -247,8 +237,8 @@ class InstrumentTest:
 
     def _errors(self, delta: FloatArray) -> FloatArray:
         by = _corrections(delta * self._limits)
-        gains = [1.0 / gain - 1.0 for gain in by.gains]
-        return np.array([*gains, -by.zero / by.gain_q, 1.0 / by.gain_q - 1.0, -by.delay, 1.0 / by.clock - 1.0])
+        others = (-by.zero / by.gain_q, 1.0 / by.gain_q - 1.0, -by.delay, 1.0 / by.clock - 1.0)
+        return np.array([*(1.0 / gain - 1.0 for gain in by.gains), *others])
 
     def _as_trained(self, parts: Sequence[Log]) -> tuple[Exchange, Sequence[Log]]:
         """What must be exchanged for the log to be like the training logs, and the log with that exchanged."""
@@ -256,14 +246,12 @@ class InstrumentTest:
         if parts[0].v.shape[1] > 1:
             trials["inputs"] = [exchanged(each) for each in parts]
             trials["both"] = [exchanged(each) for each in trials["sign"]]
-        left = {name: self._left(trial) for name, trial in trials.items()}
+        nothing = np.zeros(len(self._limits))
+        residuals = {name: self._residual(trial, nothing) for name, trial in trials.items()}
+        left = {name: np.inf if residual is None else rms(residual) for name, residual in residuals.items()}
         best = min(left, key=lambda name: left[name])
         chosen = best if left[best] < EXPLAINED * left["none"] else "none"
         return chosen, trials[chosen]
-
-    def _left(self, parts: Sequence[Log]) -> float:
-        residual = self._residual(parts, np.zeros(len(self._limits)))
-        return np.inf if residual is None else rms(residual)
 
     def _linearised(self, parts: Sequence[Log], delta: FloatArray) -> Linearised | None:
         """A log near δ [limits]; None where a run fails."""
@@ -274,9 +262,8 @@ class InstrumentTest:
         problem, gain, scale = self._problem(parts, delta)
         residual, by_theta = (scale * each for each in problem.jacobian(self._model.theta, gain))
         by_parameters = by_theta @ self._model.spread
-        if not (np.isfinite(residual).all() and np.isfinite(by_parameters).all()):
-            return None
-        return Linearised(residual, 0.5 * (np.array(ahead) - np.array(behind)).T, by_parameters)
+        finite = np.isfinite(residual).all() and np.isfinite(by_parameters).all()
+        return Linearised(residual, 0.5 * (np.array(ahead) - np.array(behind)).T, by_parameters) if finite else None
 
     def _residual(self, parts: Sequence[Log], delta: FloatArray) -> FloatArray | None:
         problem, gain, scale = self._problem(parts, delta)
@@ -344,43 +331,35 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
     shared = [np.hstack([each.by_corrections, each.by_parameters]) for each in reference]
     widths = np.ones(shared[0].shape[1])
     widths[:count] = FARTHEST
-    alone = _least_squares(residuals, shared, widths, [None] * len(reference))
+    _, _, errors_alone, noise_alone = _least_squares(residuals, shared, widths, [None] * len(reference))
     residuals.append(log.residual)
     designs = [np.hstack([np.zeros((len(each), count)), each]) for each in shared]
     designs.append(np.hstack([log.by_corrections, log.by_corrections, log.by_parameters]))
     widths = np.append(np.full(count, FARTHEST), widths)
-    both = _least_squares(residuals, designs, widths, [*alone.noise, None])
-    starts = np.cumsum([0, *(len(error) for error in both.errors[:-1])])
+    solution, covariance, errors, noise = _least_squares(residuals, designs, widths, [*noise_alone, None])
+    starts = np.cumsum([0, *(len(error) for error in errors[:-1])])
     return _Fitted(
-        both.solution[:count],
-        np.sqrt(np.diag(both.covariance[:count, :count])),
-        rms(both.errors[-1]) / log.reach,
-        *_compared(alone.errors, both.errors[-1]),
-        np.concatenate([error / std for error, std in zip(both.errors, both.noise, strict=True)]),
-        np.concatenate([design / std for design, std in zip(designs, both.noise, strict=True)]),
+        solution[:count],
+        np.sqrt(np.diag(covariance[:count, :count])),
+        rms(errors[-1]) / log.reach,
+        *_compared(errors_alone, errors[-1]),
+        np.concatenate([error / std for error, std in zip(errors, noise, strict=True)]),
+        np.concatenate([design / std for design, std in zip(designs, noise, strict=True)]),
         Prior(np.diag(1.0 / widths), np.zeros(len(widths))),
         [
             start + rows
-            for start, error in zip(starts, both.errors, strict=True)
+            for start, error in zip(starts, errors, strict=True)
             for rows in np.array_split(np.arange(len(error)), GROUPS)
         ],
     )
 
 
-@dataclass(frozen=True)
-class _Solved:
-    """Least squares over logs: solution (P,) and its covariance (P, P), errors (N,) of each log, noise of each."""
-
-    solution: FloatArray
-    covariance: FloatArray
-    errors: list[FloatArray]
-    noise: list[float]
-
-
 def _least_squares(
     residuals: Sequence[FloatArray], designs: Sequence[FloatArray], widths: FloatArray, known: Sequence[float | None]
-) -> _Solved:
+) -> tuple[FloatArray, FloatArray, list[FloatArray], list[float]]:
     """Least squares of r + D x = e over logs with the prior x ~ N(0, widths²), in two passes.
+
+    Returned are x (P,) and its covariance (P, P), e (N,) of each log, and the noise of each.
 
     Where the noise of a log is not known it is first that of r, then that of e. Errors that last for τ samples count
     as noise of √τ times their RMS.
@@ -408,7 +387,7 @@ def _least_squares(
             rms(error) * np.sqrt(whiteness(error).integrated_correlation_time) if std is None else std
             for std, error in zip(known, errors, strict=True)
         ]
-    return _Solved(solution, scipy.linalg.cho_solve(factor, np.eye(len(widths))), errors, noise)
+    return solution, scipy.linalg.cho_solve(factor, np.eye(len(widths))), errors, noise
 
 
 def _compared(reference: Sequence[FloatArray], error: FloatArray) -> tuple[float, float]:
@@ -422,19 +401,17 @@ def _compared(reference: Sequence[FloatArray], error: FloatArray) -> tuple[float
     errors = [*reference, error]
     noise = [noise_std(each) ** 2 for each in errors]
     unseen = [white * np.sqrt(2.0 * GROUPS / len(each)) for each, white in zip(errors, noise, strict=True)]
-    levels = []
-    doubts = []
-    for each, white, doubt in zip(errors, noise, unseen, strict=True):
-        squares = np.array([rms(group) ** 2 - white for group in np.array_split(each, GROUPS)])
-        squares = np.maximum(squares, SIGNIFICANCE * max(unseen))
-        levels.append(np.log(squares))
-        doubts.append((doubt / squares) ** 2)
-    shares = []
-    freedoms = []
-    for own, doubt in ((levels[-1], doubts[-1]), (np.concatenate(levels[:-1]), np.concatenate(doubts[:-1]))):
-        shares.append((own.var(ddof=1) + doubt.mean()) / own.size)
-        freedoms.append(own.size - 1)
+    squares = [
+        np.maximum([rms(group) ** 2 - white for group in np.array_split(each, GROUPS)], SIGNIFICANCE * max(unseen))
+        for each, white in zip(errors, noise, strict=True)
+    ]
+    levels = [np.log(each) for each in squares]
+    doubts = [(doubt / each) ** 2 for doubt, each in zip(unseen, squares, strict=True)]
+    both = ((levels[-1], doubts[-1]), (np.concatenate(levels[:-1]), np.concatenate(doubts[:-1])))
+    shares = [(level.var(ddof=1) + doubt.mean()) / level.size for level, doubt in both]
     difference = float(levels[-1].mean() - np.mean(levels[:-1]))
-    freedom = sum(shares) ** 2 / sum(share**2 / own for share, own in zip(shares, freedoms, strict=True))
+    freedom = sum(shares) ** 2 / sum(
+        share**2 / (len(level) - 1) for share, (level, _) in zip(shares, both, strict=True)
+    )
     critical = stdtrit(freedom, ndtr(SIGNIFICANCE)) * np.sqrt(sum(shares))
     return float(np.exp(0.5 * difference)), difference / float(critical)

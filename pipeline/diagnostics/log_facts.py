@@ -80,9 +80,9 @@ def rest_drift(
     float or None
         [m/s or rad/s].
     """
-    ends = [end_of_rest(rest, interval) for rest in places_of_rest(q, v, interval, plant=plant)]
+    places_at_rest = places_of_rest(q, v, interval, plant=plant)
+    ends = [rows for rest in places_at_rest if np.isfinite(q[rows := end_of_rest(rest, interval)]).all()]
     reach = float(np.nanmax(q) - np.nanmin(q))
-    ends = [rows for rows in ends if np.isfinite(q[rows]).all()]
     times = np.array([np.mean(t[rows]) for rows in ends])
     places = np.array([np.median(q[rows]) for rows in ends])
     right = places > wells.barrier if isinstance(wells, Wells) else np.zeros(places.size, dtype=np.bool_)
@@ -97,8 +97,7 @@ def rest_drift(
     scatter = float(left @ left) / (len(design) - design.shape[1])
     error = float(np.sqrt(scatter * np.linalg.pinv(design.T @ design)[-1, -1]))
     rate = float(weights[-1])
-    moved = abs(rate) * float(np.ptp(t))
-    return rate if abs(rate) > SURE * error and moved > DRIFT * reach else None
+    return rate if abs(rate) > SURE * error and abs(rate) * float(np.ptp(t)) > DRIFT * reach else None
 
 
 REACH = 20
@@ -252,6 +251,6 @@ def _mean_accelerations(terms: WeakTerms, design: FloatArray, rows: IntArray) ->
     result = np.zeros(count)
     for i in range(count):
         on = np.abs(terms.inputs[terms.rows, i, 0]) > _ON
-        powers = terms.q[on, None] ** np.arange(GAIN_TERMS)
-        result[i] = float(np.mean(powers @ weights[i])) if on.any() else 0.0
+        if on.any():
+            result[i] = float(np.mean(terms.q[on, None] ** np.arange(GAIN_TERMS) @ weights[i]))
     return result * terms.size

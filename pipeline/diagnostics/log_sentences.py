@@ -122,15 +122,13 @@ def _late_answer(finding: Finding) -> ShownRow:
     shown, factor = scale("s", number.value)
     later = number.value > 0.0
     advice = (
-        "q moves before its inputs: if it is the angle of a joint, give it in deg or rad; "
-        "else start both recorders by one trigger"
+        "start both recorders by one trigger; if the sensor of q averages over a window, give that as `average` "
+        "in [channels] q; if the inputs do act late (a filter, a slow drive, electrodes that charge slowly), hybrid "
+        'estimates by how much, and rbf with drive = "lag" or "delay" in [identify.structure]'
+        if later
+        else "q moves before its inputs: if it is the angle of a joint, give it in deg or rad; else start both "
+        "recorders by one trigger"
     )
-    if later:
-        advice = (
-            "start both recorders by one trigger; if the sensor of q averages over a window, give that as `average` in "
-            "[channels] q; if the inputs do act late (a filter, a slow drive, electrodes that charge slowly), hybrid "
-            'estimates by how much, and rbf with drive = "lag" or "delay" in [identify.structure]'
-        )
     delay = f"about {short(abs(number.value) * factor)} {shown} {'late' if later else 'early'}"
     return ShownRow("answer of q", delay, finding.filled("± {most:short}"), advice)
 

@@ -1,12 +1,11 @@
 """The assessment of the main model: errors and their causes, wells, rivals, generalisation, trust."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from ..numerics.arrays import FloatArray
 from ..scoring.wells import NoWells, Wells, snaps
 from ..signals.findings import Finding, Number
 from ..system.names import ROLE_WORDS, log_title
@@ -33,8 +32,8 @@ def instrument_findings(data: RunData, model: str) -> list[Finding]:
         of_log = [row for row in rows if (row["role"], row["log"]) == log]
         title = log_title(*log)
         if of_log[0]["status"] == "another device":
-            ratio = Number(float(of_log[0]["residual_ratio"]))
-            findings.append(Finding("another_device", "poor", title, numbers={"residual_ratio": ratio}))
+            left = {"residual_ratio": Number(float(of_log[0]["residual_ratio"]))}
+            findings.append(Finding("another_device", "poor", title, numbers=left))
             continue
         if of_log[0]["exchanged"] != "none":
             findings.append(Finding("exchanged", "poor", title, of_log[0]["exchanged"]))
@@ -87,9 +86,8 @@ def causes(data: RunData, worst: Mapping[str, Any], ratio: float, wells: Wells |
     severity = THRESHOLDS["generalisation"].grade(ratio)
     if severity == "good":
         return [Finding("generalisation", severity, title, worst["model"], {"ratio": Number(ratio)})]
-    if any(finding.log == title for finding in instrument_findings(data, worst["model"])):
-        return []
-    if THRESHOLDS["outside"].grade(worst.get("outside_training") or 0.0) != "good":
+    by_instruments = any(finding.log == title for finding in instrument_findings(data, worst["model"]))
+    if by_instruments or THRESHOLDS["outside"].grade(worst.get("outside_training") or 0.0) != "good":
         return []
     log = next(log for log in data.logs if (log.role, log.name) == (worst["role"], worst["log"]))
     passage = None if isinstance(wells, NoWells) else _one_passage(log, worst["model"], wells)
@@ -118,17 +116,11 @@ def _one_passage(log: LogData, model: str, wells: Wells) -> tuple[float, float] 
     if share < MOST_OF_IT:
         return None
     crossings = [row for run in (q, own) for row in snaps(run, wells).tolist() if begin - 1 <= row < begin + length]
-    if not crossings:
-        return None
-    return share, float(log.motion.t[_slowest(crossings, q, own)])
-
-
-def _slowest(crossings: Sequence[int], q: FloatArray, own: FloatArray) -> int:
-    """The crossing at which measurement or model move least."""
-    speeds = [
-        min(abs(float(run[min(row + 1, run.size - 1)] - run[max(row - 1, 0)])) for run in (q, own)) for row in crossings
-    ]
-    return crossings[int(np.argmin(speeds))]
+    speeds = {  # of measurement or model, whichever moves less
+        row: min(abs(float(run[min(row + 1, run.size - 1)] - run[max(row - 1, 0)])) for run in (q, own))
+        for row in crossings
+    }
+    return (share, float(log.motion.t[min(speeds, key=speeds.__getitem__)])) if speeds else None
 
 
 RIVAL_SURELY = 2e-3
@@ -141,7 +133,7 @@ WORST = 0.15
 
 def model_checks(
     data: RunData, model: str, rest_errors: tuple[float, float] | None, wells: Wells | NoWells
-) -> list[Check]:
+) -> Iterator[Check]:
     """The main model: free-run error, wells, generalisation, and by how much its two rests err.
 
     Parameters
@@ -160,45 +152,42 @@ def model_checks(
         for role in ("train", "validation")
     }
     judged, where = (by_role["validation"], "validation") if by_role["validation"] else (by_role["train"], "train")
-    checks = []
     if where == "train":
-        checks.append(of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s")))
-    checks += _ended_early(model, data.descriptions.get(model, {}), judged)
+        yield of_finding("model", Finding("validation", "fair", subject=f"{data.device.input_word}s"))
+    yield from _ended_early(model, data.descriptions.get(model, {}), judged)
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
-        checks.append(graded("model", "nrmse", max(errors), log=f"worst {ROLE_WORDS[where]} log", subject=model))
+        yield graded("model", "nrmse", max(errors), log=f"worst {ROLE_WORDS[where]} log", subject=model)
     if isinstance(wells, NoWells):  # what the scores say of wells is of rests that are none
         judged = [{**s, "switch_accuracy": None, "outcomes": None} for s in judged]
     right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]
     if right:
-        checks.append(graded("model", "switch_accuracy", min(right)))
-    checks += [*_constant_checks(data, judged), *_rival_checks(data, judged)]
-    checks += [of_finding("data", finding) for finding in instrument_findings(data, model)]
-    checks += _trust_checks(judged)
+        yield graded("model", "switch_accuracy", min(right))
+    yield from _constant_checks(data, judged)
+    yield from _rival_checks(data, judged)
+    yield from (of_finding("data", finding) for finding in instrument_findings(data, model))
+    yield from _trust_checks(judged)
     train = [s["nrmse"] for s in by_role["train"] if s["nrmse"]]
     # A still smaller error on the training data is no fault if the error is good.
     if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
         worst = max((s for s in judged if s["nrmse"] is not None), key=lambda score: score["nrmse"])
-        checks += [of_finding("model", finding) for finding in causes(data, worst, max(errors) / max(train), wells)]
+        yield from (of_finding("model", finding) for finding in causes(data, worst, max(errors) / max(train), wells))
     if rest_errors is not None and isinstance(wells, Wells):
-        off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
-        checks.append(graded("model", "wells", off))
-    return checks
+        yield graded("model", "wells", max(abs(error) for error in rest_errors) / (wells.right - wells.left))
 
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     """Logs that their own mean predicts better."""
-    checks = []
-    for own in judged:
-        spread = _spread(data, own)
-        if own["nrmse"] is not None and own["nrmse"] > spread:
-            checks.append((own["nrmse"] / spread, spread, own))
+    checks = [
+        (own["nrmse"] / spread, spread, own)
+        for own in judged
+        if own["nrmse"] is not None and own["nrmse"] > (spread := _spread(data, own))
+    ]
     if not checks:
         return []
     _, spread, own = max(checks, key=lambda check: check[0])
     numbers = {"constant": Number(spread), "own": Number(own["nrmse"])}
-    finding = Finding("constant", "poor", log_title(own["role"], own["log"]), own["model"], numbers)
-    return [of_finding("model", finding)]
+    return [of_finding("model", Finding("constant", "poor", log_title(own["role"], own["log"]), own["model"], numbers))]
 
 
 def _spread(data: RunData, score: Mapping[str, Any]) -> float:
@@ -247,9 +236,9 @@ def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> 
     if not checks:
         return []
     ratio, seconds, error, own_error, best = max(checks, key=lambda check: check[0])
-    log = log_title(best["role"], best["log"])
     models = f"{best['model']}, {judged[0]['model']}"
     numbers = {"error": Number(error), "own": Number(own_error), "horizon": Number(seconds, "s")}
+    log = log_title(best["role"], best["log"])
     return [graded("model", "rival", ratio, log=log, subject=models, numbers=numbers)]
 
 
@@ -257,34 +246,26 @@ def _number(value: float | None, *, lacking: float = np.inf) -> float:
     return lacking if value is None else float(value)
 
 
-def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
     """A fit that had not converged, and free runs that diverged."""
-    checks = []
     if description.get("converged") is False:
-        checks.append(of_finding("model", Finding("converged", "fair", subject=model)))
+        yield of_finding("model", Finding("converged", "fair", subject=model))
     diverged = [s for s in judged if s["status"] != "ok"]
     if diverged:
         times = {str(s["log"]): Number(float(s["diverged_at_s"]), "s") for s in diverged}
-        checks.append(of_finding("model", Finding("divergence", "poor", subject=model, numbers=times)))
-    return checks
+        yield of_finding("model", Finding("divergence", "poor", subject=model, numbers=times))
 
 
-def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
     """Ambiguous switching outcomes, and states outside the training data."""
-    checks = []
     outcomes = sum(s.get("outcomes") or 0 for s in judged)
     if outcomes:
         open_ones = sum(s.get("ambiguous_outcomes") or 0 for s in judged)
         counts = {"open": Number(open_ones), "outcomes": Number(outcomes)}
-        checks.append(graded("model", "ambiguous", open_ones / outcomes, numbers=counts))
+        yield graded("model", "ambiguous", open_ones / outcomes, numbers=counts)
     outside = [s for s in judged if s.get("outside_training") is not None]
     if outside:
         most = max(outside, key=lambda score: score["outside_training"])
-        title = log_title(most["role"], most["log"])
-        outside_check = graded("model", "outside", float(most["outside_training"]), log=title)
-        errors = [s["nrmse"] for s in judged]
-        right = all(error is not None and THRESHOLDS["nrmse"].grade(error) == "good" for error in errors)
-        checks.append(
-            replace(outside_check, grade="fair") if right and outside_check.grade == "poor" else outside_check
-        )
-    return checks
+        check = graded("model", "outside", float(most["outside_training"]), log=log_title(most["role"], most["log"]))
+        right = all(s["nrmse"] is not None and THRESHOLDS["nrmse"].grade(s["nrmse"]) == "good" for s in judged)
+        yield replace(check, grade="fair") if right and check.grade == "poor" else check

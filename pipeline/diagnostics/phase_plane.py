@@ -140,9 +140,8 @@ def moves_unforced(data: RunData) -> bool:
     """True if the logs show a motion without input that is visible in the plane."""
     places = [q[np.isfinite(q)] for q, _ in (unforced(data, log) for log in data.logs)]
     low, high = _ends(data, "q")
-    if sum(q.size for q in places) < LEAST_SHARE * sum(len(log.motion.q) for log in data.logs):
-        return False
-    return any(q.size > 0 and np.ptp(q) > LEAST_MOTION * (high - low) for q in places)
+    enough = sum(q.size for q in places) >= LEAST_SHARE * sum(len(log.motion.q) for log in data.logs)
+    return enough and any(q.size > 0 and np.ptp(q) > LEAST_MOTION * (high - low) for q in places)
 
 
 def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatArray, FloatArray, Classes]:

@@ -89,11 +89,10 @@ def analyse_residual(
     colour = _correlation(residual, residual, far)
     variances = [float(np.sum(colour * _correlation(column, column, far))) / n for column in u.T]
     bands: FloatArray = NORMAL_99 * np.sqrt(np.maximum(variances, 1.0 / n))
-    beyond = np.abs(crossed[:, count:]) > bands[:, None]
     frequency, density = _spectrum(residual, interval)
     return Residual(
         interval * np.arange(-count, count + 1.0), own, NORMAL_99 / float(np.sqrt(n)), crossed, bands,
-        float(np.mean(beyond)), frequency, density, _spectrum(q, interval)[1],
+        float(np.mean(np.abs(crossed[:, count:]) > bands[:, None])), frequency, density, _spectrum(q, interval)[1],
     )  # fmt: skip
 
 
@@ -103,8 +102,7 @@ def _correlation(x: FloatArray, y: FloatArray, count: int) -> FloatArray:
 
     a = x - x.mean()
     b = y - y.mean()
-    scale = float(np.sqrt(np.sum(a**2) * np.sum(b**2)))
-    whole: FloatArray = correlate(b, a, method="fft") / (scale or np.inf)
+    whole: FloatArray = correlate(b, a, method="fft") / (float(np.sqrt(np.sum(a**2) * np.sum(b**2))) or np.inf)
     return whole[len(x) - 1 - count : len(x) + count]
 
 
@@ -121,6 +119,5 @@ def main_residual(data: RunData, log: LogData) -> Residual | None:
     model = data.model_names[0]
     if model not in log.predictions:
         return None
-    inputs = log.motion.v
-    acting = data.device.acting(inputs)
+    acting = data.device.acting(log.motion.v)
     return analyse_residual(log.motion.q, log.predictions[model]["q"], acting, log.motion.interval)

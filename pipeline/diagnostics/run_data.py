@@ -133,10 +133,7 @@ class RunData:
     @property
     def model_names(self) -> tuple[str, ...]:
         """Every model with a free run, the main model first."""
-        names = dict.fromkeys(self.models)
-        for log in self.logs:
-            names |= dict.fromkeys(log.predictions)
-        return tuple(names)
+        return tuple(dict.fromkeys([*self.models, *(name for log in self.logs for name in log.predictions)]))
 
     def role(self, role: str) -> tuple[LogData, ...]:
         """The logs of one role."""

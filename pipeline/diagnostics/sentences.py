@@ -130,11 +130,6 @@ def _divergence(finding: Finding) -> tuple[str, str]:
     )
 
 
-def not_converged(model: str) -> tuple[str, str]:
-    """The sentences on a fit that did not converge."""
-    return sentences(Finding("converged", "fair", subject=model))
-
-
 def _ambiguous(finding: Finding) -> tuple[str, str]:
     count = f"{finding.value('open'):.0f}" if finding.value("open") else "none"
     return (

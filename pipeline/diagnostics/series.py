@@ -119,8 +119,8 @@ def facts_of(
     for quantity in calibrated(model):
         if quantity.name in _QUANTITIES:
             key = quantity.name.partition(",")[0].replace(" ", "_")
-            title = _QUANTITIES[quantity.name]
-            yield RunFact(key, title, quantity.unit, quantity.value, _error(quantity.low, quantity.high))
+            error = _error(quantity.low, quantity.high)
+            yield RunFact(key, _QUANTITIES[quantity.name], quantity.unit, quantity.value, error)
 
 
 def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
@@ -143,9 +143,9 @@ def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displace
     units = {"zero_q": displacement, "delay": "s"}
     for quantity, value, error in zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True):
         # The force of a joint goes with C v², so that 2 % of capacitance read as 1 % of voltage.
-        either = " or of the device" if quantity.name.startswith("gain_v") else ""
-        title = f"instruments: {READINGS.get(quantity.name, quantity.name)}{either}, change since the first run"
-        yield RunFact(f"reading_{quantity.name}", title, units.get(quantity.name, "1"), float(value), float(error))
+        either = " or of the device" if quantity.startswith("gain_v") else ""
+        title = f"instruments: {READINGS.get(quantity, quantity)}{either}, change since the first run"
+        yield RunFact(f"reading_{quantity}", title, units.get(quantity, "1"), float(value), float(error))
 
 
 def common_stroke(sheets: Sequence[Mapping[str, Any]]) -> tuple[float, float] | None:
@@ -178,11 +178,8 @@ def facts_over_time(at: Sequence[float], runs: Sequence[Sequence[RunFact]]) -> t
         for fact in facts:
             if np.isfinite(fact.value) and fact.error > 0.0:
                 by_fact.setdefault((fact.key, fact.title, fact.unit), []).append((time, fact.value, fact.error))
-    several = {named: np.array(rows) for named, rows in by_fact.items() if len(rows) > 1}
-    return tuple(_over_time(named, rows, ALARM / len(several)) for named, rows in several.items())
-
-
-def _over_time(named: tuple[str, str, str], rows: FloatArray, alarm: float) -> SeriesFact:
-    """A fact from rows of time, value and standard error."""
-    t, y, errors = rows.T
-    return SeriesFact(*named, t, y, errors, *smoothed(t, y, errors), trend(t, y, errors, alarm))
+    several = {named: np.array(rows).T for named, rows in by_fact.items() if len(rows) > 1}
+    return tuple(
+        SeriesFact(*named, t, y, errors, *smoothed(t, y, errors), trend(t, y, errors, ALARM / len(several)))
+        for named, (t, y, errors) in several.items()
+    )

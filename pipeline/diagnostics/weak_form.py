@@ -108,15 +108,17 @@ def weak_terms(log: LogSignals, acting: FloatArray, sample_interval: float) -> W
     """
     half = _half_width(log, sample_interval)
     z, measured, size = _scaled(log)
-    rows = _usable(measured, half)
+    # Middles of bumps, a sample interval apart, that meet only measured samples.
+    missing = np.concatenate(([0], np.cumsum(~measured)))
+    middles = np.arange(half, len(measured) - half, half // HALF_WIDTH)
+    rows = middles[missing[middles + half + 1] == missing[middles - half]]
     if rows.size < BLOCKS * (FORCE_ORDER + 3 + GAIN_TERMS * log.v.shape[1]):
         return None
     bump, slope, curvature = _bump(half, log.interval)
     motion = [_average(z**k, bump)[rows] for k in range(FORCE_ORDER + 1)]
     motion += [_average(z, slope)[rows], _average(z**3 / 3.0, slope)[rows]]  # z² ż is the rate of z³/3
     inertia = _average(z, curvature)[rows]
-    inputs = _input_terms(acting, z, bump)
-    return WeakTerms(size, rows, z[rows], inertia, np.column_stack(motion), inputs, log.interval)
+    return WeakTerms(size, rows, z[rows], inertia, np.column_stack(motion), _input_terms(acting, z, bump), log.interval)
 
 
 def under_inputs(terms: WeakTerms, log: LogSignals, acting: FloatArray, sample_interval: float) -> WeakTerms:
@@ -187,13 +189,6 @@ def _input_terms(acting: FloatArray, z: FloatArray, bump: FloatArray) -> FloatAr
         for k in range(GAIN_TERMS):
             inputs[:, i, k] = _average(e[:, i] * z**k, bump)
     return inputs
-
-
-def _usable(measured: BoolArray, half: int) -> IntArray:
-    """Middles of bumps, a sample interval apart, that meet only measured samples."""
-    missing = np.concatenate(([0], np.cumsum(~measured)))
-    middles = np.arange(half, len(measured) - half, half // HALF_WIDTH)
-    return np.asarray(middles[missing[middles + half + 1] == missing[middles - half]])
 
 
 def _bump(half: int, h: float) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -15,8 +15,7 @@ from itertools import combinations_with_replacement
 
 import casadi as ca
 
-from . import beam
-from .beam import Expression
+from .beam import Expression, Powers, bending_density, shapes
 from .tip_elements import tip_elements
 
 SLIPS = 4
@@ -193,14 +192,14 @@ def bends(s: CondensedSymbols) -> Expression:
     return ca.vertcat(*(ca.horzcat(*(s.constant(f"rise_{name}") for name in row)) for row in names))
 
 
-def _slender_energy() -> beam.Powers:
+def _slender_energy() -> Powers:
     """Energy over EI/l by Q, own slope, β, then curvature and coefficients."""
-    q, end, b, curvature, steepening, stiffening = beam.Powers.variables(6)
+    q, end, b, curvature, steepening, stiffening = Powers.variables(6)
     energy = q * 0.0
-    for slopes, bent, weight in zip(*beam.shapes(), strict=True):
+    for slopes, bent, weight in zip(*shapes(), strict=True):
         slope = q * slopes[0] + end * slopes[1] + b * slopes[2]
         bend = q * bent[0] + end * bent[1] + b * bent[2] + curvature * -1.0
-        energy += beam.bending_density(slope, bend, steepening) * (0.5 * weight)
+        energy += bending_density(slope, bend, steepening) * (0.5 * weight)
         energy += bend * bend * bend * bend * stiffening * (0.25 * weight)
     return energy
 

@@ -21,10 +21,7 @@ from typing import Any
 
 import casadi as ca
 
-from . import elements
-from .elements import gaussian, lag_rate
-
-Expression = Any
+from .elements import Expression, dahl_move, dahl_rate, gaussian, lag_rate, maxwell_rate
 
 WALL = 0.1
 """Half ranges past the data at which the wall of a turning arm is as strong as the cubic at their ends."""
@@ -157,7 +154,7 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     # displacement: it relaxes at a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x).
     # All follow from the energy ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint,
     # and the same coupling stands in both equations. So no element can create energy.
-    relaxing = elements.maxwell_rate(coupling * p, rate, load)
+    relaxing = maxwell_rate(coupling * p, rate, load)
     return {
         "POWERS": ({"x": x}, _with_slopes(powers(x), x)),
         "TURNING_ARM": ({"x": x, "arm": angle}, _with_slopes(turning_arm(x, angle), x)),
@@ -182,13 +179,13 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
         ),
         "DAHL_MOVE": (
             {"state": state, "travel": travel, "length": length},
-            _with_slopes(elements.dahl_move(state, travel, length), ca.vertcat(state, travel, length)),
+            _with_slopes(dahl_move(state, travel, length), ca.vertcat(state, travel, length)),
         ),
         "STOP_FORCE": (
             {"x": x, "p": p, "stops": stops},
             _with_slopes(stop_force(x, p, stops), ca.vertcat(x, p, stops)),
         ),
-        "DAHL_RATE": ({"p": p, "state": state, "length": length}, {"rate": elements.dahl_rate(p, state, length)}),
+        "DAHL_RATE": ({"p": p, "state": state, "length": length}, {"rate": dahl_rate(p, state, length)}),
     }
 
 

@@ -17,7 +17,6 @@ import casadi as ca
 from ..device.parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
 from . import elements
 from .beam import Expression, Polynomial, Powers, bending_density
-from .elements import Mounts, Tip, dahl_rate, maxwell_rate
 
 
 @dataclass(frozen=True)
@@ -83,7 +82,9 @@ def stretches(s: FullSymbols) -> tuple[Expression, Expression]:
     result = []
     for side, sign in (("left", -1.0), ("right", 1.0)):
         a, b, a0, e_x, e_z, l0 = (s.parameter(f"{side}.{n}") for n in ("a", "b", "a0", "e_x", "e_z", "l0"))
-        result.append(elements.length(sign, Mounts(a, b - a0, e_z, e_x), l, Tip(q, sin, cos, u_y))[0] / l0)
+        result.append(
+            elements.length(sign, elements.Mounts(a, b - a0, e_z, e_x), l, elements.Tip(q, sin, cos, u_y))[0] / l0
+        )
     return result[0], result[1]
 
 
@@ -147,10 +148,10 @@ def internal_rates(s: FullSymbols) -> Expression:
     """ż of both Maxwell strains and of Dahl's friction, shape (3,)."""
     lambda3_dot = ca.jtimes(thickness_stretches(s), s.qm, s.qm_dot)
     rates = [
-        maxwell_rate(lambda3_dot[i], s.parameter(f"{side}.Y_MW") / s.parameter(f"{side}.eta_MW"), s.z[i])
+        elements.maxwell_rate(lambda3_dot[i], s.parameter(f"{side}.Y_MW") / s.parameter(f"{side}.eta_MW"), s.z[i])
         for i, side in enumerate(("left", "right"))
     ]
-    return ca.vertcat(*rates, dahl_rate(ca.jtimes(tip(s)[0], s.qm, s.qm_dot), s.z[2], s.parameter("s_c")))
+    return ca.vertcat(*rates, elements.dahl_rate(ca.jtimes(tip(s)[0], s.qm, s.qm_dot), s.z[2], s.parameter("s_c")))
 
 
 def coupling(s: FullSymbols) -> Expression:
@@ -304,7 +305,7 @@ def rates(s: ReducedSymbols) -> Expression:
     creep = s.slopes[3:5]
     force = s.load + 0.5 * ca.dot(s.slopes[5:], s.v_squared) - ca.dot(s.gain * creep, s.e)
     force -= s.curves[1] * s.q_dot + s.curves[2] + 0.5 * s.slopes[0] * s.q_dot**2
-    strains = [maxwell_rate(creep[i] * s.q_dot, s.rate[i], s.e[i]) for i in range(2)]
+    strains = [elements.maxwell_rate(creep[i] * s.q_dot, s.rate[i], s.e[i]) for i in range(2)]
     return ca.vertcat(force / s.curves[0], *strains)
 
 

@@ -10,8 +10,7 @@ import numpy as np
 
 from ..codegen.graph import function, trace
 from ..codegen.numba_writer import formula
-from ..generated.terms import LAG as LAG_RATE
-from ..generated.terms import POLYNOMIAL_VARIABLES
+from ..generated.terms import LAG, POLYNOMIAL_VARIABLES
 from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.fixed_step import (
     LAG_STEP,
@@ -27,7 +26,7 @@ from ..numerics.fixed_step import (
 from ..numerics.linear_filters import first_order_lag
 
 _variables = formula(POLYNOMIAL_VARIABLES)
-_lag_rate = formula(LAG_RATE)
+_lag_rate = formula(LAG)
 _turned = formula(trace(lambda q: {"of": [function("sin", q[0]), function("cos", q[0])]}, q=1))
 
 Q, QDOT, FRICTION, SINE, COSINE, FIRST_INPUT = range(6)

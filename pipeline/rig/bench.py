@@ -128,9 +128,9 @@ class Laser:
         smooth in q, as a calibration sheet shows it.
         """
         phase = rng.uniform(0.0, 2 * np.pi, 2)
-        reading = q + self.zero + bent(q, self.linearity, self.rail, phase[0])
-        reading += self.hum * np.sin(2 * np.pi * self.mains * t + phase[1])
-        reading += self.noise * rng.standard_normal(t.size, dtype=np.float32)
+        hum = self.hum * np.sin(2 * np.pi * self.mains * t + phase[1])
+        noise = self.noise * rng.standard_normal(t.size, dtype=np.float32)
+        reading = q + self.zero + bent(q, self.linearity, self.rail, phase[0]) + hum + noise
         return _quantise(np.clip(reading, -self.rail, self.rail), self.resolution)
 
 
@@ -165,10 +165,9 @@ class Probe:
 
     def read(self, t: FloatArray, v: FloatArray, rng: np.random.Generator) -> FloatArray:
         """Reading [V] of the voltage `v` [V] at times `t` [s], both shape (N,)."""
-        reading = self.gain * v + self.offset
-        reading += self.hum * np.sin(2 * np.pi * self.mains * t + rng.uniform(0.0, 2 * np.pi))
-        reading += self.noise * rng.standard_normal(t.size, dtype=np.float32)
-        return _quantise(reading, self.resolution)
+        hum = self.hum * np.sin(2 * np.pi * self.mains * t + rng.uniform(0.0, 2 * np.pi))
+        noise = self.noise * rng.standard_normal(t.size, dtype=np.float32)
+        return _quantise(self.gain * v + self.offset + hum + noise, self.resolution)
 
 
 def _quantise(x: FloatArray, step: float) -> FloatArray:

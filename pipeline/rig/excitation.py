@@ -237,8 +237,7 @@ def save_sequence(path: Path, sequence: Sequence, about: Mapping[str, Any]) -> t
     """
     document = json.dumps(about, indent=1, default=_plain) + "\n"
     if path.suffix.lower() == ".csv":
-        columns = {name: (sequence.u[:, i], "V") for i, name in enumerate(INPUTS)}
-        LAYOUTS["csv"].write(path, sequence.t, columns)
+        LAYOUTS["csv"].write(path, sequence.t, {name: (sequence.u[:, i], "V") for i, name in enumerate(INPUTS)})
     elif path.suffix.lower() == ".mat":
         from scipy.io import savemat
 

@@ -128,9 +128,8 @@ def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed:
     """
     rng = np.random.default_rng(seed)
     form = LAYOUTS[experiment.format]
-    files: dict[str, list[str]] = {role: [] for role in get_args(Role)}
-    for role, stem in _planned(experiment):
-        files[role].append(f"{stem}{form.suffix}")
+    planned = _planned(experiment)
+    files = {role: [f"{stem}{form.suffix}" for of, stem in planned if of == role] for role in get_args(Role)}
     names = [*(file for of_role in files.values() for file in of_role), f"{name}.toml", "truth/truth.json"]
     with new_outputs(folder, "rig simulate", force=None, names=names) as staged:
         joint, bench, logs = draw(experiment, rng)
@@ -199,7 +198,7 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameter
         joint = sized(drawn, experiment.size)
         bench = random_bench(rng, rate=experiment.rate, charging=experiment.charging_time_s)
         bench = replace(bench, laser=replace(bench.laser, rail=experiment.size * bench.laser.rail))
-        logs = _logs(joint, bench, experiment, sequence, rng)
+        logs = list(_logs(joint, bench, experiment, sequence, rng))
         if experiment.kind in _DRAWINGS or all(_worth_keeping(log.record, bench) for log in logs):
             break
     else:
@@ -208,7 +207,7 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameter
         return joint, bench, logs
     joint, bench = aged(joint, bench, experiment.age_days, experiment.drift)
     of_the_day = np.random.default_rng([int(rng.integers(2**32)), round(1e6 * experiment.age_days)])
-    return joint, bench, _logs(joint, bench, experiment, sequence, of_the_day)
+    return joint, bench, list(_logs(joint, bench, experiment, sequence, of_the_day))
 
 
 def _planned(experiment: Experiment) -> list[tuple[Role, str]]:
@@ -219,9 +218,8 @@ def _planned(experiment: Experiment) -> list[tuple[Role, str]]:
 
 def _logs(
     joint: RigParameters, bench: Bench, experiment: Experiment, sequence: Sequence | None, rng: np.random.Generator
-) -> list[SimulatedLog]:
+) -> Iterator[SimulatedLog]:
     """All logs of an experiment; those of training play the sequence, if there is one."""
-    logs = []
     for role, stem in _planned(experiment):
         if sequence is not None and role == "train":
             excitation = "played"
@@ -231,8 +229,7 @@ def _logs(
             excitation = experiment.excitation or _EXCITATIONS[role]
             t = bench.clock(experiment.duration)
             u = command(random_excitation(rng, duration=experiment.duration, excitation=excitation), t)
-        logs.append(SimulatedLog(role, stem, excitation, record(joint, bench, t, u, rng)))
-    return logs
+        yield SimulatedLog(role, stem, excitation, record(joint, bench, t, u, rng))
 
 
 def _worth_keeping(measured: BenchRecord, bench: Bench) -> bool:
@@ -299,9 +296,8 @@ STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
 def recorded() -> tuple[dict[str, Readings], str]:
     """The demo's logs, by name, and the truth behind them, as they come with the program."""
     with np.load(RECORDING) as stored:
-        names = dict.fromkeys(key.partition(".")[0] for key in stored if "." in key)
         logs = {}
-        for name in names:
+        for name in dict.fromkeys(key.partition(".")[0] for key in stored if "." in key):
             q, v1, v2 = (
                 np.cumsum(stored[f"{name}.{key}"], dtype=np.int64).astype(np.float64) * step
                 for key, step in STEPS.items()

@@ -135,8 +135,7 @@ def saddle(p: RigParameters) -> FloatArray:
 def barrier(p: RigParameters) -> float:
     """Energy [J] from the wells, on average, to the unstable equilibrium between them, without voltage."""
     none = np.zeros(2)
-    low = np.mean([potential(p, rest(p, side=side), none) for side in (-1, 1)])
-    return float(potential(p, saddle(p), none) - low)
+    return float(potential(p, saddle(p), none) - np.mean([potential(p, rest(p, side=side), none) for side in (-1, 1)]))
 
 
 def tip_displacement(p: RigParameters, x: FloatArray) -> float:

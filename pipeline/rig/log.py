@@ -3,7 +3,7 @@
 MAT files are as ControlDesk exports them: one struct with ``X`` (time axes) and ``Y`` (channels), v5.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -26,18 +26,6 @@ def write_mat5(path: Path, t: FloatArray, channels: dict[str, tuple[FloatArray, 
     """Write `channels` (name → samples, unit) over the times `t` [s] as MAT v5, samples in single precision."""
     from scipy.io import savemat
 
-    x, y = _axes(t, channels)
-    record = {
-        "Info": {"RevisionMajor": 2},
-        "X": _struct_array([x]),
-        "Y": _struct_array(y),
-        "Description": {"General": {"User": "virtual rig"}},
-    }
-    savemat(path, {_VARIABLE: record}, format="5", do_compression=False)
-
-
-def _axes(t: FloatArray, channels: dict[str, tuple[FloatArray, str]]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
-    """Fields of the time axis, and of each channel."""
     x = {"Name": "", "Type": 5, "Data": t[None, :], "Unit": "s", "Raster": _RASTER}
     y = [
         {
@@ -51,7 +39,13 @@ def _axes(t: FloatArray, channels: dict[str, tuple[FloatArray, str]]) -> tuple[d
         }
         for name, (samples, unit) in channels.items()
     ]
-    return x, y
+    record = {
+        "Info": {"RevisionMajor": 2},
+        "X": _struct_array([x]),
+        "Y": _struct_array(y),
+        "Description": {"General": {"User": "virtual rig"}},
+    }
+    savemat(path, {_VARIABLE: record}, format="5", do_compression=False)
 
 
 def _struct_array(records: list[dict[str, Any]]) -> NDArray[np.void]:
@@ -210,10 +204,9 @@ def inject_faults(log: Readings, kinds: tuple[str, ...], rng: np.random.Generato
             q[first:last] = np.nan if kind == "nan" else rail
             faults.append(Fault(kind, float(log.t[first]), float(log.t[last - 1])))
     damaged = Readings(log.t, q, log.v1, log.v2)
-    intact = log.t
     for first, last in _places(log, _GAP, rng) if "gaps" in kinds else []:
-        faults.append(Fault("gaps", float(intact[first - 1]), float(intact[last])))
-        damaged = damaged.at((damaged.t < intact[first]) | (damaged.t >= intact[last]))
+        faults.append(Fault("gaps", float(log.t[first - 1]), float(log.t[last])))
+        damaged = damaged.at((damaged.t < log.t[first]) | (damaged.t >= log.t[last]))
     for _ in range(_COUNT if "repeats" in kinds else 0):
         at = int(rng.integers(1, damaged.t.size))
         faults.append(Fault("repeats", float(damaged.t[at]), float(damaged.t[at])))
@@ -221,13 +214,11 @@ def inject_faults(log: Readings, kinds: tuple[str, ...], rng: np.random.Generato
     return damaged, sorted(faults, key=lambda fault: fault.start)
 
 
-def _places(log: Readings, lengths: tuple[float, float], rng: np.random.Generator) -> list[tuple[int, int]]:
+def _places(log: Readings, lengths: tuple[float, float], rng: np.random.Generator) -> Iterator[tuple[int, int]]:
     """Ranges of samples [first, last), one in each third of the log, at least one sample long."""
     dt = float(log.t[1] - log.t[0])
     third = log.t.size // _COUNT
-    places = []
     for i in range(_COUNT):
         count = max(1, round(float(rng.uniform(*lengths)) / dt))
         first = i * third + int(rng.integers(1, max(2, third - count - 1)))
-        places.append((first, first + count))
-    return places
+        yield first, first + count

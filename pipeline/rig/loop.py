@@ -364,14 +364,14 @@ def run_loop(
     Cost: 9 ms for a second of motion, 10 ms for the rest at the start, and the controller's own time.
     """
     rng = np.random.default_rng(scenario.seed)
-    heavy = p._replace(
+    changed = p._replace(
         mass=p.mass * scenario.mass,
         slip_force=p.slip_force * scenario.friction,
         slip_stiffness=p.slip_stiffness * scenario.friction,
+        # What a converter gives too much of acts as more capacitance: forces go with C v².
+        capacitance=p.capacitance * scenario.gain**2,
     )
-    # What a converter gives too much of acts as more capacitance: forces go with C v².
-    gained = heavy._replace(capacitance=heavy.capacitance * scenario.gain**2)
-    start = rest(gained, side=scenario.side) if start is None else start
+    start = rest(changed, side=scenario.side) if start is None else start
     rows = HALVES * round(scenario.duration / PERIOD)
     t = np.arange(rows) / (HALVES / PERIOD)
     around = _surroundings(p, bench, scenario, t, rng)
@@ -379,15 +379,14 @@ def run_loop(
     controller.begin(laser_reading(tip_displacement(p, start), 0, around))
     out = np.zeros((rows, 6))
     refused = np.zeros(2, dtype=np.int64)
-    taken = close_loop(gained, start, around, target, controller.step, out, refused)
+    taken = close_loop(changed, start, around, target, controller.step, out, refused)
     if controller.failure:
         error = controller.failure[0]
         raise InputError(f"the controller failed: {type(error).__name__}: {error}") from error
     if taken < 0:
         raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
-    probes = [bench.probes[side].read(t, out[:, 1 + side], rng) for side in (0, 1)]
-    shown = (t, out[:, 0], probes[0], probes[1], target, out[:, 3], out[:, 4], out[:, 5])
-    return ClosedLoop(*shown, *refused.tolist())
+    left, right = (bench.probes[side].read(t, out[:, 1 + side], rng) for side in (0, 1))
+    return ClosedLoop(t, out[:, 0], left, right, target, out[:, 3], out[:, 4], out[:, 5], *refused.tolist())
 
 
 def _surroundings(
@@ -397,8 +396,8 @@ def _surroundings(
     laser = bench.laser
     converters = bench.converters
     phase = rng.uniform(0.0, 2.0 * np.pi, 2)
-    noise = laser.hum * np.sin(2.0 * np.pi * laser.mains * t + phase[1])
-    noise += scenario.noise * laser.noise * rng.standard_normal(t.size)
+    hum = laser.hum * np.sin(2.0 * np.pi * laser.mains * t + phase[1])
+    noise = hum + scenario.noise * laser.noise * rng.standard_normal(t.size)
     lost = np.zeros(t.size)
     for spans, mark in ((scenario.lost, GONE), (scenario.frozen, FROZEN)):
         for start, length in spans:
@@ -427,9 +426,11 @@ def _surroundings(
 
 def _tip_force(scenario: Scenario, t: FloatArray) -> FloatArray:
     """External force [N] on q at each row: constant, half a sine, and a sine."""
-    waves = [(start, force, length, 0.0, 0.5 * np.pi) for start, force, length in scenario.pushes]
-    waves += [(start, force, length, 0.5 / length, 0.0) for start, force, length in scenario.hands]
-    waves += [(start, force, length, frequency, 0.0) for start, force, frequency, length in scenario.shakes]
+    waves = [
+        *((start, force, length, 0.0, 0.5 * np.pi) for start, force, length in scenario.pushes),
+        *((start, force, length, 0.5 / length, 0.0) for start, force, length in scenario.hands),
+        *((start, force, length, frequency, 0.0) for start, force, frequency, length in scenario.shakes),
+    ]
     total = np.zeros(t.size)
     for start, force, length, frequency, phase in waves:
         during = (t >= start) & (t < start + length)

@@ -125,16 +125,14 @@ def fold_score(
     """
     squares = dict.fromkeys(ranges, 0.0)
     agreeing = 0.0
-    samples = 0
+    samples = sum(len(x.t) for x in held_out)
     diverged = 0
     for x in held_out:
         run = model.simulate(x.t, x.drive_of(fine=model.fine_voltages), float(x.q[0]), float(x.qdot[0]))
         for signal in ranges:
-            error = free_run_error(getattr(x, signal), getattr(run, signal), ranges[signal])
-            squares[signal] += error**2 * len(x.t)
+            squares[signal] += free_run_error(getattr(x, signal), getattr(run, signal), ranges[signal]) ** 2 * len(x.t)
         if isinstance(wells, Wells):
             agreeing += float(np.sum(in_same_well(x.q, run.q, wells)))
-        samples += len(x.t)
         diverged += not np.all(np.isfinite(run.q))
     nrmse = {signal: float(np.sqrt(value / samples)) for signal, value in squares.items()}
     return FoldScore(nrmse, agreeing / samples if isinstance(wells, Wells) else None, samples, diverged)
@@ -289,12 +287,18 @@ def amount_study(
         Places of the segments.
     """
     total = sum(len(x.t) for x in training)
-    points = []
-    for amount in amounts:
-        starts = [0] if amount >= total else [int(s) for s in rng.integers(total, size=repeats)]
-        segments = [_segment(training, start, min(amount, total)) for start in starts]
-        points.append(_point(float(min(amount, total)), segments, held_out, identify))
-    return tuple(points)
+    return tuple(
+        _point(
+            float(min(amount, total)),
+            [
+                _segment(training, start, min(amount, total))
+                for start in ([0] if amount >= total else rng.integers(total, size=repeats).tolist())
+            ],
+            held_out,
+            identify,
+        )
+        for amount in amounts
+    )
 
 
 def noise_study(
@@ -324,13 +328,18 @@ def noise_study(
     rng : numpy.random.Generator
         The noise.
     """
-    points = []
-    for level in levels:
-        draws = [
-            [_corrupted(x, level, differentiate, rng) for x in training] for _ in range(repeats if level > 0.0 else 1)
-        ]
-        points.append(_point(level, draws, held_out, identify))
-    return tuple(points)
+    return tuple(
+        _point(
+            level,
+            [
+                [_corrupted(x, level, differentiate, rng) for x in training]
+                for _ in range(repeats if level > 0.0 else 1)
+            ],
+            held_out,
+            identify,
+        )
+        for level in levels
+    )
 
 
 def _point(level: float, draws: Sequence[Sequence[Log]], held_out: Sequence[Log], identify: Identify) -> StudyPoint:

@@ -93,17 +93,21 @@ def score_run(
             fraction = nrmse(measured, calculated)
             span = signal_range(measured)
             band = rms_interval(calculated - measured, block, rng) if fraction is not None else None
-            of_range = band.over(span) if band and span else None
-            score = replace(score, nrmse=fraction, rmse=rmse(measured, calculated), nrmse_interval=of_range)
+            score = replace(
+                score,
+                nrmse=fraction,
+                rmse=rmse(measured, calculated),
+                nrmse_interval=band.over(span) if band and span else None,
+            )
         if name == "q" and isinstance(wells, Wells):
             same = in_same_well(measured, calculated, wells)
-            switches = switch_accuracy(measured, calculated, v, interval, wells, plant=plant)
+            correct, pulses = switch_accuracy(measured, calculated, v, interval, wells, plant=plant)
             score = replace(
                 score,
                 well_agreement=float(np.nanmean(same)) if np.isfinite(same).any() else None,
                 well_agreement_interval=_agreement_interval(same, block, rng),
-                switch_accuracy=switches.share,
-                switch_accuracy_interval=share_interval(switches.correct, switches.pulses),
+                switch_accuracy=correct / pulses if pulses else None,
+                switch_accuracy_interval=share_interval(correct, pulses),
             )
         scores.append(score)
     return tuple(scores)
@@ -232,8 +236,8 @@ def horizon_errors(
 def predicted(predict: Predict, path: MeasuredPath, ahead: int) -> FloatArray:
     """Displacement `ahead` samples after each measured state, at the sample it is for, shape (N,); else NaN."""
     q = np.full(path.q.size, np.nan)
-    starts = _starts(path, ahead, path.q.size, apart=1)
-    for start, ahead_of in _predictions(predict, path, dict.fromkeys(starts.tolist(), ahead)):
+    starts = _starts(path, ahead, path.q.size, apart=1).tolist()
+    for start, ahead_of in _predictions(predict, path, dict.fromkeys(starts, ahead)):
         q[start + ahead] = ahead_of[ahead]
     return q
 
@@ -259,21 +263,19 @@ def _error(
         return HorizonError(ahead * interval, None, None, starts.size, diverged)
     errors = np.where(np.isfinite(errors), errors, span)
     spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
-    block = block_of((errors,), spacing, plant=plant)
-    band = rms_interval(errors / span, block, np.random.default_rng(SEED))
+    band = rms_interval(errors / span, block_of((errors,), spacing, plant=plant), np.random.default_rng(SEED))
     return HorizonError(ahead * interval, rms(errors) / span, band, starts.size, diverged)
 
 
 def _starts(path: MeasuredPath, ahead: int, most: int, apart: int | None = None) -> IntArray:
     """Rows whose state, target and inputs between are measured, at least `apart` (`ahead`) apart, at most `most`."""
     q = path.q
-    qdot = path.qdot
-    last = path.q.size - ahead
+    last = q.size - ahead
     if last < 1:
         return np.zeros(0, dtype=np.int64)
     rows = np.arange(0, last, max(ahead if apart is None else apart, -(-last // most)))
     missing = np.concatenate(([0], np.cumsum(~path.recorded)))
-    usable = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
+    usable = np.isfinite(q[rows]) & np.isfinite(path.qdot[rows]) & np.isfinite(q[rows + ahead])
     usable &= missing[rows + ahead + 1] == missing[rows]
     return np.asarray(rows[usable], dtype=np.int64)
 
@@ -290,22 +292,6 @@ STEP = 0.2  # of the largest voltage: a change by more between two looks 20 ms a
 STEP_WINDOW = 0.02  # s
 SHORTEST_RESPONSE = 0.8  # s; two ring periods, less shows no settling
 SETTLED = 0.1  # of the step in q
-
-
-@dataclass(frozen=True)
-class StepResponse:
-    """Rise and settling times of one switch.
-
-    Attributes
-    ----------
-    rise_s : float or None
-        From 10 to 90 % of the way to the final value [s]; None if the way is not completed.
-    settling_s : float or None
-        From the voltage step until q stays within ±10 % of the step [s]; None if it does not for the last 0.4 s.
-    """
-
-    rise_s: float | None
-    settling_s: float | None
 
 
 @dataclass(frozen=True)
@@ -341,7 +327,7 @@ def voltage_steps(v: FloatArray, interval: float, plant: Device) -> IntArray:
     return np.asarray(rises - 1, dtype=np.int64)
 
 
-def step_response(q: FloatArray, interval: float) -> StepResponse:
+def step_response(q: FloatArray, interval: float) -> tuple[float | None, float | None]:
     """Rise and settling time of q from the first row, a voltage step, to the last, just before the next.
 
     The final value is the mean of the last 0.4 s, one period of the ring-down.
@@ -354,15 +340,14 @@ def step_response(q: FloatArray, interval: float) -> StepResponse:
         Sample interval [s].
     """
     window = samples_of(LONGEST_WINDOW, interval)
-    final = float(np.mean(q[-window:]))
-    step = final - q[0]
+    step = float(np.mean(q[-window:])) - q[0]
     if step == 0.0:
-        return StepResponse(None, None)
+        return None, None
     way = (q - q[0]) / step
     ten, ninety = (np.flatnonzero(way >= share) for share in (0.1, 0.9))
     rise = float(ninety[0] - ten[0]) * interval if ninety.size else None
     settled = int(settling_index(way - 1.0, SETTLED))
-    return StepResponse(rise, settled * interval if settled <= q.size - window else None)
+    return rise, settled * interval if settled <= q.size - window else None
 
 
 def response_errors(
@@ -395,29 +380,24 @@ def response_errors(
     plant : Device
         Its inputs, and whether it is the joint.
     """
-    pairs: list[tuple[StepResponse, StepResponse]] = []
+    pairs = []
     switches = 0
-    for rows in _between_steps(
-        voltage_steps(v, interval, plant=plant), len(v), samples_of(SHORTEST_RESPONSE, interval)
-    ):
-        if not np.all(np.isfinite(measured[rows])) or not _switches(measured[rows], wells, interval):
+    shortest = samples_of(SHORTEST_RESPONSE, interval)
+    for begin, end in itertools.pairwise([*voltage_steps(v, interval, plant=plant).tolist(), len(v)]):
+        rows = slice(begin, end)
+        known = end - begin >= shortest and np.all(np.isfinite(measured[rows]))
+        if not known or not _switches(measured[rows], wells, interval):
             continue
         switches += 1
         if np.all(np.isfinite(calculated[rows])) and _switches(calculated[rows], wells, interval):
             pairs.append((step_response(measured[rows], interval), step_response(calculated[rows], interval)))
-    rise = _errors([(a.rise_s, b.rise_s) for a, b in pairs])
-    settling = _errors([(a.settling_s, b.settling_s) for a, b in pairs])
+    rise, settling = (_errors([(a[time], b[time]) for a, b in pairs]) for time in (0, 1))
     bands = median_interval(rise, rng), median_interval(settling, rng)
     return ResponseErrors(switches, len(pairs), _median(rise), _median(settling), *bands)
 
 
 def _median(errors: Sequence[float]) -> float | None:
     return float(np.median(errors)) if errors else None
-
-
-def _between_steps(steps: IntArray, samples: int, shortest: int) -> list[slice]:
-    edges = [*(int(s) for s in steps), samples]
-    return [slice(a, b) for a, b in itertools.pairwise(edges) if b - a >= shortest]
 
 
 def _switches(q: FloatArray, wells: Wells, interval: float) -> bool:

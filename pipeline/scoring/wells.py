@@ -74,8 +74,8 @@ def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, pl
     plant : Device
         Its inputs, and whether it is the joint.
     """
-    quiet = np.all(np.abs(v) <= RESTING_VOLTAGE * plant.peaks(v), axis=1)
-    return [rows for rows in runs_of(quiet) if (rows.stop - rows.start) * interval >= shortest]
+    quiet = runs_of(np.all(np.abs(v) <= RESTING_VOLTAGE * plant.peaks(v), axis=1))
+    return [rows for rows in quiet if (rows.stop - rows.start) * interval >= shortest]
 
 
 def places_of_rest(
@@ -186,8 +186,7 @@ def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
     k = int(np.argmax(gaps))
     if gaps[k] < CLUSTER_GAP * (ordered[-1] - ordered[0]) or gaps[k] <= 0.1 * span:
         return NoWells("the rest positions form one cluster: not bistable, or only one well is visited", True)
-    left = float(np.median(ordered[: k + 1]))
-    right = float(np.median(ordered[k + 1 :]))
+    left, right = (float(np.median(places)) for places in np.split(ordered, [k + 1]))
     return Wells(left, right, float(ordered[k] + ordered[k + 1]) / 2.0)
 
 
@@ -221,30 +220,9 @@ def in_same_well(measured: FloatArray, calculated: FloatArray, wells: Wells) -> 
     return np.where(np.isfinite(measured), same.astype(np.float64), np.nan)
 
 
-@dataclass(frozen=True)
-class SwitchAccuracy:
-    """Number of the pulses that ended in the measured well.
-
-    Attributes
-    ----------
-    pulses : int
-        Pulses after which the measurement rests in one well.
-    correct : int
-        Those after which the simulation rests in the same well.
-    """
-
-    pulses: int
-    correct: int
-
-    @property
-    def share(self) -> float | None:
-        """`correct` over `pulses`; None without a pulse."""
-        return self.correct / self.pulses if self.pulses else None
-
-
 def switch_accuracy(
     measured: FloatArray, calculated: FloatArray, v: FloatArray, interval: float, wells: Wells, plant: Device
-) -> SwitchAccuracy:
+) -> tuple[int, int]:
     """Compare the wells in which both rest after each voltage pulse.
 
     A pulse counts if it is followed by at least 0.3 s without voltage at whose end (up to 0.4 s) the measurement stays
@@ -276,26 +254,10 @@ def switch_accuracy(
         pulses += 1
         simulated = calculated[rows][finite]
         correct += bool(np.all(np.isfinite(simulated)) and np.all(wells.side(simulated) == side[0]))
-    return SwitchAccuracy(pulses, correct)
+    return correct, pulses
 
 
-@dataclass(frozen=True)
-class PulseOutcomes:
-    """Outcome of every rest after a pulse.
-
-    Attributes
-    ----------
-    probability_right : FloatArray, shape (R,)
-        Probability of the right-hand well (Laplace's rule, so never exactly 0 or 1).
-    ambiguous : BoolArray, shape (R,)
-        True where neither well has the probability `SURE`: the outcome hinges on less than the model knows.
-    """
-
-    probability_right: FloatArray
-    ambiguous: BoolArray
-
-
-def pulse_outcomes(ensemble: FloatArray, rests: list[slice], wells: Wells) -> PulseOutcomes:
+def pulse_outcomes(ensemble: FloatArray, rests: list[slice], wells: Wells) -> tuple[FloatArray, BoolArray]:
     """Probability of the right-hand well after each pulse: the share of an ensemble of a model's free runs.
 
     Near the separatrix an arbitrarily small error decides the well, so a single simulation says less than it seems to.
@@ -309,10 +271,17 @@ def pulse_outcomes(ensemble: FloatArray, rests: list[slice], wells: Wells) -> Pu
         Rests without voltage, as `rests` finds them.
     wells : Wells
         The two wells.
+
+    Returns
+    -------
+    right_hand : FloatArray, shape (R,)
+        Probability of the right-hand well (Laplace's rule, so never exactly 0 or 1).
+    ambiguous : BoolArray, shape (R,)
+        True where neither well has the probability `SURE`: the outcome hinges on less than the model knows.
     """
     right_hand = np.empty(len(rests))
     for i, rest in enumerate(rests):
         end = ensemble[:, rest.stop - 1]
         finite = np.isfinite(end)
         right_hand[i] = (np.count_nonzero(wells.side(end[finite])) + 1.0) / (np.count_nonzero(finite) + 2.0)
-    return PulseOutcomes(right_hand, np.maximum(right_hand, 1.0 - right_hand) < SURE)
+    return right_hand, np.maximum(right_hand, 1.0 - right_hand) < SURE

@@ -49,6 +49,29 @@ def column(size: int, parts: Iterable[NDArray[Entry]], dtype: type[Entry]) -> ND
         return np.asarray(np.memmap(file, dtype, "r", shape=(size,)))
 
 
+class Stream:
+    """Columns that are made in ascending order, any number of rows at a time.
+
+    Parameters
+    ----------
+    pieces : iterator of FloatArray, shape (k, n)
+        The columns, piece after piece.
+    """
+
+    def __init__(self, pieces: Iterator[FloatArray]) -> None:
+        self._pieces = pieces
+        self._ready: list[FloatArray] = []
+
+    def read(self, count: int) -> FloatArray:
+        """The next `count` rows, shape (k, count)."""
+        parts = self._ready or [next(self._pieces)]
+        while sum(part.shape[1] for part in parts) < count:
+            parts.append(next(self._pieces))
+        values = np.concatenate(parts, axis=1)
+        self._ready = [values[:, count:].copy()]
+        return values[:, :count]
+
+
 def differences(samples: FloatArray, order: int = 1, spacing: int = 1) -> FloatArray:
     """Differences of some order between samples so far apart, of the whole or of blocks spread over a long column."""
     parts = [samples]
@@ -100,9 +123,8 @@ def finite(samples: FloatArray) -> BoolArray:
 def select(samples: FloatArray, taken: BoolArray) -> FloatArray:
     """The samples at the rows taken; the column itself where those are all."""
     count = int(np.count_nonzero(taken))
-    if count == samples.size:
-        return samples
-    return column(count, (samples[rows][taken[rows]] for rows in chunks(samples.size)), np.float64)
+    parts = (samples[rows][taken[rows]] for rows in chunks(samples.size))
+    return samples if count == samples.size else column(count, parts, np.float64)
 
 
 def sparse(signal: Signal) -> tuple[Signal, int]:
@@ -170,8 +192,7 @@ def missing(q: Signal, beside: Mapping[str, Signal]) -> dict[str, Missing]:
     absent = {}
     for name, signal in beside.items():
         first, last, count, bad = _extent(name, signal)
-        lost = max(0.0, first - begin), max(0.0, end - last)
-        absent[name] = Missing(signal[1].size, count, bad, *lost, end - begin)
+        absent[name] = Missing(signal[1].size, count, bad, max(0.0, first - begin), max(0.0, end - last), end - begin)
     return absent
 
 
@@ -206,10 +227,8 @@ _HUGE = 0.999e20
 
 def masked(samples: FloatArray, codes: Iterable[float]) -> FloatArray:
     """A column with NaN in place of codes; the column itself without any."""
-    if not codes:
-        return samples
     parts = (np.where(_is_any(samples[rows], codes), np.nan, samples[rows]) for rows in chunks(samples.size))
-    return column(samples.size, parts, np.float64)
+    return column(samples.size, parts, np.float64) if codes else samples
 
 
 def codes_in(
@@ -254,9 +273,11 @@ def codes_in(
                 part = part[~at_code]
         low, high = min(low, part.min(initial=np.inf)), max(high, part.max(initial=-np.inf))
     span = high - low
-    far = {code: n for code, n in counts.items() if n and (declared is not None or not of_time)}
-    if declared is None:
-        far = {code: n for code, n in far.items() if span > 0.0 and max(low - code, code - high) > span}
+    far = {
+        code: n
+        for code, n in counts.items()
+        if n and (declared is not None or (not of_time and span > 0.0 and max(low - code, code - high) > span))
+    }
     return far | ({float(largest): huge} if huge else {})
 
 

@@ -5,7 +5,7 @@ displacement at its extremes 0.4 % of the samples, masked rows 1 %, no hum above
 no measurement.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Literal
@@ -160,12 +160,15 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequen
 
 def missing_findings(beside: Mapping[str, Missing]) -> list[Finding]:
     """Refusals of signals that are missing for too much of the displacement."""
-    most = Number(MOST_MISSING)
     return [
         refusal(
             "missing",
             "signal_missing",
-            {"share": Number(lacks.share), "most": most, "not_finite": Number(lacks.not_finite)},
+            {
+                "share": Number(lacks.share),
+                "most": Number(MOST_MISSING),
+                "not_finite": Number(lacks.not_finite),
+            },
             name,
         )
         for name, lacks in beside.items()
@@ -186,10 +189,10 @@ def rate_remarks(time: TimeQuality, q: SignalQuality, sample_interval: float) ->
     """Remarks on the sample interval: shorter than that of the log, so that rows are interpolated, or too long for the
     motion in a log that could show it.
     """
-    made_up = 1.0 - sample_interval / time.step
     if time.step > UNTOLD_STEP * sample_interval:
+        made_up = 100.0 * (1.0 - sample_interval / time.step)
         return [
-            f"the log has a sample every {time.step:.4g} s, so {100.0 * made_up:.0f} % of the rows at [ingest] "
+            f"the log has a sample every {time.step:.4g} s, so {made_up:.0f} % of the rows at [ingest] "
             f"sample_interval = {sample_interval:g} are interpolated: the noise looks smaller and fits take longer; "
             f"set sample_interval = {time.step:.4g}"
         ]
@@ -203,8 +206,8 @@ def rate_remarks(time: TimeQuality, q: SignalQuality, sample_interval: float) ->
 
 def _unshown(time: TimeQuality, q: SignalQuality, interval: float, frequency: float, least: float) -> bool:
     """True if a frequency has fewer samples a period than `least`, and would have more in a finer record of the log."""
-    faster = frequency * interval * least > 1.0  # never of NaN
-    return faster and not q.idle and interval > UNTOLD_STEP * time.step
+    # The first is never true of NaN.
+    return frequency * interval * least > 1.0 and not q.idle and interval > UNTOLD_STEP * time.step
 
 
 def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[Finding]:
@@ -282,12 +285,11 @@ def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) ->
         if abs(level) <= BOTH_SIGNS * max(abs(quality.smallest), abs(quality.largest)):
             continue
         there = (samples >= low) & (samples <= high)
-        first = time[np.argmax(there)]
         cut = "but for its noise, " if high > low else ""
         remarks.append(
             f"{100.0 * np.mean(there):.2g} % of the samples stay at {level:.6g} {unit}, {cut}the first at "
-            f"{first:.6g} s, which they reach at a slope: a saturated probe? What was applied there is not known: "
-            "widen the probe's range, unless this is a command that is limited there"
+            f"{time[np.argmax(there)]:.6g} s, which they reach at a slope: a saturated probe? What was applied there "
+            "is not known: widen the probe's range, unless this is a command that is limited there"
         )
     return remarks
 
@@ -349,19 +351,17 @@ def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[st
     return tuple(remarks)
 
 
-def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
+def _stays(quality: SignalQuality, clock: Clock) -> Iterator[str]:
     """Remarks on times in which a signal stands still."""
-    remarks = []
     for rail, share, value in (
         ("upper", quality.high_rail, quality.usual[1]),
         ("lower", quality.low_rail, quality.usual[0]),
     ):
         if share > 0.0:
-            remarks.append(f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?")
+            yield f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?"
     long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
     if clock == "s" and long and not (quality.stepped or quality.rests):
-        remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {stamped(quality.frozen_at)} s on")
-    return remarks
+        yield f"unchanged for {quality.longest_frozen:.3g} s from {stamped(quality.frozen_at)} s on"
 
 
 def counted(number: int, thing: str) -> str:
@@ -373,7 +373,5 @@ def _first(places: tuple[float, ...], clock: Clock) -> str:
     """Place of the first event, as text; empty where the time itself is not known there."""
     if not places or not np.isfinite(places[0]):
         return ""
-    if clock == "s":
-        return f", the first at {stamped(places[0])} s"
-    place = f"{places[0]:.6g}"
-    return f", the first at {f'sample {place}' if clock == 'samples' else place}"
+    shown = {"s": f"{stamped(places[0])} s", "samples": f"sample {places[0]:.6g}", "": f"{places[0]:.6g}"}
+    return f", the first at {shown[clock]}"

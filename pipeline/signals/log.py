@@ -153,8 +153,11 @@ class Log:
 
         Where all are so short, the rows are those of the log from its first valid sample on.
         """
-        with_samples = [rows for rows in runs_of(self.recorded) if self.valid[rows].any()]
-        from_valid = [slice(rows.start + int(np.argmax(self.valid[rows])), rows.stop) for rows in with_samples]
+        from_valid = [
+            slice(rows.start + int(np.argmax(self.valid[rows])), rows.stop)
+            for rows in runs_of(self.recorded)
+            if self.valid[rows].any()
+        ]
         long_enough = [rows for rows in from_valid if rows.stop - rows.start >= SHORTEST]
         return long_enough or [slice(int(np.argmax(self.valid)), len(self.valid))]
 
@@ -175,8 +178,7 @@ class Log:
         """True if q moves at the beginning."""
         first = int(np.argmax(self.valid))
         edge = self.q[first : first + EDGE + 1]
-        change = np.nanmax(edge) - np.nanmin(edge)
-        return bool(change > _MOVING * (np.nanmax(self.q) - np.nanmin(self.q)))
+        return bool(np.nanmax(edge) - np.nanmin(edge) > _MOVING * (np.nanmax(self.q) - np.nanmin(self.q)))
 
     @property
     def begins_in_motion(self) -> bool:
@@ -197,14 +199,8 @@ class Log:
         if not begins_in_motion or len(whole.valid) < 10 * EDGE or not whole.valid[EDGE:].any():
             return whole
         later = whole.part(EDGE + int(np.argmax(whole.valid[EDGE:])), len(whole.valid))
-        return whole if _farther(whole, later) else later
-
-
-def _farther(whole: Log, later: Log) -> bool:
-    """True if a log goes farther than its later part by more than `_FARTHER` of its range."""
-    low = whole.known_q.min()
-    high = whole.known_q.max()
-    return bool(max(later.known_q.min() - low, high - later.known_q.max()) > _FARTHER * (high - low))
+        missed = max(later.known_q.min() - whole.known_q.min(), whole.known_q.max() - later.known_q.max())
+        return whole if missed > _FARTHER * float(np.ptp(whole.known_q)) else later
 
 
 def operating_range(logs: Sequence[Log]) -> tuple[float, float]:

@@ -62,8 +62,8 @@ def noise_std(samples: FloatArray) -> float:
     least = _RESOLUTION * float(np.ptp(samples))
     steps = np.abs(differences(samples))
     moving = steps[steps > least]
-    quantised = 0 < moving.size <= _MOST_MOVING * steps.size
-    return max(white_noise(samples), rounding(float(moving.min()) if quantised else None), least)
+    resolution = float(moving.min()) if 0 < moving.size <= _MOST_MOVING * steps.size else None
+    return max(white_noise(samples), rounding(resolution), least)
 
 
 def noise_level(samples: FloatArray) -> float:
@@ -151,9 +151,7 @@ def held_samples(samples: FloatArray, resolution: float | None) -> int:
     values = samples[: 16 * CHUNK]
     values = values[np.isfinite(values)]
     changes = np.flatnonzero(np.abs(np.diff(values)) > 1.5 * (resolution or 0.0))
-    if changes.size < _FEWEST:
-        return 1
-    return int(np.quantile(np.diff(changes), _SELDOM))
+    return 1 if changes.size < _FEWEST else int(np.quantile(np.diff(changes), _SELDOM))
 
 
 LEAST_PER_PERIOD = 5.0
@@ -193,9 +191,8 @@ def bandwidth(samples: FloatArray, step: float, noise: float) -> Bandwidth:
     Cost: the spectra of at most 64 windows of 2¹⁴ samples, spread over the signal: 6 ms of 10⁶ samples.
     """
     size = min(samples.size, _WINDOW)
-    if size < 2:
-        return Bandwidth(np.nan, np.nan)
-    below: FloatArray = np.cumsum(np.maximum(_spectrum(samples, size) - 2.0 * noise**2 / size, 0.0))
+    power = _spectrum(samples, size) - 2.0 * noise**2 / size if size > 1 else np.zeros(1)
+    below: FloatArray = np.cumsum(np.maximum(power, 0.0))
     if not below[-1] > 0.0:
         return Bandwidth(np.nan, np.nan)
     half, most = np.searchsorted(below, below[-1] * np.array([0.5, _NEARLY_ALL])) / (size * step)
@@ -261,16 +258,13 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
     if frequency + _HUM_BAND > 0.5 / step or samples.size < 2 * size:
         return None
     power = _spectrum(samples, size)
-    bin_width = 1.0 / (size * step)
     offset = np.abs(np.fft.rfftfreq(size, step) - frequency)
-    line = offset <= 0.2 + 2.0 * bin_width
-    beside = (offset <= _HUM_BAND) & ~line
+    line = offset <= 0.2 + 2.0 * (1.0 / (size * step))  # and the width of two bins
     # The mean of the logarithms' exponential is taken low by a few other lines; the median is not.
-    floor = float(np.median(power[beside])) * int(line.sum())
+    floor = float(np.median(power[(offset <= _HUM_BAND) & ~line])) * int(line.sum())
     total = float(power[line].sum())
-    if floor <= 0.0:
-        return None
-    return Hum(frequency, 10.0 * float(np.log10(total / floor)), float(np.sqrt(2.0 * max(total - floor, 0.0))))
+    amplitude = float(np.sqrt(2.0 * max(total - floor, 0.0)))
+    return Hum(frequency, 10.0 * float(np.log10(total / floor)), amplitude) if floor > 0.0 else None
 
 
 def mains_at_another_rate(samples: FloatArray, step: float) -> tuple[Hum, float] | None:
@@ -305,8 +299,7 @@ def _spectrum(samples: FloatArray, size: int) -> FloatArray:
     """
     window = np.hanning(size + 1)[:-1]
     power = np.zeros(size // 2 + 1)
-    windows = min(BLOCKS, 2 * samples.size // size - 1)
-    starts = np.linspace(0, samples.size - size, windows).astype(np.int64).tolist()
+    starts = np.linspace(0, samples.size - size, min(BLOCKS, 2 * samples.size // size - 1)).astype(np.int64).tolist()
     for i in starts:
         part = samples[i : i + size]
         power += np.abs(np.fft.rfft((part - part.mean()) * window)) ** 2

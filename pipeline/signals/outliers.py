@@ -58,8 +58,7 @@ def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArra
     for signal in inputs:
         least = 2.0 * REACH * noise_level(select(signal[1], finite(signal[1])))
         count = int(np.count_nonzero(_changed(signal, times, step, least)))
-        chance = float(np.mean(_changed(signal, anywhere, step, least)))
-        if count and bdtrc(count - 1, times.size, chance) < CHANCE:
+        if count and bdtrc(count - 1, times.size, float(np.mean(_changed(signal, anywhere, step, least)))) < CHANCE:
             return True
     return False
 
@@ -161,8 +160,8 @@ def _jumps(samples: FloatArray, least: float) -> IntArray:
     for rows in chunks(samples.size):
         begin = max(rows.start - 1, 0)
         steps = np.abs(np.diff(samples[begin : rows.stop + 2]))
-        beside = OF_BESIDE * np.maximum(steps[:-2], steps[2:])
-        rows_before.append(begin + 1 + np.flatnonzero((steps[1:-1] > least) & (steps[1:-1] >= beside)))
+        jumps = (steps[1:-1] > least) & (steps[1:-1] >= OF_BESIDE * np.maximum(steps[:-2], steps[2:]))
+        rows_before.append(begin + 1 + np.flatnonzero(jumps))
     return np.concatenate([np.empty(0, dtype=np.int64), *rows_before])
 
 
@@ -171,10 +170,9 @@ def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> 
     bursts = []
     last = -1
     for before, end in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
-        there = samples[before + 1] - samples[before]
-        back = samples[end + 1] - samples[end]
+        there_and_back = (samples[before + 1] - samples[before]) * (samples[end + 1] - samples[end]) < 0.0
         short = before > last and 2 <= end - before <= longest
-        if short and there * back < 0.0 and np.ptp(samples[before + 1 : end + 1]) <= flat:
+        if short and there_and_back and np.ptp(samples[before + 1 : end + 1]) <= flat:
             bursts.append((before + 1, end + 1))
             last = end
     return np.array(bursts, dtype=np.int64).reshape(-1, 2)
@@ -200,11 +198,14 @@ def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list
     if len(lost.bursts):
         levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in lost.levels[:2])
         more = f" and {len(lost.levels) - 2} more levels" if len(lost.levels) > 2 else ""
-        what = f"{_several(lost.bursts, 'burst')} at {levels}{more}, which no motion reaches"
-        remarks.append(f"{what}, the first at {lost.first[0]:.6g} s")
+        remarks.append(
+            f"{_several(lost.bursts, 'burst')} at {levels}{more}, which no motion reaches, the first at "
+            f"{lost.first[0]:.6g} s"
+        )
     if len(lost.held):
-        what = f"{_several(lost.held, 'segment')} in which the last value was held"
-        remarks.append(f"{what}, the first at {lost.first[1]:.6g} s")
+        remarks.append(
+            f"{_several(lost.held, 'segment')} in which the last value was held, the first at {lost.first[1]:.6g} s"
+        )
     if count := len(lost.cuts):
         remarks.append(
             f"{count} jump{'s' * (count > 1)} from one sample to the next, the first at {lost.cuts[0, 1]:.6g} s: rows "
@@ -233,8 +234,7 @@ def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:
     count, first = single_spikes(values, noise)
     if not 0 < count <= SELDOM * values.size:
         return signal, 0, np.nan
-    at = float(select(time, usable)[first[0]])
-    return (time, bridged(samples, noise)), count, at
+    return (time, bridged(samples, noise)), count, float(select(time, usable)[first[0]])
 
 
 def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float) -> tuple[float, float]:
@@ -297,9 +297,8 @@ def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, sign:
     for rows in chunks(samples.size):
         part = sign * samples[rows]
         top = np.sort(np.concatenate((top, part[part < bottom])))[-jumps - 1 :]
-    if top.size <= jumps or bottom - top[0] < 0.5 * (top[0] - smallest):
-        return np.inf
-    return float(0.5 * (bottom + top[0]))
+    apart = top.size > jumps and bottom - top[0] >= 0.5 * (top[0] - smallest)
+    return float(0.5 * (bottom + top[0])) if apart else np.inf
 
 
 @dataclass(frozen=True)
@@ -391,12 +390,10 @@ def trusted(
 
 def _within(samples: FloatArray, bounds: tuple[float, float]) -> FloatArray:
     """The samples, NaN beyond the bounds."""
-    if bounds == (-np.inf, np.inf):
-        return samples
     parts = (
         np.where((samples[r] < bounds[0]) | (samples[r] > bounds[1]), np.nan, samples[r]) for r in chunks(samples.size)
     )
-    return column(samples.size, parts, np.float64)
+    return samples if bounds == (-np.inf, np.inf) else column(samples.size, parts, np.float64)
 
 
 def _without(samples: FloatArray, spans: IntArray) -> FloatArray:

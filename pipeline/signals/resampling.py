@@ -37,7 +37,7 @@ from functools import cache
 import numpy as np
 
 from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of
-from .columns import CHUNK, ROUNDING, chunks, column
+from .columns import CHUNK, ROUNDING, Stream, chunks, column
 
 REACH = 2.0
 """Half width of the kernel in output intervals."""
@@ -64,8 +64,8 @@ def filtered_samples(values: FloatArray, ratio: int) -> FloatArray:
     """
     samples: FloatArray = values[..., ::ratio, :].copy()
     if samples.shape[-2] > 2 * REACH:
-        reach = int(REACH) * ratio
-        windows = np.lib.stride_tricks.sliding_window_view(values, 2 * reach + 1, axis=-2)[..., ::ratio, :, :]
+        size = 2 * int(REACH) * ratio + 1
+        windows = np.lib.stride_tricks.sliding_window_view(values, size, axis=-2)[..., ::ratio, :, :]
         samples[..., int(REACH) : -int(REACH), :] = windows @ _weights(ratio)
     return samples
 
@@ -93,17 +93,15 @@ def sharpened(samples: FloatArray, usable: BoolArray) -> FloatArray:
     if len(samples) < 5:
         return sharp
     second = np.diff(samples, 2)
-    fourth = np.diff(second, 2)
     by_second, by_fourth = _SHARPENING
     inside = np.lib.stride_tricks.sliding_window_view(usable, 5).all(axis=1)
-    sharp[2:-2] += np.where(inside, by_second * second[1:-1] + by_fourth * fourth, 0.0)
+    sharp[2:-2] += np.where(inside, by_second * second[1:-1] + by_fourth * np.diff(second, 2), 0.0)
     return sharp
 
 
 def kernel(x: FloatArray) -> FloatArray:
     """The decimation kernel K(x), unnormalised, for |x| ≤ 2 in output intervals; any shape."""
-    y = x * (1.0 / REACH)
-    y *= y
+    y = np.square(x * (1.0 / REACH))
     value = np.full_like(y, _COEFFICIENTS[-1])
     for coefficient in _COEFFICIENTS[-2::-1]:
         value *= y
@@ -113,8 +111,7 @@ def kernel(x: FloatArray) -> FloatArray:
 
 def slope_window(x: FloatArray) -> FloatArray:
     """The positive window (1 − y)² of the local slope."""
-    y = x * (1.0 / REACH)
-    y *= y
+    y = np.square(x * (1.0 / REACH))
     return _times_window(np.ones_like(y), y)
 
 
@@ -224,9 +221,8 @@ class _Slopes:
     def __init__(self, time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float) -> None:
         self._segment = (time, columns, interval)
         self._grid = t_out
-        self._open: Iterator[FloatArray] | None = None
+        self._open: Stream | None = None
         self._next = -1
-        self._ready: FloatArray = np.empty((len(columns), 0))
 
     def at(self, first: int, last: int, *, ends: bool) -> FloatArray:
         """The slopes at the points `first` … `last` − 1, shape (k, last − first).
@@ -236,12 +232,8 @@ class _Slopes:
         """
         if self._open is None or first != self._next:
             # The sums at a point do not depend on how far the run goes on: bins beyond it do not reach it.
-            stop = last if ends else self._grid.size
-            self._open = self._pieces(self._grid[first:stop])
-            self._ready = self._ready[:, :0]
-        while self._ready.shape[1] < last - first:
-            self._ready = np.concatenate((self._ready, next(self._open)), axis=1)
-        slopes, self._ready = self._ready[:, : last - first], self._ready[:, last - first :]
+            self._open = Stream(self._pieces(self._grid[first : last if ends else None]))
+        slopes = self._open.read(last - first)
         self._next = last
         if ends:
             self._open = None
@@ -439,7 +431,6 @@ def _slopes(time: FloatArray, samples: FloatArray) -> FloatArray:
     """
     steps = np.diff(time)
     changes = np.abs(np.diff(samples))
-    longer = np.maximum(steps[1:], steps[:-1])
-    beside = changes[1:] + changes[:-1]
-    limit = _STEEPEST * np.pad(beside / longer, 1, mode="edge")
+    beside = (changes[1:] + changes[:-1]) / np.maximum(steps[1:], steps[:-1])
+    limit = _STEEPEST * np.pad(beside, 1, mode="edge")
     return np.asarray(np.clip(np.gradient(samples, time, edge_order=2), -limit, limit))

@@ -68,8 +68,7 @@ def uniform_clock(time: FloatArray) -> UniformClock | None:
         limit = default_gap_limit(nominal_step(stamps))
     except DataRefusedError:  # it never advances
         return None
-    resolutions = _resolutions(stamps, limit)
-    for lossy, (half, fuzz) in resolutions.items():
+    for lossy, (half, fuzz) in _resolutions(stamps, limit).items():
         count = _counts(stamps, usable, limit) if lossy else _rows(usable)
         lines = _lines(stamps, count, half, fuzz, _parts(stamps, limit))
         if lines:
@@ -82,8 +81,7 @@ def _blocks(stamps: FloatArray) -> Iterator[FloatArray]:
     """Steps of the stamps, shape (n, `_BLOCK`), chunk by chunk; the last block is filled up with NaN."""
     for rows in chunks(stamps.size, overlap=1):
         steps = np.diff(stamps[rows])
-        short = -steps.size % _BLOCK
-        yield np.concatenate((steps, np.full(short, np.nan))).reshape(-1, _BLOCK)
+        yield np.concatenate((steps, np.full(-steps.size % _BLOCK, np.nan))).reshape(-1, _BLOCK)
 
 
 def _resolutions(stamps: FloatArray, limit: float) -> dict[bool, tuple[FloatArray, float]]:
@@ -170,8 +168,8 @@ def _parts(stamps: FloatArray, limit: float) -> list[slice]:
     for rows in chunks(stamps.size, overlap=1):
         steps = np.diff(stamps[rows])
         cuts.append(rows.start + 1 + np.flatnonzero((steps < 0.0) | (steps > limit)))
-    edges = np.append(np.concatenate(cuts), stamps.size)
-    return [slice(int(first), int(end)) for first, end in pairwise(edges)]
+    edges = np.append(np.concatenate(cuts), stamps.size).tolist()
+    return [slice(first, end) for first, end in pairwise(edges)]
 
 
 @dataclass(frozen=True)

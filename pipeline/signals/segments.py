@@ -170,10 +170,17 @@ def finite_segments(
         stamps = select(rows.time, valid)
         bounds = _cut(segments(stamps, default_gap_limit(rows.step)), stamps, rows.ends)
         edges = stamps[np.stack((bounds[:, 0], bounds[:, 1] - 1), axis=1)]
-        picked = tuple(select(columns[j], valid) for j in members)
-        kinds = tuple(smooth[j] for j in members)
-        missed = tuple(not_finite[j] for j in members)
-        groups.append(Segments(stamps, picked, kinds, bounds, edges, rows.step, missed))
+        groups.append(
+            Segments(
+                time=stamps,
+                columns=tuple(select(columns[j], valid) for j in members),
+                smooth=tuple(smooth[j] for j in members),
+                bounds=bounds,
+                edges=edges,
+                step=rows.step,
+                not_finite=tuple(not_finite[j] for j in members),
+            )
+        )
     return groups
 
 
@@ -184,14 +191,12 @@ def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:
 
 def _cut(bounds: IntArray, stamps: FloatArray, ends: FloatArray) -> IntArray:
     """Segments also end where time stepped back or rows are missing, even if the hole is small."""
-    if ends.size == 0:
-        return bounds
     edges = np.unique(np.concatenate((bounds.ravel(), np.searchsorted(stamps, ends, side="right"))))
     return np.stack((edges[:-1], edges[1:]), axis=1)
 
 
-class Stream:
-    """The values of a group of columns at all points of a grid, in ascending order, any number at a time.
+def resampled(group: Segments, grid: FloatArray, interval: float, *, decimate: bool) -> Iterator[FloatArray]:
+    """Values of a group of columns at all points of a grid, shape (k, m), piece after piece.
 
     Parameters
     ----------
@@ -204,25 +209,6 @@ class Stream:
     decimate : bool
         Low-pass and decimate, or interpolate.
     """
-
-    def __init__(self, group: Segments, grid: FloatArray, interval: float, *, decimate: bool) -> None:
-        self._pieces = _resampled(group, grid, interval, decimate)
-        self._ready: FloatArray = np.empty((len(group.columns), 0))
-
-    def read(self, count: int) -> FloatArray:
-        """The values at the next `count` points, shape (k, count)."""
-        parts = [self._ready]
-        held = self._ready.shape[1]
-        while held < count:
-            parts.append(next(self._pieces))
-            held += parts[-1].shape[1]
-        values = np.concatenate(parts, axis=1)
-        self._ready = values[:, count:].copy()
-        return values[:, :count]
-
-
-def _resampled(group: Segments, grid: FloatArray, interval: float, decimate: bool) -> Iterator[FloatArray]:
-    """Values at all grid points, shape (k, m), piece after piece."""
     position = 0
     for (low, high), (first, last, end) in _shares_of_grid(group, grid, interval):
         if position < first:

@@ -132,9 +132,9 @@ def _is_exact(
     if longest < IN_A_ROW:
         return False
     equal = float(np.mean(np.diff(others) == 0.0)) if others.size > 1 else 0.0
-    if below_resolution(noise, digit) or equal > 0.5:
-        return _cut_off(values, runs, level, 0.5 * (digit or 0.0), noisy=False)
-    return int(np.diff(runs, axis=1).sum()) * equal ** (longest - 1) < CHANCE
+    by_steps = below_resolution(noise, digit) or equal > 0.5
+    by_chance = int(np.diff(runs, axis=1).sum()) * equal ** (longest - 1)
+    return _cut_off(values, runs, level, 0.5 * (digit or 0.0), noisy=False) if by_steps else by_chance < CHANCE
 
 
 def _cut_off(values: FloatArray, runs: IntArray, level: float, width: float, *, noisy: bool) -> bool:
@@ -320,7 +320,8 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     values = select(samples, usable)
     stamps = select(time, usable)
     missing = samples.size - values.size
-    located = tuple(time[_first_not_taken(usable)].tolist()) if missing else ()
+    gone = chain.from_iterable(rows.start + np.flatnonzero(~usable[rows]) for rows in chunks(usable.size))
+    located = tuple(time[list(islice(gone, LOCATED))].tolist()) if missing else ()
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
         nan = float("nan")
@@ -394,12 +395,6 @@ def usual_span(samples: FloatArray) -> tuple[float, float]:
         lowest, highest = np.fmin(lowest, np.fmin.reduce(largest)), np.fmax(highest, np.fmax.reduce(smallest))
     # A signal that nowhere stays for three samples reaches its highest value less often than its lowest.
     return float(np.fmin(lowest, highest)), float(np.fmax(lowest, highest))
-
-
-def _first_not_taken(taken: BoolArray) -> IntArray:
-    """Indices of the first `LOCATED` rows that are left out."""
-    parts = (rows.start + np.flatnonzero(~taken[rows]) for rows in chunks(taken.size))
-    return np.fromiter(islice(chain.from_iterable(parts), LOCATED), np.int64)
 
 
 def single_spikes(values: FloatArray, noise: float) -> tuple[int, IntArray]:

@@ -195,8 +195,7 @@ def advancing(time: FloatArray, reached: float = -np.inf) -> BoolArray:
         Latest finite stamp [s] before these.
     """
     stamps = np.concatenate(([reached], np.where(np.isfinite(time), time, -np.inf)))
-    before = np.maximum.accumulate(stamps)[:-1]
-    return np.asarray(stamps[1:] > before)
+    return np.asarray(stamps[1:] > np.maximum.accumulate(stamps)[:-1])
 
 
 def unwrapped(time: FloatArray) -> FloatArray:

@@ -9,16 +9,16 @@ from numpy.typing import NDArray
 
 from ..errors import DataRefusedError
 from ..numerics.arrays import FloatArray, IntArray
-from .columns import CHUNK
+from .columns import CHUNK, Stream
 from .resampling import LEAST_RATIO, REACH, uniform_grid
 from .segments import (
     NO_CUTS,
     Segments,
-    Stream,
     TimeReversal,
     TimeRows,
     advancing_rows,
     finite_segments,
+    resampled,
 )
 from .timebase import LOCATED, default_gap_limit
 
@@ -103,18 +103,12 @@ class Survey:
         Of the displacement's time base.
     groups : tuple of Segments
         Displacement first, then the voltages; columns with the same time base and valid rows share one.
-    raw_rows : int
-        Rows of the displacement.
-    gap_limit : float
-        Longest hole [s] that is no gap.
     holes : FloatArray, shape (G, 2)
         Last time before and first time after each gap [s].
     """
 
     rows: TimeRows
     groups: tuple[Segments, ...]
-    raw_rows: int
-    gap_limit: float
     holes: FloatArray
 
     @property
@@ -175,14 +169,13 @@ def survey(
         together.append(column)
         names.append(name)
     groups += finite_segments(rows[-1], together, [name in _SMOOTH for name in names], names)
-    limit = default_gap_limit(rows[0].step)
     holes = np.unique(np.concatenate([group.gaps for group in groups]), axis=0)
     if gaps == "refuse" and holes.size:
         raise DataRefusedError(
-            f"{len(holes)} gap(s) longer than {limit * 1e3:.4g} ms, the first from {holes[0, 0]:.6g} s to "
-            f'{holes[0, 1]:.6g} s; set [ingest] gaps = "split" to use the segments between'
+            f"{len(holes)} gap(s) longer than {default_gap_limit(rows[0].step) * 1e3:.4g} ms, the first from "
+            f'{holes[0, 0]:.6g} s to {holes[0, 1]:.6g} s; set [ingest] gaps = "split" to use the segments between'
         )
-    result = Survey(rows[0], tuple(groups), q[0].size, limit, holes)
+    result = Survey(rows[0], tuple(groups), holes)
     if not result.span[1] > result.span[0]:
         raise DataRefusedError("displacement and voltages have no segment of time in common")
     return result
@@ -218,12 +211,12 @@ class Resampling:
         self._valid = _valid_runs(grid, log.holes, reach * interval)
         missing = [count for group in log.groups for count in group.not_finite]
         self.report = RecordReport(
-            raw_rows=log.raw_rows,
+            raw_rows=log.rows.keep.size,
             rows=grid.size,
             masked_rows=grid.size - int(np.diff(self._valid).sum()),
             raw_step=log.rows.step,
             interval=interval,
-            gap_limit=log.gap_limit,
+            gap_limit=default_gap_limit(log.rows.step),
             method=_method(log.rows.step, interval),
             time_not_finite=log.rows.not_finite,
             repeated=log.rows.repeated,
@@ -244,15 +237,20 @@ class Resampling:
         """
         interval = self.report.interval
         streams = [
-            Stream(group, self._grid, interval, decimate=_method(group.step, interval) == "decimated")
+            Stream(resampled(group, self._grid, interval, decimate=_method(group.step, interval) == "decimated"))
             for group in self._log.groups
         ]
         for first in range(0, self._grid.size, CHUNK):
             last = min(first + CHUNK, self._grid.size)
             values = np.concatenate([stream.read(last - first) for stream in streams])
             segment = _segment_numbers(self._valid, first, last)
-            q = np.where(segment < 0, np.nan, values[0])
-            yield UniformRecord(self._grid[first:last], q, np.ascontiguousarray(values[1:].T), segment, self.report)
+            yield UniformRecord(
+                t=self._grid[first:last],
+                q=np.where(segment < 0, np.nan, values[0]),
+                v=np.ascontiguousarray(values[1:].T),
+                segment=segment,
+                report=self.report,
+            )
 
     def record(self) -> UniformRecord:
         """The whole record, in memory."""
@@ -285,8 +283,7 @@ def _valid_runs(grid: FloatArray, holes: FloatArray, reach: float) -> IntArray:
 def _segment_numbers(valid: IntArray, first: int, last: int) -> NDArray[np.int32]:
     """Number of the segment of the grid points `first` … `last` − 1, −1 where they are masked."""
     numbers = np.full(last - first, -1, dtype=np.int32)
-    touching = np.flatnonzero((valid[:, 1] > first) & (valid[:, 0] < last))
-    for number in touching.tolist():
+    for number in np.flatnonzero((valid[:, 1] > first) & (valid[:, 0] < last)).tolist():
         start, end = valid[number].tolist()
         numbers[max(start - first, 0) : min(end, last) - first] = number
     return numbers

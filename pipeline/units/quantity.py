@@ -28,7 +28,9 @@ def scale(unit: str, largest: float) -> tuple[str, float]:
     largest : float
         Largest magnitude to be shown, in SI.
     """
-    unit, factor = _in_degrees(unit)
+    angle = _ANGLE.match(unit)
+    factor = 1.0 if angle is None else (180.0 / math.pi) ** (2 if angle[1] else 1)
+    unit = unit if angle is None else f"°{unit.removeprefix('rad')}"  # such as °/(s²·V) or °²/Hz
     head = next((p for p in sorted(_PREFIXED, key=len, reverse=True) if _starts(unit, p)), None)
     magnitude = abs(largest) * factor
     if head is None or magnitude == 0.0 or not math.isfinite(magnitude):
@@ -37,14 +39,6 @@ def scale(unit: str, largest: float) -> tuple[str, float]:
     power = 3 * math.floor(math.log10(magnitude / 0.5) / 3.0)
     power = min(9, max(-12, power))
     return _PREFIXES[power] + unit, factor * 10.0**-power
-
-
-def _in_degrees(unit: str) -> tuple[str, float]:
-    """The unit with degrees for radians, such as ``°/(s²·V)`` or ``°²/Hz``, and the factor from SI to it."""
-    angle = _ANGLE.match(unit)
-    if angle is None:
-        return unit, 1.0
-    return f"°{unit.removeprefix('rad')}", (180.0 / math.pi) ** (2 if angle[1] else 1)
 
 
 def axis_scale(unit: str, largest: float) -> tuple[str, float]:
@@ -85,8 +79,10 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
     spread = None if spread is None or not math.isfinite(spread) or spread <= 0.0 else spread
     shown, factor = scale(unit, spread if spread is not None and spread > LOST * size else size)
     number = value * factor
-    if spread is None:
-        text = _beside(number, abs(like) * factor) if abs(value) < abs(like) else significant(number)
+    if spread is None and abs(value) < abs(like):  # to three digits of the larger one
+        text = rounded(number, 2 - _decade(like * factor), abs(like) * factor)
+    elif spread is None:
+        text = significant(number)
     else:
         width = spread * factor
         # Two digits of the uncertainty, and the value to the same place, but no more than five digits of the value.
@@ -95,12 +91,6 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
         text = rounded(number, places, largest)
         text += f" ± {rounded(width, places, largest)}" if round(width, places) > 0.0 else ""
     return f"{text} {shown}".replace("-", "−").strip() if shown != "1" else text.replace("-", "−")
-
-
-def _beside(number: float, largest: float) -> str:
-    """A number that is smaller than `largest` beside it, to three digits of that."""
-    places = 2 - _decade(largest)
-    return rounded(number, places, largest)
 
 
 def _decade(number: float) -> int:

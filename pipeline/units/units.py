@@ -156,8 +156,7 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
         raise InputError(f"{where}: unknown unit {unit[:_LONGEST]!r}; {way}")
     registry = _registry()
     try:
-        parsed = registry.Unit(unit)
-        factor, base = registry.get_base_units(parsed)
+        factor, base = registry.get_base_units(registry.Unit(unit))
     except Exception as error:  # pint raises its own errors, AttributeError and tokenizer errors alike
         way = _meant(unit, allowed) or "write it as in 'mm', 'kV', 's', 'deg', '%'"
         raise InputError(f"{where}: unknown unit {unit!r}; {way}") from error
@@ -196,17 +195,13 @@ def _instead(unit: str, allowed: tuple[str, ...], *, velocity: bool) -> str:
         return f"; write {unit.replace('Nm', 'N*m')!r}"
     if allowed == DISPLACEMENT and velocity:
         return "; a velocity is no q: integrate it, or give it as `qdot` beside a measured q"
-    if allowed == DISPLACEMENT:
-        return (
-            "; if these are steps or volts of a sensor, give `scale` too: the length or angle of one, in that unit; a "
-            "temperature or another quantity goes as 'V', which stands for it"
-        )
-    if allowed == (MASS["rad"],):
-        return (
-            ": q is an angle; for that of a joint set plant.parameters too, else give the inertia in 'g*m^2', or leave "
-            "the mass out"
-        )
-    return "; write '1' for the numbers of any other input" if allowed == INPUT else ""
+    return {
+        DISPLACEMENT: "; if these are steps or volts of a sensor, give `scale` too: the length or angle of one, in "
+        "that unit; a temperature or another quantity goes as 'V', which stands for it",
+        (MASS["rad"],): ": q is an angle; for that of a joint set plant.parameters too, else give the inertia in "
+        "'g*m^2', or leave the mass out",
+        INPUT: "; write '1' for the numbers of any other input",
+    }.get(allowed, "")
 
 
 def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:

@@ -72,22 +72,22 @@ def instrument_rows(
     for log in logs:
         if log in trained and len(trained) == 1:
             continue
-        reading = instruments.of_training(trained.index(log)) if log in trained else instruments.of(parts[log])
+        reading = instruments.of_training[trained.index(log)] if log in trained else instruments.of(parts[log])
         values = _values(stated[log].then(reading.corrections))
-        measures = zip(instruments.quantities, reading.estimate, reading.standard_error, values, strict=True)
-        for quantity, estimate, error, value in measures:
+        measures = zip(instruments.quantities.items(), reading.estimate, reading.standard_error, values, strict=True)
+        for (quantity, limit), estimate, error, value in measures:
             measured = bool(np.isfinite(estimate))
-            beyond = measured and abs(estimate) > max(SIGNIFICANCE * error, quantity.limit)
+            beyond = measured and abs(estimate) > max(SIGNIFICANCE * error, limit)
             rows.append(
                 {
                     "log": log[1],
                     "role": log[0],
                     "model": model.name,
-                    "quantity": quantity.name,
+                    "quantity": quantity,
                     "estimate": float(estimate) if measured else None,
                     "standard_error": float(error) if measured else None,
                     "correction": value if measured else None,
-                    "limit": quantity.limit,
+                    "limit": limit,
                     "beyond": beyond,
                     "residual_ratio": reading.residual_ratio if measured else None,
                     "exchanged": reading.exchange,

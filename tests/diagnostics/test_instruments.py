@@ -63,8 +63,8 @@ def instruments(model: HybridModel, logs: list[Log]) -> InstrumentTest:
 
 
 def _beyond(reading: Reading, instruments: InstrumentTest) -> dict[str, float]:
-    rows = zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True)
-    return {q.name: x for q, x, error in rows if abs(x) > max(SIGNIFICANCE * error, q.limit)}
+    rows = zip(instruments.quantities.items(), reading.estimate, reading.standard_error, strict=True)
+    return {name: x for (name, limit), x, error in rows if abs(x) > max(SIGNIFICANCE * error, limit)}
 
 
 PLANTED = {
@@ -101,7 +101,7 @@ def test_exchanged_inputs_and_a_mirrored_q_are_named(instruments: InstrumentTest
 def test_of_two_training_logs_each_is_the_reference_of_the_other(model: HybridModel, logs: list[Log]) -> None:
     wrong = corrected(logs[1], Corrections((0.97, 1.0)))
     instruments = InstrumentTest(model, [[logs[0]], [wrong]])
-    first, second = (instruments.of_training(number).estimate[0] for number in (0, 1))
+    first, second = (instruments.of_training[number].estimate[0] for number in (0, 1))
     assert second == pytest.approx(-0.03, rel=0.1)
     assert first == pytest.approx(0.03, rel=0.1)
 
@@ -119,7 +119,7 @@ def test_small_errors_of_a_model_on_one_training_log_hide_no_instrument(model: H
     """They are sure, as nothing errs in the other log, but below what an instrument causes at its limit."""
     bent = replace(logs[1], q=logs[1].q + 30e-6 * np.sin(10.0 * np.pi * logs[1].t))
     instruments = InstrumentTest(model, [[logs[0]], [corrected(bent, Corrections((0.97, 1.0)))]])
-    first, second = (instruments.of_training(number) for number in (0, 1))
+    first, second = (instruments.of_training[number] for number in (0, 1))
     assert first.unlike < -1.0
     assert second.unlike > 1.0
     assert first.estimate[0] == pytest.approx(0.03, rel=0.1)
@@ -257,7 +257,7 @@ def _angle_log(seed: int, size: float = 0.15, noise: float = 2e-4) -> Log:
 def test_instruments_of_an_angle_under_one_linear_input() -> None:
     """A pendulum: gravity sets the scale of the angle, and no other model or unit is in the way."""
     instruments = InstrumentTest(_PendulumModel(), [[_angle_log(1)]])
-    assert [each.name for each in instruments.quantities] == ["gain_v1", "zero_q", "gain_q", "delay", "clock"]
+    assert list(instruments.quantities) == ["gain_v1", "zero_q", "gain_q", "delay", "clock"]
     assert _beyond(instruments.of([_angle_log(2)]), instruments) == {}
     wrong = corrected(_angle_log(2), Corrections((1.03,), 0.02, 1.02, 2.5e-3))
     found = _beyond(instruments.of([wrong]), instruments)
@@ -270,6 +270,6 @@ def test_a_linear_device_with_model_errors_does_not_hide_a_delay() -> None:
         _PendulumModel(np.array([TORQUE, GRAVITY, 1.05 * DAMPING])), [[_angle_log(1, 0.003, 0.0)]]
     )
     late = instruments.of([corrected(_angle_log(2, 0.003, 0.0), Corrections((1.0,), delay=5e-3))])
-    place = [each.name for each in instruments.quantities].index("delay")
+    place = list(instruments.quantities).index("delay")
     assert late.status == "measured" and _beyond(late, instruments).keys() == {"delay"}
     assert abs(late.estimate[place] - 5e-3) < SIGNIFICANCE * late.standard_error[place]

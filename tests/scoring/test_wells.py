@@ -69,16 +69,14 @@ def test_a_device_without_two_wells_has_none(q_of_t) -> None:  # type: ignore[no
 def test_switch_accuracy_counts_pulses_that_end_in_the_right_well() -> None:
     measured, v = record("lrlrl")
     simulated, _ = record("lrllr")
-    result = switch_accuracy(measured, simulated, v, DT, WELLS, plant=JOINT)
-    assert (result.pulses, result.correct) == (4, 2)
-    assert result.share == 0.5
+    assert switch_accuracy(measured, simulated, v, DT, WELLS, plant=JOINT) == (2, 4)
 
 
 def test_after_a_divergence_nothing_is_right() -> None:
     measured, v = record("lrlrl")
     diverged = measured.copy()
     diverged[measured.size // 2 :] = np.nan
-    assert switch_accuracy(measured, diverged, v, DT, WELLS, plant=JOINT).share == 0.25
+    assert switch_accuracy(measured, diverged, v, DT, WELLS, plant=JOINT) == (1, 4)
     assert np.nanmean(in_same_well(measured, diverged, WELLS)) == pytest.approx(0.5, abs=0.01)
 
 
@@ -88,9 +86,9 @@ def test_masked_rows_neither_agree_nor_disagree() -> None:
     np.testing.assert_array_equal(same, [1.0, np.nan, 0.0, np.nan])
 
 
-def test_no_pulse_is_undefined_and_not_perfect() -> None:
+def test_without_a_pulse_none_is_counted() -> None:
     q = np.full(300, -0.01)
-    assert switch_accuracy(q, q, np.zeros((300, 2)), DT, WELLS, plant=JOINT).share is None
+    assert switch_accuracy(q, q, np.zeros((300, 2)), DT, WELLS, plant=JOINT) == (0, 0)
 
 
 def heater(pause: int, memory: float = 400.0) -> tuple[FloatArray, FloatArray]:

@@ -212,8 +212,8 @@ class StaticPath:
         dF/dq [N/m]; negative where the free joint is unstable.
     energy : FloatArray, shape (N,)
         U − ½ΣC_i v_i² [J].
-    phi, u_y : FloatArray, shape (N,)
-        Tip rotation [rad] and axial displacement [m].
+    phi : FloatArray, shape (N,)
+        Tip rotation [rad].
     stretch, capacitance, capacitance_slope : FloatArray, shape (N, 2)
         λ_{1,i}, C_i [F] and dC_i/dq [F/m] along the path, left and right.
     stable : BoolArray, shape (N,)
@@ -229,7 +229,6 @@ class StaticPath:
     stiffness: FloatArray
     energy: FloatArray
     phi: FloatArray
-    u_y: FloatArray
     stretch: FloatArray
     capacitance: FloatArray
     capacitance_slope: FloatArray
@@ -393,7 +392,7 @@ def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) ->
     held = negative == (scalars[:, 1] < 0.0)
     return StaticPath(
         q=tips[:, 0], qm=qm, tangent=tangent, force=scalars[:, 0], stiffness=scalars[:, 1], energy=scalars[:, 2],
-        phi=tips[:, 1], u_y=tips[:, 2], stretch=tips[:, 3:], capacitance=farads, capacitance_slope=slopes,
+        phi=tips[:, 1], stretch=tips[:, 3:], capacitance=farads, capacitance_slope=slopes,
         stable=negative == 0, held=held,
     )  # fmt: skip
 

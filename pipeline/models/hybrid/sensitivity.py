@@ -14,8 +14,7 @@ from ...generated.condensed_joint import STATES, STOPS
 from ...numerics.arrays import FloatArray, SingleArray
 from ...numerics.fixed_step import SHARES, workspace
 from .columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
-from .kernels import CURVES, VALUES
-from .kernels import prepare as prepare_rates
+from .kernels import CURVES, VALUES, prepare
 from .runs import JointCoefficients, Joints, Stepping, integrate_joints
 from .statics import rest_at_reading
 
@@ -90,7 +89,7 @@ def sensitivities(
     points = np.empty((steps + 1, len(SHARES), STATES))
     slips = np.empty((steps + 1, STOPS))
     system = Joints(
-        (0,), prepare_rates(k[None])[0], np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3),
+        (0,), prepare(k[None])[0], np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3),
         driven.squares[None], np.zeros(1, dtype=np.int64), basis, weights[None], np.array([offset]), driven.observed,
         driven.pole, wall, lead, reading, points, slips,
     )  # fmt: skip
@@ -123,27 +122,31 @@ def _starts(
     first = len(active) + INSTRUMENTS
     total = blocks(first + weights.size)
     starts, stops = (np.zeros((total, rows, BATCH), dtype=np.float32) for rows in (STATES, STOPS))
-    x, z = rest_at_reading(q, stepping.reading, u, k, prepare_rates(k[None])[0], basis, weights, start[2])
-    moves: list[tuple[int, float, _Rest]] = []
-    for column, (step, unit) in enumerate(zip(PARAMETER_STEP * scale[active], np.eye(len(k))[active], strict=True)):
-        moves.append((column, step, (q, u, k + step * unit, weights)))
-    moves.append((len(active), -_SHIFT, (q + _SHIFT, u, k, weights)))
-    for column, by in enumerate(by_instruments, start=len(active) + 1):
-        step = 1e-6 * max(float(u.max()), 1.0) / max(float(np.abs(by).max()), 1e-12)
-        moves.append((column, step, (q, u + step * by, k, weights)))
-    for i, unit in enumerate(np.eye(weights.size)):
-        step = PARAMETER_STEP * widths[i // weights.shape[1]]
-        moves.append((first + i, step, (q, u, k, weights + step * unit.reshape(weights.shape))))
-    for column, step, (place, voltages, constants, changed) in moves:
+    x, z = rest_at_reading(q, stepping.reading, u, k, prepare(k[None])[0], basis, weights, start[2])
+    steps = np.concatenate(
+        [
+            PARAMETER_STEP * scale[active],
+            [-_SHIFT],
+            1e-6 * max(float(u.max()), 1.0) / np.maximum(np.abs(by_instruments).max(axis=1), 1e-12),
+            PARAMETER_STEP * np.repeat(widths, weights.shape[1]),
+        ]
+    )
+    # Displacement [m], squared voltages [V²], constants and weights of a joint at rest, each column moved by its step
+    moved = [
+        *((q, u, k + step * unit, weights) for step, unit in zip(steps, np.eye(len(k))[active], strict=False)),
+        (q + _SHIFT, u, k, weights),
+        *((q, u + step * by, k, weights) for step, by in zip(steps[len(active) + 1 :], by_instruments, strict=False)),
+        *(
+            (q, u, k, weights + step * unit.reshape(weights.shape))
+            for step, unit in zip(steps[first:], np.eye(weights.size), strict=True)
+        ),
+    ]
+    for column, (step, (place, voltages, constants, changed)) in enumerate(zip(steps, moved, strict=True)):
         there, slipped = rest_at_reading(
-            place, stepping.reading, voltages, constants, prepare_rates(constants[None])[0], basis, changed, start[2]
+            place, stepping.reading, voltages, constants, prepare(constants[None])[0], basis, changed, start[2]
         )
         starts[column // BATCH, :, column % BATCH] = (there - x) / step
         stops[column // BATCH, :, column % BATCH] = (slipped - z) / step
     x[1] = start[1]
     x[3] = stepping.reading[1] * stepping.lead**2 * start[1]
     return x, z, starts, stops
-
-
-_Rest = tuple[float, FloatArray, FloatArray, FloatArray]
-"""Displacement [m], squared voltages [V²], constants and weights of a joint at rest."""

@@ -252,8 +252,14 @@ def joint_offers(
         free = mirrored and not best.population
         return [candidate(best.structure, symmetry) for symmetry in SYMMETRIES if free]
 
-    elements = change.to(FRICTION["coulomb"], FRICTION["lag"])
-    return [elements, taught, untaught, change.to(FRICTION["lag+slip"]), change.to({"arc": not angle}), alike]
+    return [
+        change.to(FRICTION["coulomb"], FRICTION["lag"]),
+        taught,
+        untaught,
+        change.to(FRICTION["lag+slip"]),
+        change.to({"arc": not angle}),
+        alike,
+    ]
 
 
 def offers(

@@ -234,12 +234,11 @@ class JointProblem:
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
         """See `ObservedProblem`."""
         parts = []
-        rows = []
         for log in self.logs:
             states, sensitivity, _ = self._run(theta, log, gain, stop=log.split, sensitive=True)
-            parts.append(log.error(states[:, 0]))
-            rows.append(log.compared(sensitivity)[log.in_residual])
-        return np.concatenate(parts), np.concatenate(rows)
+            parts.append((log.error(states[:, 0]), log.compared(sensitivity)[log.in_residual]))
+        errors, rows = zip(*parts, strict=True)
+        return np.concatenate(errors), np.concatenate(rows)
 
     def jacobian_effort(self, theta: FloatArray) -> float:
         """Seconds of a Jacobian by the cost model."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...device.device import device
 from ...device.parameters import JointParameters
-from ...diagnostics.sentences import judge, not_converged
+from ...diagnostics.sentences import judge, sentences
 from ...errors import DataRefusedError
 from ...fitting.excitation import excitation_findings
 from ...fitting.population import NormalPopulation
@@ -174,7 +174,7 @@ def identified(
                     continue
             models[model.name], facts = model, model.describe()
             if facts.get("converged") is False:
-                notes["warnings"].append("; ".join(not_converged(model.name)))
+                notes["warnings"].append("; ".join(sentences(Finding("converged", "fair", subject=model.name))))
             if facts.get("search_complete") is False:
                 notes["warnings"].append(SEARCH_CUT.format(model=model.name, tried=len(facts["candidates"])))
             notes[model.name] = {**facts, TIMES: {"fit_s": seconds}}

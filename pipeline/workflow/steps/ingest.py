@@ -71,7 +71,7 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
         raise DataRefusedError(f"{where}: {error}") from error
     quality = trusted.quality
     left_out = _left_out(trusted, warnings, prototype)
-    _refuse_no_record(where, usable.span, settings.sample_interval, usable.raw_rows * raw_step)
+    _refuse_no_record(where, usable.span, settings.sample_interval, usable.rows.keep.size * raw_step)
     _refuse_other_clock(where, clock := examine(signals.q[0]), quality, prototype)
     masked = Resampling(usable, settings.sample_interval).report
     lacking, findings = _lacking(signals, settings.sample_interval)

@@ -122,12 +122,12 @@ def _outcomes(log: Log, wells: Wells | NoWells, ensemble: FloatArray | None, pla
     after = [rest for rest in rests if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]
     if ensemble is None or not isinstance(wells, Wells) or not after:
         return None
-    outcomes = pulse_outcomes(ensemble, after, wells)
+    right, ambiguous = pulse_outcomes(ensemble, after, wells)
     return {
         "draws": DRAWS,
         "at_s": [float(log.t[rest.stop - 1]) for rest in after],
-        "right": outcomes.probability_right.tolist(),
-        "ambiguous": outcomes.ambiguous.tolist(),
+        "right": right.tolist(),
+        "ambiguous": ambiguous.tolist(),
     }
 
 

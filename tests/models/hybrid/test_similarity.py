@@ -49,4 +49,4 @@ def test_free_runs_and_curves_scale() -> None:
     # Damping is that at 1 mm/s of either joint, where the quadratic drag has a share of 1e-3.
     np.testing.assert_allclose(theirs["d"], UNITS.mass / UNITS.time * force["d"], rtol=2e-3)
     np.testing.assert_allclose(theirs["dC1_dq"], newton / UNITS.voltage**2 * force["dC1_dq"], rtol=1e-4)
-    assert other.mass == pytest.approx(3.0 * ours.mass)
+    assert other.mass_kg == pytest.approx(3.0 * ours.mass_kg)
