@@ -93,14 +93,16 @@ def settings(
     more : mapping
         Further tables of a settings file, such as ``{"identify": {…}}``.
     """
-    channels = {"q": {"channel": "q", "unit": "rad" if angle else "m"}}
-    channels |= {f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)}
-    plant: dict[str, Any] = {"inputs": action}
-    if mass is not None:
-        turned = angle and parameters is None  # else the angle of a joint, which becomes its displacement
-        plant["mass"] = {"value": mass, "unit": "kg m^2" if turned else "kg"}
-    if parameters is not None:
-        plant["parameters"] = parameters
+    channels = {
+        "q": {"channel": "q", "unit": "rad" if angle else "m"},
+        **{f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)},
+    }
+    turned = angle and parameters is None  # else the angle of a joint, which becomes its displacement
+    plant = {
+        "inputs": action,
+        "mass": None if mass is None else {"value": mass, "unit": "kg m^2" if turned else "kg"},
+        "parameters": parameters,
+    }
     document: dict[str, Any] = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
     if entry(model) is None and model != AUTO:
         raise InputError(f"no model {model!r}; there are {', '.join((AUTO, *(each.name for each in ENTRIES)))}")
@@ -116,13 +118,18 @@ def settings(
             raise InputError("settings has identify.models; the argument `model` names the model")
         document[name] = {**document.get(name, {}), **_plain(table)} if isinstance(table, Mapping) else table
     prototype = parse_prototype(document, "debist.identify")
-    if prototype.compare.curves is not None:
-        raise InputError("settings has compare.curves, which only the report of a run draws; leave it out")
-    if prototype.ingest.sample_rate is not None:
-        raise InputError("settings has ingest.sample_rate, but t has the time of each sample; leave it out")
-    for key in ("curves", "siblings") if model in names("compare") else ():
-        if getattr(prototype.plant, key) is not None:
-            raise InputError(f"settings has plant.{key}, which the model {model!r} does not take; leave it out")
+    compared = model in names("compare")
+    unread = (
+        ("compare.curves", prototype.compare.curves is not None, "which only the report of a run draws"),
+        ("ingest.sample_rate", prototype.ingest.sample_rate is not None, "but t has the time of each sample"),
+        *(
+            (f"plant.{key}", compared and value is not None, f"which the model {model!r} does not take")
+            for key, value in (("curves", prototype.plant.curves), ("siblings", prototype.plant.siblings))
+        ),
+    )
+    for key, stated, why in unread:
+        if stated:
+            raise InputError(f"settings has {key}, {why}; leave it out")
     return prototype
 
 
@@ -159,8 +166,8 @@ def log_in(table: Any) -> Log | None:
     """
     if not hasattr(table, "columns") or "segment" not in table:
         return None
-    names = {"t_s": "t", "v1_V": "v1", "v2_V": "v2", "segment": "segment"}
-    names |= {column_name(name, unit): name for unit in ("m", "rad") for name in ("q", "qdot", "qddot")}
+    motion_names = {column_name(name, unit): name for unit in ("m", "rad") for name in ("q", "qdot", "qddot")}
+    names = {"t_s": "t", "v1_V": "v1", "v2_V": "v2", "segment": "segment", **motion_names}
     columns = {names[name]: np.asarray(table[name]) for name in table.columns if name in names}
     if not {"t", "q", "qdot", "qddot", "v1"} <= columns.keys():
         return None
@@ -187,8 +194,7 @@ def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None
     plant = device(prototype)
     for name, size in sizes.items():
         unit = plant.displacement.symbol if name.startswith("q") else plant.inputs[0].symbol
-        factor = scale_suspicion(size, plant.plausible_span(unit))
-        if factor is not None and factor > 1.0:
+        if (factor := scale_suspicion(size, plant.plausible_span(unit))) is not None and factor > 1.0:
             raise InputError(
                 f"{name} is up to {size:.4g}, which looks {factor:g} times too large for {unit}: give SI units"
             )
@@ -273,8 +279,7 @@ def score_table(model: DynamicModel, log: Log, plant: Device) -> list[dict[str, 
     """
     run = free_run(log, model)
     pairs = {name: (getattr(log, name), getattr(run, name)) for name in ("q", "qdot", "qddot")}
-    rests = stable_rests(model, [log.q])
-    wells = believed_wells(wells_of([log], plant=plant), model.name, rests, plant=plant)
+    wells = believed_wells(wells_of([log], plant=plant), model.name, stable_rests(model, [log.q]), plant=plant)
     compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
     return [
         {"signal": row["signal"], "fit_percent": _or_nan(fit_percent(*pairs[row["signal"]])), "unit": row["unit"]}

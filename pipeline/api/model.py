@@ -162,13 +162,12 @@ class Model:
         refuse_other_units({"q0": abs(q0), "v": float(abs(volts).max(initial=0.0))}, self._prototype)
         self._warn_beyond([*volts.T], q0)
         run = self.core.simulate(times, volts, q0, qdot0)
-        columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
-        if tube:
-            core = self.core
-            drawn = core.simulate_draws(times, volts, q0, qdot0)[0] if isinstance(core, HasDraws) else None
-            columns |= wanted_tubes(run.q, drawn, core)
-        columns |= {f"v{k}": column for k, column in enumerate(volts.T, start=1)}
-        table = frame(columns, *self._units)
+        core = self.core
+        drawn = core.simulate_draws(times, volts, q0, qdot0)[0] if tube and isinstance(core, HasDraws) else None
+        tubes = wanted_tubes(run.q, drawn, core) if tube else {}
+        inputs = {f"v{k}": column for k, column in enumerate(volts.T, start=1)}
+        motion = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
+        table = frame({**motion, **tubes, **inputs}, *self._units)
         table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
         return table
 
@@ -259,9 +258,8 @@ class Model:
         if ax is None:
             ax = pyplot.subplots(figsize=(7.16, 2.6), layout="constrained")[1]
         unit, factor = axis_scale(self._units[0], float(abs(log.known_q).max()))
-        note = fit_note(log.q, run.q)
-        if run.diverged_at_s is not None:
-            note = f"diverged at {moment(run.diverged_at_s)}"
+        ended = run.diverged_at_s
+        note = fit_note(log.q, run.q) if ended is None else f"diverged at {moment(ended)}"
         ax.plot(log.t, factor * log.q, color="0.6", linewidth=2.5, label="measured")
         ax.plot(log.t, factor * run.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
         ax.set(xlabel="time in s", ylabel=f"q in {unit}")

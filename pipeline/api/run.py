@@ -33,7 +33,7 @@ from ..workflow.engine import Unheard
 from ..workflow.inspection import check as check_tool
 from ..workflow.logs import load_motion
 from ..workflow.place import load_settings
-from ..workflow.report_data import load_datasheet, load_instruments, load_scores
+from ..workflow.report_data import instruments_shown, load_datasheet, load_scores
 from ..workflow.run_models import compared_models, identified_models, load_run_model, subject
 from ..workflow.si_log import read_si
 from .in_memory import OF_RUN, frame, seconds, si_symbols
@@ -218,7 +218,7 @@ class Run:
     @property
     def instruments(self) -> pd.DataFrame:
         """Errors of the instruments of each log, one row per log, model and quantity."""
-        return pd.DataFrame(load_instruments(self.root))
+        return pd.DataFrame(instruments_shown(self.root)[0])
 
     def log(self, name: str) -> pd.DataFrame:
         """Signals of a log: t_s, q_m (q_rad), v1_V, v2_V, segment, qdot_m_per_s, qddot_m_per_s2; NaN where masked.
@@ -277,11 +277,10 @@ class Run:
         measured = load_motion(self._folder, self._prototype, self._role(name), name)
         core = self.model(model).core
         run = free_run(measured, core)
-        columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
-        if tube:
-            columns |= wanted_tubes(run.q, drawn_runs(measured, core), core)
-        columns |= {f"v{k}": column for k, column in enumerate(measured.v.T, start=1)}
-        result = frame(columns | {"q_measured": measured.q}, *self._units)
+        tubes = wanted_tubes(run.q, drawn_runs(measured, core), core) if tube else {}
+        inputs = {f"v{k}": column for k, column in enumerate(measured.v.T, start=1)}
+        motion = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
+        result = frame({**motion, **tubes, **inputs, "q_measured": measured.q}, *self._units)
         result.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
         return result
 

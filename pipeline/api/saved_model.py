@@ -65,7 +65,6 @@ def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
     if not hasattr(subject.model, "to_tree"):
         raise InputError(f"the model {subject.name} cannot be saved; identify another one")
     bounds = subject.validity
-    plant = device(prototype)
     beside = {
         "name": subject.name, "settings_json": json.dumps(prototype.model_dump(mode="json"), sort_keys=True),
         "t": subject.t, "v": subject.v, "start": np.array(subject.start), "q": np.array(bounds.q),
@@ -73,7 +72,7 @@ def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
     }  # fmt: skip
 
     files: dict[str, type[Any]] = {_CHECK: _File, subject.name: type(subject.model)}
-    write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, columns_of(plant, files))
+    write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, columns_of(device(prototype), files))
 
 
 def load_saved(path: Path) -> tuple[Subject, Prototype]:
@@ -117,7 +116,7 @@ def load_saved(path: Path) -> tuple[Subject, Prototype]:
     return subject, prototype
 
 
-def export_model(subject: Subject, target: str, folder: Path, *, force: bool = False) -> Exported:
+def export_model(subject: Subject, target: str, folder: Path) -> Exported:
     """Write a model for another tool.
 
     Parameters
@@ -128,8 +127,6 @@ def export_model(subject: Subject, target: str, folder: Path, *, force: bool = F
         The form.
     folder : Path
         Folder of the files.
-    force : bool
-        True if files of others may be replaced.
 
     Raises
     ------
@@ -138,6 +135,6 @@ def export_model(subject: Subject, target: str, folder: Path, *, force: bool = F
     """
     if target not in MODELS:
         raise InputError(f"no export {target!r} of a model alone; there are {', '.join(MODELS)}")
-    with new_outputs(folder, "export", force=force, made_from={"model": subject.origin}) as staged:
+    with new_outputs(folder, "export", made_from={"model": subject.origin}) as staged:
         exported = write_model(target, subject, staged)
     return replace(exported, written=[rebased(path, staged, folder) for path in exported.written])

@@ -27,12 +27,64 @@ COMMANDS = {
     "repair": "`debist run PROTOTYPE.toml -o RUN` sets aside what is damaged and makes it anew",
     "study settings": "`debist batch TABLE.csv -o DIR` runs a row for each combination of settings",
 }
-_EXPERIMENT = "{} in the TOML file of --experiment"
-_SCENARIO = "{} in the TOML file of --scenario"
-_DESIGN = "{} in the TOML file of --design"
-_SEARCH = "{} in the TOML file of --search"
 _NO_FORCE = "name another place, or remove the file"
+_IN_FILES = {
+    "physics calibrate": ("search", {"starts": "starts", "seed": "seed", "jobs": "threads"}),
+    "rig": (
+        "experiment",
+        {
+            "faults": 'faults = ["gaps"]',
+            "charging-time": "charging_time_s",
+            "size": "size",
+            "train": "training_logs",
+            "validation": "validation_logs",
+            "excitation": "excitation",
+            "age": "age_days",
+            "drift": "the table [drift]",
+        },
+    ),
+    "rig simulate": ("experiment", {"play": "play"}),
+    "rig excite": (
+        "design",
+        {
+            "model": "model",
+            "joints": "joints",
+            "seed": "seed",
+            "max-field": "max_field_V_per_um",
+            "rest": "rest_s",
+            "rate": "rate_Hz",
+            "kinds": 'kinds = ["pulse"]',
+            "basis-functions": "basis_functions",
+            "candidates": "candidates",
+        },
+    ),
+    "rig closed-loop": (
+        "scenario",
+        {
+            "from": 'start = "left"',
+            "format": "format",
+            "lag": "lag_s",
+            "highest": "highest_V",
+            "push": "[[pushes]] start_s, force_N, length_s",
+            "hand": "[[hands]] start_s, force_N, length_s",
+            "shake": "[[shakes]] start_s, force_N, frequency_Hz, length_s",
+            "drag": "drag_N",
+            "friction": "friction",
+            "lost": "[[lost]] start_s, length_s",
+            "frozen": "[[frozen]] start_s, length_s",
+            "barrier": "barrier_percent",
+            "noise": "noise",
+            "seed": "seed",
+        },
+    ),
+}
+"""Options that are entries of a TOML file now, by command: the option that names the file, and the entries."""
 OPTIONS = {
+    **{
+        f"{command} --{option}": f"{entry} in the TOML file of --{file}"
+        for command, (file, entries) in _IN_FILES.items()
+        for option, entry in entries.items()
+    },
     "--output": "-o",
     "--file": "-o",
     "--quiet": "-q",
@@ -52,44 +104,9 @@ OPTIONS = {
     "verify --all": "a loop of the shell over the runs",
     "verify --subset": "leave it out: all files are checked",
     "physics calibrate --set": 'a TOML file for --parameters: base = "nominal", then the values',
-    "physics calibrate --starts": _SEARCH.format("starts"),
-    "physics calibrate --seed": _SEARCH.format("seed"),
-    "physics calibrate --jobs": _SEARCH.format("threads"),
     "physics calibrate --force": _NO_FORCE,
     "physics calibrate --figure": "the table, or the correlations of --json",
-    "rig --faults": _EXPERIMENT.format('faults = ["gaps"]'),
-    "rig --charging-time": _EXPERIMENT.format("charging_time_s"),
-    "rig --size": _EXPERIMENT.format("size"),
-    "rig --train": _EXPERIMENT.format("training_logs"),
-    "rig --validation": _EXPERIMENT.format("validation_logs"),
-    "rig --excitation": _EXPERIMENT.format("excitation"),
-    "rig --age": _EXPERIMENT.format("age_days"),
-    "rig --drift": _EXPERIMENT.format("the table [drift]"),
     "rig --force": _NO_FORCE,
-    "rig simulate --play": _EXPERIMENT.format("play"),
-    "rig excite --model": _DESIGN.format("model"),
-    "rig excite --joints": _DESIGN.format("joints"),
-    "rig excite --seed": _DESIGN.format("seed"),
-    "rig excite --max-field": _DESIGN.format("max_field_V_per_um"),
-    "rig excite --rest": _DESIGN.format("rest_s"),
-    "rig excite --rate": _DESIGN.format("rate_Hz"),
-    "rig excite --kinds": _DESIGN.format('kinds = ["pulse"]'),
-    "rig excite --basis-functions": _DESIGN.format("basis_functions"),
-    "rig excite --candidates": _DESIGN.format("candidates"),
-    "rig closed-loop --from": _SCENARIO.format('start = "left"'),
-    "rig closed-loop --format": _SCENARIO.format("format"),
-    "rig closed-loop --lag": _SCENARIO.format("lag_s"),
-    "rig closed-loop --highest": _SCENARIO.format("highest_V"),
-    "rig closed-loop --push": _SCENARIO.format("[[pushes]] start_s, force_N, length_s"),
-    "rig closed-loop --hand": _SCENARIO.format("[[hands]] start_s, force_N, length_s"),
-    "rig closed-loop --shake": _SCENARIO.format("[[shakes]] start_s, force_N, frequency_Hz, length_s"),
-    "rig closed-loop --drag": _SCENARIO.format("drag_N"),
-    "rig closed-loop --friction": _SCENARIO.format("friction"),
-    "rig closed-loop --lost": _SCENARIO.format("[[lost]] start_s, length_s"),
-    "rig closed-loop --frozen": _SCENARIO.format("[[frozen]] start_s, length_s"),
-    "rig closed-loop --barrier": _SCENARIO.format("barrier_percent"),
-    "rig closed-loop --noise": _SCENARIO.format("noise"),
-    "rig closed-loop --seed": _SCENARIO.format("seed"),
 }
 """Advice by the option, alone or after the command or group that had it."""
 
@@ -119,7 +136,6 @@ def replacement(error: Any, given: Sequence[str]) -> str | None:
 
 
 _STOPPED = "a file is written whole or not at all; the same command starts again"
-_BUG = "this is a bug in debist; please report the lines above"
 _NO_MEMORY = (
     "debist: not enough memory; end other programs, lower --jobs or raise the limit (`ulimit -v`), and run again"
 )
@@ -142,8 +158,7 @@ class WholeLines(TyperGroup):
 
     def list_commands(self, ctx: Any) -> list[str]:
         """The commands in the order of the work; those that it does not name come last, as they were added."""
-        names = super().list_commands(ctx)
-        return sorted(names, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER))
+        return sorted(super().list_commands(ctx), key=lambda name: (*ORDER, name).index(name))
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
         """Write the name of each command and the first line of its help, wrapped to the terminal."""
@@ -202,10 +217,6 @@ class ErrorBoundary(WholeLines):
     """A command group that prints a known failure as one line and an unknown one as a traceback."""
 
     _given: Sequence[str] = ()
-
-    @property
-    def _as_json(self) -> bool:
-        return "--json" in self._given
 
     def main(self, *arguments: Any, **options: Any) -> Any:
         """Run the program; also help and version meet a standard output that takes nothing."""
@@ -270,8 +281,10 @@ class ErrorBoundary(WholeLines):
         except (typer.Exit, typer.Abort):
             raise
         except Exception as error:
-            if isinstance(error, OSError) and _stdout_fails():
-                if _reader_has_gone(error):
+            if (
+                isinstance(error, OSError) and _stdout_fails()
+            ):  # Windows calls a reader that has gone an invalid argument
+                if isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL):
                     raise _unread() from error
                 raise
             if _of_typer(error):
@@ -285,14 +298,15 @@ class ErrorBoundary(WholeLines):
             remedy = _remedy(error)
             if remedy is None:
                 traceback.print_exc(file=sys.stderr)
-            code, text = (1, _BUG) if remedy is None else (InputError.exit_code, remedy)
+            bug = "this is a bug in debist; please report the lines above"
+            code, text = (1, bug) if remedy is None else (InputError.exit_code, remedy)
             typer.echo(f"debist: {text}", err=True)
             self._emit_error(text, code)
             raise typer.Exit(code) from error
 
     def _emit_error(self, message: str, exit_code: int) -> None:
         """Print a failure as the JSON document of a command with --json, unless it has printed its own before."""
-        if self._as_json and not printed:
+        if "--json" in self._given and not printed:
             with suppress(OSError):  # the exit code says the same
                 emit_json({"error": {"message": message, "exit_code": exit_code}})
 
@@ -352,11 +366,6 @@ def _remedy(error: Exception) -> str | None:
     return None
 
 
-def _reader_has_gone(error: OSError) -> bool:
-    """True if nobody reads standard output any more, which Windows calls an invalid argument."""
-    return isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL)
-
-
 def _stdout_fails() -> bool:
     """True if standard output takes nothing more, as on a full disk."""
     try:
@@ -382,11 +391,13 @@ def with_options(command: Callable[..., None]) -> Callable[..., None]:
         for name, parameter in signature.parameters.items()
         if is_dataclass(parameter.annotation)
     }
-    parameters: list[inspect.Parameter] = []
-    for name, parameter in signature.parameters.items():
-        parameters += (
+    parameters = [
+        each.replace(kind=inspect.Parameter.KEYWORD_ONLY)
+        for name, parameter in signature.parameters.items()
+        for each in (
             inspect.signature(groups[name], eval_str=True).parameters.values() if name in groups else [parameter]
         )
+    ]
 
     @wraps(command)
     def from_options(**values: Any) -> None:
@@ -395,7 +406,6 @@ def with_options(command: Callable[..., None]) -> Callable[..., None]:
             values[name] = group(**{field.name: values.pop(field.name) for field in fields(group)})
         command(**values)
 
-    keyword_only = [parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY) for parameter in parameters]
-    from_options.__signature__ = signature.replace(parameters=keyword_only)  # type: ignore[attr-defined]
+    from_options.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]
     from_options.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
     return from_options

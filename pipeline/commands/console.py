@@ -22,7 +22,6 @@ from ..units.quantity import prefixed
 if TYPE_CHECKING:
     from ..workflow.engine import Task
 
-_NOTHING_KEPT = "no step was finished yet; the same command starts again"
 _PIPE_COLUMNS = 160
 _SENTENCE = 21  # columns of the longest name of a model; longer texts may be wrapped
 _GAP = 2  # columns between two of a table
@@ -207,7 +206,8 @@ class Progress:
         self._stop()
         if isinstance(error, KeyboardInterrupt):
             finished = f"the results of {self._made} finished step{'s' if self._made > 1 else ''} are kept"
-            error.args = (f"{finished}; the same command goes on from there" if self._made else _NOTHING_KEPT,)
+            nothing = "no step was finished yet; the same command starts again"
+            error.args = (f"{finished}; the same command goes on from there" if self._made else nothing,)
 
     def _stop(self) -> None:
         for shown in (self._bar, self._status):
@@ -261,8 +261,7 @@ Parameters = Annotated[
     str, typer.Option("--parameters", metavar="SET", help="table1, nominal, or a TOML file with units.")
 ]
 Output = Annotated[Path | None, typer.Option("-o", metavar="RUN", help="Run folder [default: runs/NAME].")]
-TableFormat = Literal["text", "csv", "latex", "markdown"]
-Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
+Form = Annotated[Literal["text", "csv", "latex", "markdown"], typer.Option("--format", help="Form of the table.")]
 NoReport = Annotated[bool, typer.Option("--no-report", help="Make no report.")]
 Details = Annotated[
     bool, typer.Option("--details", help="The whole tables: every log, intervals, horizons, switching times.")

@@ -25,22 +25,6 @@ class Snap:
     minimise: Annotated[Goal, typer.Option(help="Quantity that the pulse minimises.")] = "time"
 
 
-@dataclass(frozen=True)
-class VoltageLimits:
-    """Limits on the voltages of a controller."""
-
-    max_voltage: Annotated[
-        str | None,
-        typer.Option(help="Largest voltage, with its unit [default: as trained and allowed]."),
-    ] = None
-    slew: Annotated[
-        str | None, typer.Option(help="Largest rate of each voltage, such as 100kV/s [default: no limit].")
-    ] = None
-    average_voltage: Annotated[
-        str | None, typer.Option(help="Largest mean of each voltage over 10 s, with its unit [default: no limit].")
-    ] = None
-
-
 Run = Annotated[
     Path, typer.Argument(metavar="RUN", help="Run folder with an identified joint of two membranes.", callback=run_of)
 ]
@@ -154,8 +138,7 @@ def pulse(
         control.check_pulse_name(output)
     with Progress(quiet=quiet) as progress:
         design = control.pulse(run, snap.to, snap.start, snap.minimise, _settings(max_voltage, lag), progress)
-    place = output or run / layout.EXPORTS / f"pulse-to-{snap.to}.csv"
-    files = control.write_pulse(run, design, place, force=force)
+    files = control.write_pulse(run, design, output or run / layout.EXPORTS / f"pulse-to-{snap.to}.csv", force=force)
     if as_json:
         emit_json({"files": files, **design})
         return
@@ -169,8 +152,19 @@ def pulse(
 
 
 @app.command()
-@with_options
-def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = False, as_json: Json = False) -> None:
+def design(
+    run: Run,
+    max_voltage: Most = None,
+    slew: Annotated[
+        str | None, typer.Option(help="Largest rate of each voltage, such as 100kV/s [default: no limit].")
+    ] = None,
+    average_voltage: Annotated[
+        str | None, typer.Option(help="Largest mean of each voltage over 10 s, with its unit [default: no limit].")
+    ] = None,
+    lag: Lag = None,
+    quiet: Quiet = False,
+    as_json: Json = False,
+) -> None:
     """Design the controller: estimator and feedback that snaps, settles, holds and tracks; kept in the run.
 
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.
@@ -179,28 +173,34 @@ def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = Fals
     from ..workflow.studies import control
 
     with Progress(quiet=quiet) as progress:
-        document = control.design(run, _limited(limits, lag), progress)
+        settings = replace(
+            _settings(max_voltage, lag),
+            slew=_limit(slew, "V/s", "--slew"),
+            average=_limit(average_voltage, "V", "--average-voltage"),
+        )
+        document = control.design(run, settings, progress)
     if as_json:
         emit_json(document)
         return
     places = document["places_m"]
     predicted = document["predicted"]["steps"]
     left, saddle, right = (prefixed(places[name], "m", 2) for name in ("left", "saddle", "right"))
-    emit_text(
+    lags = " and ".join(prefixed(lag, "m", 1) for lag in document["lags_s"])
+    targets = ("to the right", "to the left", "to the unstable equilibrium")
+    lines = (
         f"model {document['model']}: wells at {left} and {right} mm, unstable equilibrium at {saddle} mm; at most "
-        f"{prefixed(document['largest_voltage_V'], 'k', 2)} kV"
-    )
-    left, right = (prefixed(lag, "m", 1) for lag in document["lags_s"])
-    emit_text(f"the converters' lags: {left} and {right} ms, {document['lags_known']}")
-    for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
-        emit_text(
-            f"on the model, {name}: {_settles(step['settling_s'])}, overshoot "
+        f"{prefixed(document['largest_voltage_V'], 'k', 2)} kV",
+        f"the converters' lags: {lags} ms, {document['lags_known']}",
+        *(
+            f"on the model, {target}: {_settles(step['settling_s'])}, overshoot "
             f"{prefixed(step['overshoot_m'], 'm', 2)} mm, RMS {prefixed(step['rms_m'], 'm', 3)} mm then"
-        )
-    emit_text(_margins(document["margins"]))
-    for warning in document["warnings"]:
-        emit_text(f"warning: {warning}")
-    emit_text(f"next: debist export {shell_word(run)} --to controller")
+            for target, step in zip(targets, predicted, strict=True)
+        ),
+        _margins(document["margins"]),
+        *(f"warning: {warning}" for warning in document["warnings"]),
+        f"next: debist export {shell_word(run)} --to controller",
+    )
+    emit_text("\n".join(lines))
 
 
 def _margins(margins: Any) -> str:
@@ -213,19 +213,12 @@ def _margins(margins: Any) -> str:
     )
 
 
-def _limited(limits: VoltageLimits, lag: str | None) -> Any:
-    """The settings of a controller."""
-
-    def value(text: str | None, unit: str, name: str) -> float | None:
-        """A limit in SI."""
-        number = None if text is None else parse_quantity(text, (unit,), name)
-        if number is not None and not 0.0 < number < float("inf"):
-            raise InputError(f"{name} {text}: give a value above 0")
-        return number
-
-    slew = value(limits.slew, "V/s", "--slew")
-    average = value(limits.average_voltage, "V", "--average-voltage")
-    return replace(_settings(limits.max_voltage, lag), slew=slew, average=average)
+def _limit(text: str | None, unit: str, name: str) -> float | None:
+    """A limit of a controller in SI."""
+    number = None if text is None else parse_quantity(text, (unit,), name)
+    if number is not None and not 0.0 < number < float("inf"):
+        raise InputError(f"{name} {text}: give a value above 0")
+    return number
 
 
 def _settings(max_voltage: str | None, lag: str | None) -> Any:
@@ -249,8 +242,7 @@ def _ms(seconds: float | None) -> str:
 def _telling(poles: list[list[float]]) -> list[list[float]]:
     """The unstable pole, and the slowest pair that rings."""
     unstable = [pole for pole in poles if pole[0] > 0.0]
-    ringing = [pole for pole in poles if pole[1] > 1.0][:1]
-    return unstable + ringing
+    return unstable + [pole for pole in poles if pole[1] > 1.0][:1]
 
 
 def _pole(pole: list[float]) -> str:

@@ -52,9 +52,8 @@ def _emit_first_log(design: "Design") -> None:
     """Print the visits per centre, and the criteria beside those of plain pulses."""
     designed = design.designed
     plain = design.plain
-    names = ("left", "right")
     title = "Simulated samples per basis centre, one every 10 ms"
-    emit_visits(title, 1e3 * design.weights.centres, designed.visits.table, names, "mm")
+    emit_visits(title, 1e3 * design.weights.centres, designed.visits.table, ("left", "right"), "mm")
     rows = [
         ("information per weight [nats]", f"{designed.log_information:.2f}", f"{plain.log_information:.2f}"),
         (
@@ -126,9 +125,11 @@ def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
     shown = {name: value for name, value in asdict(excitation).items() if name not in left_out}
     q, v = excitation.plant.displacement.symbol, excitation.plant.inputs[0].symbol
     facts = asdict(excitation.excitation)
-    facts["wells"] = with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q))
-    values = {name: value for name, value in facts.items() if name not in ("signals", "displacement")}
-    values |= {"bandwidth": excitation.excitation.bandwidth, "ringing": excitation.excitation.ringing}
+    values = {name: value for name, value in facts.items() if name not in ("signals", "displacement")} | {
+        "wells": with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q)),
+        "bandwidth": excitation.excitation.bandwidth,
+        "ringing": excitation.excitation.ringing,
+    }
     units = {"centres": q, "largest": v, "interval": "s", "bandwidth": "Hz", "ringing": "Hz"}
     return {"excitation": with_units(values, units)} | with_units(shown, units)
 
@@ -147,11 +148,12 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
             ("no.", "rate [Hz]", "from [s]", "to [s]", "jitter [µs]", "gaps", "repeated", "backward", "not finite"),
             [_time_row(index, asdict(base)) for index, base in enumerate(inspection.time_bases)],
         )
-    for base in inspection.time_bases:
-        for start, stop in base.gaps_at:
-            emit_text(f"gap of {quantity(stop - start, 's')} from {stamped(start)} to {stamped(stop)} s")
-    for note in inspection.notes:
-        emit_text(note)
+    gaps = (
+        f"gap of {quantity(stop - start, 's')} from {stamped(start)} to {stamped(stop)} s"
+        for base in inspection.time_bases
+        for start, stop in base.gaps_at
+    )
+    emit_text("\n".join((*gaps, *inspection.notes)))
     if isinstance(excitation, str):
         emit_text(f"excitation: {excitation}")
     else:
@@ -232,9 +234,6 @@ def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
         emit_text("no contradiction; gains, zeros, delays and clocks are measured after the fit")
 
 
-LogArgument = Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")]
-
-
 def init(
     logs: Annotated[
         list[Path], typer.Argument(metavar="LOG...", help="Raw logs of one device: MAT, MDF4, CSV, Parquet or HDF5.")
@@ -281,7 +280,7 @@ def _path_from(folder: Path, log: Path) -> str:
 
 
 def inspect(
-    log: LogArgument,
+    log: Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")],
     settings: Annotated[
         Path | None,
         typer.Option("--settings", metavar="PROTOTYPE.toml", help="Which channel is what [default: by name and unit]."),

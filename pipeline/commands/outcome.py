@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from ..system.names import shell_word
+from ..units.quantity import percent, quantity
 from .console import brief, emit_json, emit_table, emit_text, printable
 
 if TYPE_CHECKING:
@@ -41,18 +42,16 @@ def emit_scores(
     if as_json:
         page = {"verdict": load_datasheet(run)["verdict"], "report": run / "report.html"} if with_report else {}
         emit_json({"scores": load_scores(run), **page})
-        return
-    if form != "text":
+    elif form != "text":
         typer.echo(score_text(run, form), nl=False)
-        return
-    if details:
+    elif details:
         _emit_details(run)
-        return
-    from ..reporting.tables import main_table
+    else:
+        from ..reporting.tables import main_table
 
-    table = main_table(shown_scores(run))
-    emit_table(table.where, table.heading, table.rows)
-    emit_text(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
+        table = main_table(shown_scores(run))
+        emit_table(table.where, table.heading, table.rows)
+        emit_text(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
 
 
 def _emit_details(run: Path) -> None:
@@ -102,10 +101,10 @@ def emit_table_2(table: Iterable[Mapping[str, Any]]) -> None:
     """Print the rows of the paper's Table 2 (`pipeline.reporting.paper_page.table_2`)."""
     from ..reporting.paper_page import table_2_row
 
-    rows = []
-    for row in map(table_2_row, table):
-        cells = (f"{computed} ({printed})" if printed else computed for computed, printed in row["cells"])
-        rows.append((row["log"], row["model"], *cells))
+    rows = [
+        (row["log"], row["model"], *(f"{value} ({printed})" if printed else value for value, printed in row["cells"]))
+        for row in map(table_2_row, table)
+    ]
     title = "Table 2 of the paper: NRMSE in %, in brackets as printed"
     emit_table(title, ("log", "model", "q", "φ", "q̇", "q̈")[: len(rows[0])], rows, numeric_from=2)
 
@@ -152,26 +151,25 @@ def emit_fleet_progress(folder: Path, members: "Sequence[MemberState]", *, as_js
     if as_json:
         prototypes = [vars(member) | {"since": member.since and member.since.isoformat()} for member in members]
         emit_json({"folder": folder, "counts": counts, "prototypes": prototypes})
-        return
-    rows = [
-        (member.name, member.state, member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "", member.reason)
-        for member in members
-    ]
-    emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=None)
-    counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)
-    emit_text(f"{len(members)} prototypes: {counted}")
+    else:
+        stamps = [member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "" for member in members]
+        rows = [(m.name, m.state, since, m.reason) for m, since in zip(members, stamps, strict=True)]
+        emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=None)
+        counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)
+        emit_text(f"{len(members)} prototypes: {counted}")
 
 
 def emit_members(members: "Sequence[Member]", *, as_json: bool) -> None:
     """Print the prototypes of a batch with their settings files and logs."""
     if as_json:
         emit_json({"prototypes": [asdict(member) for member in members]})
-        return
-    rows = [
-        (member.name, str(member.settings), member.error or ", ".join(log.name for log in member.logs))
-        for member in members
-    ]
-    emit_table(f"{len(members)} prototypes", ("prototype", "settings", "logs, or the mistake"), rows, numeric_from=None)
+    else:
+        rows = [
+            (member.name, str(member.settings), member.error or ", ".join(log.name for log in member.logs))
+            for member in members
+        ]
+        heading = ("prototype", "settings", "logs, or the mistake")
+        emit_table(f"{len(members)} prototypes", heading, rows, numeric_from=None)
 
 
 def summary(results: "Sequence[TaskStatus]") -> str:
@@ -189,16 +187,13 @@ def emit_tasks(
     if as_json:
         tasks = [{**vars(task), "up_to_date": task.up_to_date} for task in done]
         emit_json({"tasks": tasks} | ({} if results is None else {"results": results}))
-        return
-    for result in results or ():
-        emit_text(result_line(result), indent="  ")
-    typer.echo(summary(done))
+    else:
+        emit_text("\n".join(map(result_line, results or ())), indent="  ")
+        typer.echo(summary(done))
 
 
 def result_line(result: Mapping[str, Any]) -> str:
     """Line for the result of a stage for one log or model (`pipeline.workflow.report_data`)."""
-    from ..units.quantity import quantity
-
     if "rows" in result:
         lost = f", {result['masked_rows']} of them masked" if result["masked_rows"] else ""
         gaps = f"{result['gaps']} gap{'s' if result['gaps'] != 1 else ''}"
@@ -221,9 +216,9 @@ def emit_status(title: str, states: "Sequence[TaskStatus]", *, as_json: bool) ->
     """Print for each task whether it is up to date, and why not."""
     if as_json:
         emit_tasks(states, as_json=True)
-        return
-    rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in states]
-    emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=None)
+    else:
+        rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in states]
+        emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=None)
 
 
 _MOST_NAMED = 4
@@ -286,9 +281,9 @@ class BatchProgress:
         self._running.remove(outcome.name)
         if self._quiet:
             return
-        state = f"failed: {outcome.reason}" if outcome.failed else "up to date" if _up_to_date(outcome) else "done"
-        line = f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"
-        line = printable(line)
+        well = "done" if outcome.processor_seconds else "up to date"  # which needs no process
+        state = f"failed: {outcome.reason}" if outcome.failed else well
+        line = printable(f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)")
         if self._bar is None:  # a cluster's log: each line stands alone
             typer.echo(f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} {line}", err=True)
         else:
@@ -302,36 +297,29 @@ class BatchProgress:
             self._bar.update(self._bar.task_ids[0], completed=self._done, description=names)
 
 
-def _up_to_date(outcome: "Outcome") -> bool:
-    """True if the outcome needed no process."""
-    return outcome.exit_code == 0 and not outcome.processor_seconds
-
-
 def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool) -> None:
     """Print how every prototype went, with its NRMSE of q on the validation logs."""
     if as_json:
         emit_json({"output": output, "prototypes": [asdict(outcome) for outcome in outcomes]})
         return
-    rows = [(outcome.name, _state(outcome), outcome.reason or _summary(output / outcome.name)) for outcome in outcomes]
+    rows = [
+        (
+            outcome.name,
+            "not started" if outcome.exit_code is None else "failed" if outcome.failed else "ok",
+            outcome.reason or _summary(output / outcome.name),
+        )
+        for outcome in outcomes
+    ]
     emit_table(f"{output}", ("prototype", "state", "validation NRMSE of q, or the reason"), rows, numeric_from=None)
-    cost = sum(outcome.processor_seconds for outcome in outcomes)
-    if cost:
+    if cost := sum(outcome.processor_seconds for outcome in outcomes):
         memory = max(outcome.memory_bytes for outcome in outcomes)
         counted = f"; at most {memory / 1e6:.0f} MB of memory in a process" if memory else ""
         typer.echo(f"{cost:.1f} s of processor time{counted}")
 
 
-def _state(outcome: "Outcome") -> str:
-    if outcome.exit_code is None:
-        return "not started"
-    return "failed" if outcome.failed else "ok"
-
-
 def _summary(run: Path) -> str:
-    from ..units.quantity import percent
     from ..workflow.report_data import load_scores
 
     scores = [s for s in load_scores(run) if s["role"] == "validation" and s["signal"] == "q"]
-    if not scores:
-        return "no validation log"
-    return ", ".join(f"{s['model']} {percent(s['nrmse']) if s['status'] == 'ok' else 'diverged'}" for s in scores)
+    errors = (f"{s['model']} {percent(s['nrmse']) if s['status'] == 'ok' else 'diverged'}" for s in scores)
+    return ", ".join(errors) or "no validation log"

@@ -104,8 +104,7 @@ def equilibria(
     pull = parse_quantity(force, ("N",), "--force")
     held = statics.equilibria(joint, np.array([left, right]), pull)
     if figure is not None:
-        energy = physics.energy_over_q(joint, v1=left, v2=right, force=pull)
-        _draw(figure, "equilibria_figure", joint, held, energy)
+        _draw(figure, "equilibria_figure", joint, held, physics.energy_over_q(joint, v1=left, v2=right, force=pull))
     if as_json:
         rests = [{"q_m": e.q, "phi_rad": e.phi, "stable": e.stable, "energy_J": e.energy} for e in held]
         emit_json({"equilibria": rests})
@@ -222,10 +221,10 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
     if as_json:
         shares = {"energy_share": result.energy_share, "largest_amplitude_m": peaks}
         emit_json(shares | {"x_m": result.x, "shapes": result.shapes})
-        return
-    pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
-    rows = [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs]
-    emit_table("Modes of the beam", ("mode", "energy share [%]", "largest amplitude [mm]"), rows)
+    else:
+        pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
+        rows = [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs]
+        emit_table("Modes of the beam", ("mode", "energy share [%]", "largest amplitude [mm]"), rows)
 
 
 @_command_on_motions
@@ -238,13 +237,13 @@ def reduce(joint: "JointParameters", motions: "Motions", figure: Path | None, as
     if as_json:
         seconds = {"full": motions.full_seconds, "reduced": motions.reduced_seconds}
         emit_json({"nrmse": motions.nrmse, "processor_time_s": seconds})
-        return
-    rows = [(f"NRMSE of {name} [%]", prefixed(value, "%", 2, "none")) for name, value in motions.nrmse.items()]
-    rows += [
-        ("processor time, full [s]", f"{motions.full_seconds:.3f}"),
-        ("processor time, reduced [s]", f"{motions.reduced_seconds:.4f}"),
-    ]
-    emit_table("Reduced against full model", ("quantity", "value"), rows)
+    else:
+        rows = [
+            *((f"NRMSE of {name} [%]", prefixed(value, "%", 2, "none")) for name, value in motions.nrmse.items()),
+            ("processor time, full [s]", f"{motions.full_seconds:.3f}"),
+            ("processor time, reduced [s]", f"{motions.reduced_seconds:.4f}"),
+        ]
+        emit_table("Reduced against full model", ("quantity", "value"), rows)
 
 
 @app.command()

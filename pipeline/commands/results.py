@@ -35,7 +35,6 @@ if TYPE_CHECKING:
     from ..workflow.verify import Verified
 
 
-_ALARMING = ("differs", "missing")
 _LONGEST = 60
 _OF_HASH = 16
 
@@ -52,15 +51,13 @@ def diff(
     NRMSE in percent, a fraction in JSON; artifacts are compared with those of the first run. Exit code 0
     whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
-    from ..reporting.several_runs import DiffTable
     from ..workflow.studies.diff import diff_runs, write_diff_page
 
     if len(runs) < 2:
         raise InputError(f"{runs[0]}: name a second run to compare it with")
     different = diff_runs(runs)
     if page is not None:
-        tables = [DiffTable(title, head, rows) for title, head, rows in _difference_tables(different) if rows]
-        write_diff_page(runs, different.names, tables, page)
+        write_diff_page(runs, different.names, [table for table in _difference_tables(different) if table[2]], page)
     if as_json:
         emit_json(asdict(different) | {"equal": different.equal})
     else:
@@ -91,8 +88,7 @@ def _emit_differences(runs: "RunDifferences") -> None:
             )
     for name, compared in zip(runs.names[1:], runs.artifacts, strict=True):
         _emit_artifacts(f"artifacts of {name}", [c for c in compared if c.state not in ("equal", "drawn")])
-    same = [title for title, _, rows in tables if not rows]
-    if same:
+    if same := [title for title, _, rows in tables if not rows]:
         emit_text(f"equal: {', '.join(same)}{', artifacts' if runs.equal else ''}")
 
 
@@ -127,7 +123,7 @@ def _emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *
         for state in dict.fromkeys(c.state for c in unequal):
             emit_text(f"{state}: {STATES[state]}")
         emit_text(f"{len(compared) - len(unequal)} of {len(compared)} artifacts have the same content hash")
-    apart = [comparison.artifact for comparison in compared if comparison.state in _ALARMING]
+    apart = [comparison.artifact for comparison in compared if comparison.state in ("differs", "missing")]
     if apart:
         more = f" and {len(apart) - 3} more" if len(apart) > 3 else ""
         raise CorruptArtifactError(
@@ -160,10 +156,10 @@ def export(
     exported = export_run(run, target, model=model, output=output, force=force)
     if as_json:
         emit_json(vars(exported))
-        return
-    typer.echo("\n".join(map(str, exported.written)))
-    for note in exported.notes:
-        typer.echo(f"note: {note}", err=True)
+    else:
+        typer.echo("\n".join(map(str, exported.written)))
+        for note in exported.notes:
+            typer.echo(f"note: {note}", err=True)
 
 
 def paper(
@@ -186,9 +182,9 @@ def paper(
         recipe = run_paper(source, output, progress)
     if as_json:
         emit_json({"page": str(recipe.page), "figures": str(recipe.root / "paper"), "table_2": recipe.table})
-        return
-    emit_table_2(recipe.table)
-    typer.echo(f"page: {recipe.page}\nfigures: {recipe.root / 'paper'}")
+    else:
+        emit_table_2(recipe.table)
+        typer.echo(f"page: {recipe.page}\nfigures: {recipe.root / 'paper'}")
 
 
 def study(
@@ -233,9 +229,9 @@ def study(
         result = run_folds(run, progress, by=by or "blocks", folds=count, models=model or (), jobs=jobs)
     if as_json:
         emit_json(_study_document(result))
-        return
-    emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
-    emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
+    else:
+        emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
+        emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
 
 
 def _study_document(result: "StudyResult") -> Any:
@@ -244,9 +240,8 @@ def _study_document(result: "StudyResult") -> Any:
 
     units = result.units
     of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
-    columns = with_units(result.columns, units)
     notes = with_units(result.notes, of_notes)
-    return to_json({"columns": columns, "figure": result.figure, "notes": notes})
+    return to_json({"columns": with_units(result.columns, units), "figure": result.figure, "notes": notes})
 
 
 def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:
@@ -257,11 +252,11 @@ def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -
         result = run_study(run, name, progress, jobs=jobs)
     if as_json:
         emit_json(_study_document(result))
-        return
-    columns, conclusion = study_conclusion(name, result.columns, result.units, result.notes)
-    rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
-    emit_table(f"Study of {name}", list(columns), rows, numeric_from=0)
-    emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
+    else:
+        columns, conclusion = study_conclusion(name, result.columns, result.units, result.notes)
+        rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
+        emit_table(f"Study of {name}", list(columns), rows, numeric_from=0)
+        emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
 
 
 _MOST_NAMED = 20
@@ -287,9 +282,9 @@ def verify(
         from ..workflow.studies.diff import compare_runs
 
         _emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
-        return
-    _emit(checked, as_json)
-    _fail(run, checked)
+    else:
+        _emit(checked, as_json)
+        _fail(run, checked)
 
 
 def _emit(checked: "Verified", as_json: bool) -> None:
@@ -379,10 +374,8 @@ def _emit_learnt(siblings: "LearntFile") -> None:
         f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other joints as "
         f"prior, the logs of a joint are exp({gains[len(gains) // 2]:.0f}) times as probable (median)"
     )
-    for odd in siblings.learnt.odd:
-        emit_text(f"odd: {odd.name}: {odd.quantity} {odd.size:+.3g} ± {odd.error:.2g} {odd.unit}")
-    if not siblings.learnt.odd:
-        emit_text("no joint is odd")
+    odd = [f"odd: {o.name}: {o.quantity} {o.size:+.3g} ± {o.error:.2g} {o.unit}" for o in siblings.learnt.odd]
+    emit_text("\n".join(odd or ["no joint is odd"]))
     emit_text(f"written: {siblings.path}; name it in [plant] siblings, or give it to debist batch --siblings")
 
 

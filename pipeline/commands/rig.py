@@ -161,7 +161,7 @@ def excite(
 
     rare = read_options(within.file, excitation.DesignFile)
     field = None if rare.max_field_V_per_um is None else 1e6 * rare.max_field_V_per_um
-    limits = excitation.ExcitationLimits(parse_quantity(within.max_voltage, ("V",), "--max-voltage"), field)
+    voltage = parse_quantity(within.max_voltage, ("V",), "--max-voltage")
     source = excitation.ExcitationSource(parameters, run, rare.model, rare.joints, rare.seed, programme)
     wanted = Requirements(
         duration=parse_quantity(within.duration, ("s",), "--duration"),
@@ -172,7 +172,9 @@ def excite(
     )
     with progress_report("designing", quiet=quiet) as report:
         shown = None if report is None else partial(report, "designing")
-        design, files = excitation.excite(output, source, wanted, limits, rare.rate_Hz, report=shown)
+        design, files = excitation.excite(
+            output, source, wanted, rare.rate_Hz, voltage=voltage, field=field, report=shown
+        )
     if as_json:
         emit_json({"files": files, **excitation.description(design)})
     else:

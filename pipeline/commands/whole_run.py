@@ -251,8 +251,7 @@ def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None
     from ..store.run_folder import in_snapshot
     from ..workflow.report_data import differentiated
 
-    done = _done(run, "differentiate", quiet)
-    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, differentiated))
+    outcome.emit_tasks(_done(run, "differentiate", quiet), as_json=as_json, results=in_snapshot(run, differentiated))
 
 
 def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
@@ -263,8 +262,7 @@ def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
     from ..store.run_folder import in_snapshot
     from ..workflow.report_data import identified
 
-    done = _done(run, "identify", quiet)
-    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, identified))
+    outcome.emit_tasks(_done(run, "identify", quiet), as_json=as_json, results=in_snapshot(run, identified))
 
 
 def validate(

@@ -10,12 +10,11 @@ from ..codegen.text_writer import Code, c_function, c_sequence, matlab_function,
 from ..control.controller import BEGIN, CONTROL, ESTIMATE, GRAPHS, OBSERVE, TABLES
 from ..control.estimator import PERIOD, RAMP, STATUS
 from ..control.law import CONTROLLER_STATE, SIDES, Law
-from ..store.atomic import write_text
 from ..system.package import program_version
 from .fmu import identity, packed
 from .hybrid import states, stop_operators
 from .subject import Exported, Variable
-from .templates import asset, constant, render
+from .templates import asset, constant, render, write_texts
 
 NAME = "controller"
 _VARIABLES = (
@@ -61,34 +60,24 @@ class ControllerSubject:
 
 def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
     """Write ``controller.h``, ``.c``, ``.m`` and ``.fmu``."""
-    written = []
     fields = _fields(subject)
-    sources = _sources(fields)
+    whole = fields | _functions("law_", c_function, c_sequence)
+    sources = {f"{NAME}.h": render("controller.h.j2", whole), f"{NAME}.c": render("controller.c.j2", whole)}
     script = render("controller.m.j2", fields | _functions("c.", matlab_function, matlab_sequence))
-    for file, text in (sources | {f"{NAME}.m": script}).items():
-        write_text(folder / file, text)
-        written.append(folder / file)
-    guid = identity(subject.prototype, subject.model, subject.origin, sources[f"{NAME}.c"])
+    written = write_texts(folder, sources | {f"{NAME}.m": script})
     estimated = [
         (estimate.name, f"estimate for the next period: {estimate.meaning}", "output", estimate.unit)
         for estimate in ESTIMATES
     ]
     more = {
-        "guid": guid,
+        "guid": identity(subject.prototype, subject.model, subject.origin, sources[f"{NAME}.c"]),
         "variables": [*_VARIABLES, *estimated],
         "title": f"Controller of the joint {subject.prototype}",
     }
     files = {name: asset(name) for name in ("fmi2.h", "fmu_common.h")}
     files["fmu.c"] = render("controller_fmu.c.j2", fields | more)
-    description = render("controllerDescription.xml.j2", fields | more)
-    unit = packed(sources | files, description, NAME, folder)
+    unit = packed(sources | files, render("controllerDescription.xml.j2", fields | more), NAME, folder)
     return Exported([*written, *unit.written], unit.notes)
-
-
-def _sources(fields: dict[str, Any]) -> dict[str, str]:
-    """Header and C source by file name."""
-    whole = fields | _functions("law_", c_function, c_sequence)
-    return {f"{NAME}.h": render("controller.h.j2", whole), f"{NAME}.c": render("controller.c.j2", whole)}
 
 
 def _functions(

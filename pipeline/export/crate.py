@@ -16,7 +16,6 @@ import re
 import shutil
 import tempfile
 from collections.abc import Mapping
-from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -27,57 +26,53 @@ from ..store.manifest import MANIFEST, stage_file
 from ..store.run_folder import RunFolder
 
 PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
-_TERMS = {"contentHash": "urn:debist:content-hash"}
 _FORMATS = {".parquet": "application/vnd.apache.parquet", ".h5": "application/x-hdf5", ".toml": "application/toml"}
 NAME = "environment.txt"
 _PIN = re.compile("[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9][A-Za-z0-9.!+_-]*")
 
 
-@dataclass(frozen=True)
-class Packed:
-    """Contents of a crate beside the run.
+def write_crate(
+    run: RunFolder, name: str, settings: str, inputs: Mapping[str, Path], more: Mapping[str, str], target: Path
+) -> None:
+    """Write an intact run and what goes along as a zip file.
 
-    Attributes
+    Parameters
     ----------
+    run : RunFolder
+        The run.
     name : str
         Name of the prototype.
     settings : str
         Its settings as TOML, with paths into the crate.
     inputs : mapping of str to Path
         Files that the settings name, by their paths in the crate.
-    texts : mapping of str to str
+    more : mapping of str to str
         Files that are written for the crate, likewise.
+    target : Path
+        The zip file.
     """
-
-    name: str
-    settings: str
-    inputs: Mapping[str, Path]
-    texts: Mapping[str, str]
-
-
-def write_crate(run: RunFolder, packed: Packed, target: Path) -> None:
-    """Write an intact run and what goes along as a zip file."""
     from rocrate.rocrate import ROCrate
 
     crate = ROCrate(gen_preview=False, version="1.1")
-    crate.name = f"Run of {packed.name}"
-    crate.description = f"Models identified from the rig logs of the prototype {packed.name} by debist"
+    crate.name = f"Run of {name}"
+    crate.description = f"Models identified from the rig logs of the prototype {name} by debist"
     crate.license = "not stated by the run"
     crate.datePublished = date = datetime.fromtimestamp((run.root / MANIFEST).stat().st_mtime, UTC)
     crate.metadata.extra_contexts.append("https://w3id.org/ro/terms/workflow-run/context")
-    crate.metadata.extra_terms.update(_TERMS)
+    crate.metadata.extra_terms["contentHash"] = "urn:debist:content-hash"
     profile = _entity(crate, PROFILE, "CreativeWork", "Process Run Crate", version=PROFILE.rsplit("/", 1)[1])
     crate.root_dataset["conformsTo"] = [profile]
     with tempfile.TemporaryDirectory(prefix="debist-") as place:
-        objects, results = _files(crate, run, packed, Path(place))
+        texts = {f"{name}.toml": settings, NAME: environment_text(run.manifest.versions), **more}
+        objects, results = _files(crate, run, texts, inputs, Path(place))
         action = crate.add_action(
             _software(crate, run.manifest.versions),
             identifier="#run",
             object=objects,
             result=results,
             properties={
-                "name": f"debist run {packed.name}",
-                "description": f"debist run {packed.name}.toml -o run",
+                "name": f"debist run {name}",
+                "description": f"debist run {name}.toml -o run",
                 "endTime": date.isoformat(timespec="seconds"),
                 "actionStatus": "http://schema.org/CompletedActionStatus",
             },
@@ -106,21 +101,36 @@ def _software(crate: Any, versions: Mapping[str, str]) -> Any:
     return debist
 
 
-def _files(crate: Any, run: RunFolder, packed: Packed, place: Path) -> tuple[list[Any], list[Any]]:
-    """Settings, inputs and versions; manifest and artifacts. Texts wait in the folder `place`."""
-    texts = {f"{packed.name}.toml": packed.settings, NAME: environment_text(run.manifest.versions), **packed.texts}
+def _files(
+    crate: Any, run: RunFolder, texts: Mapping[str, str], inputs: Mapping[str, Path], place: Path
+) -> tuple[list[Any], list[Any]]:
+    """Texts, which wait in the folder `place`, and inputs; manifest and artifacts."""
     for name, text in texts.items():
         (place / name).parent.mkdir(parents=True, exist_ok=True)
         (place / name).write_text(text, encoding="utf-8", newline="\n")
-    objects = [_file(crate, place / name, name, name) for name in texts]
-    objects += [_file(crate, source, name, f"Input {source.name}") for name, source in packed.inputs.items()]
-    results = [_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts")]
-    for name, record in sorted(run.manifest.artifacts.items()):
-        title = f"{record.recipe.stage}: {name}"
-        results.append(_file(crate, run.checked(name), f"run/{name}", title, contentHash=record.content_hash))
-    for stage in (stage for stage in run.manifest.stages if not run.stage_problem(stage)):
-        name = stage_file(stage)
-        results.append(_file(crate, run.path(name), f"run/{name}", f"Content hashes of the stage {stage}"))
+    objects = [
+        *(_file(crate, place / name, name, name) for name in texts),
+        *(_file(crate, source, name, f"Input {source.name}") for name, source in inputs.items()),
+    ]
+    results = [
+        _file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts"),
+        *(
+            _file(
+                crate,
+                run.checked(name),
+                f"run/{name}",
+                f"{record.recipe.stage}: {name}",
+                contentHash=record.content_hash,
+            )
+            for name, record in sorted(run.manifest.artifacts.items())
+        ),
+        *(
+            _file(crate, run.path(name), f"run/{name}", f"Content hashes of the stage {stage}")
+            for stage in run.manifest.stages
+            if not run.stage_problem(stage)
+            for name in [stage_file(stage)]
+        ),
+    ]
     return objects, results
 
 

@@ -125,9 +125,9 @@ class _Joint:
     def start(self, q0: Values, qdot0: Values, u: Values) -> Outputs:
         """Elements at rest, friction relaxed."""
         before = u if self.rested else [0.0] * self.inputs
-        f = self._acting(before)
         at = (q0[0] - self.middle) / self.half
-        x = [at, qdot0[0] / self.half, *resting_elements(self.c, at, f), *([0.0] * self.slips)]
+        elements = resting_elements(self.c, at, self._acting(before))
+        x = [at, qdot0[0] / self.half, *elements, *([0.0] * self.slips)]
         return {"x": x + (before if self.lagged else []), "z": []}
 
     def begin(self, x: Values, z: Values, h: Values) -> Outputs:
@@ -140,20 +140,19 @@ class _Joint:
 
     def finish(self, base: Values, x: Values, z: Values) -> Outputs:
         """Friction states moved with the step; the wall ends a motion."""
-        last = self.first + self.slips
         beyond = function("lt", WALL, function("abs", x[0]))
         at = choose(beyond, choose(function("lt", 0.0, x[0]), WALL, -WALL), x[0])
         moved = [at, choose(beyond, 0.0, x[1]), *x[2 : self.first]]
-        return {"x": [*moved, *self._slid(x, x[0] - base[0]), *x[last:]], "z": z}
+        return {"x": [*moved, *self._slid(x, x[0] - base[0]), *x[self.first + self.slips :]], "z": z}
 
     def flow(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
         """Rates of all states, friction as Dahl's differential equation."""
         last = self.first + self.slips
         slip = x[self.first : last]
-        acts = x[last:] if self.lagged else u
+        acting = self._acting(x[last:] if self.lagged else u)
         sliding = [apply(DAHL_RATE, x[1], s, float(d))[0] for s, d in zip(slip, self.c.slip_length, strict=True)]
         lagging = [apply(LAG, value, late, self.lag)[0] for value, late in zip(u, x[last:], strict=False)]
-        return {"dx": self._moved(x, slip, self._acting(acts)) + sliding + lagging}
+        return {"dx": self._moved(x, slip, acting) + sliding + lagging}
 
     def behind(self, before: Values, within: Values, after: Values, h: Values, x: Values) -> Outputs:
         """Inputs at the nodes of a step behind their lag, which may be far shorter than the step."""
@@ -253,12 +252,18 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
             qdot0[0] / float(d.scales[QDOT]) if lag.source == QDOT else u[lag.source - FIRST_INPUT] for lag in d.lags
         ]
 
-    table: dict[str, Any] = {"exponents": d.exponents, "coefficients": d.coefficients, "scales": d.scales}
-    table |= {"lag": np.array([lag.time for lag in d.lags]), "lag_source": np.array([lag.source for lag in d.lags])}
-    bounds = {"low": d.low, "high": d.high, "squared": int(d.squared)}
     return Realisation(
         functions=_functions(rates, start, d.scales[FIRST_INPUT:], d.squared, d.low, d.high, 2 + len(d.lags)),
-        constants=table | bounds,
+        constants={
+            "exponents": d.exponents,
+            "coefficients": d.coefficients,
+            "scales": d.scales,
+            "lag": np.array([lag.time for lag in d.lags]),
+            "lag_source": np.array([lag.source for lag in d.lags]),
+            "low": d.low,
+            "high": d.high,
+            "squared": int(d.squared),
+        },
         inputs=d.inputs,
         states=(
             *_states(unit),

@@ -20,6 +20,7 @@ from .templates import asset, render
 
 _NAMESPACE = uuid.UUID("6b1d7c4e-5f0e-5e6e-9a59-6d0f3b7a9c11")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
+"""Time of all files in the archive."""
 FLAGS = ("-std=c99", "-O2", "-ffp-contract=off")
 """Flags of every compiler; without contraction the digits are those of debist on any processor."""
 
@@ -78,7 +79,11 @@ def packed(sources: dict[str, str], description: str, identifier: str, folder: P
     ]
     files |= {f"binaries/{system}/{identifier}{COMPILERS[system].ending}": code for system, code in binaries.items()}
     target = folder / f"{identifier}.fmu"
-    write_bytes(target, _zipped(files))
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in sorted(files):
+            archive.writestr(zipfile.ZipInfo(name, _EPOCH), files[name], zipfile.ZIP_DEFLATED)
+    write_bytes(target, buffer.getvalue())
     return Exported([target], notes)
 
 
@@ -140,15 +145,6 @@ _COMPILING = 120.0
 """Seconds after which a compiler is given up; it takes two."""
 
 
-def _zipped(files: dict[str, bytes]) -> bytes:
-    """A ZIP archive without times."""
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name in sorted(files):
-            archive.writestr(zipfile.ZipInfo(name, _EPOCH), files[name], zipfile.ZIP_DEFLATED)
-    return buffer.getvalue()
-
-
 _BASE_UNITS: dict[str, dict[str, int]] = {
     "1": {},
     "m": {"m": 1},
@@ -191,14 +187,12 @@ def facts(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1):
         declared.append(_constant(f"v{i}_min", low, unit, f"least value of input {i} in the training logs"))
         declared.append(_constant(f"v{i}_max", high, unit, f"largest value of input {i} in the training logs"))
-    interval = v.sample_interval
-    step = realisation.step
-    delay = realisation.delay
+    samples = "interval of the samples on which the model was identified"
     return [
         *declared,
-        _constant("sample_interval", interval, "s", "interval of the samples on which the model was identified"),
-        _constant("longest_step", step, "s", "longest internal step of co-simulation"),
-        _constant("delay", delay, "s", "outputs belong to a time this much later than the voltages"),
+        _constant("sample_interval", v.sample_interval, "s", samples),
+        _constant("longest_step", realisation.step, "s", "longest internal step of co-simulation"),
+        _constant("delay", realisation.delay, "s", "outputs belong to a time this much later than the voltages"),
     ]
 
 
@@ -209,12 +203,11 @@ def _constant(name: str, value: float, unit: str, meaning: str) -> FmuVariable:
 def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     """All variables; their positions are the value references of the source."""
     unit = subject.validity.q_unit
-    v = subject.validity
     declared = [
-        FmuVariable(f"v{i}", symbol, f"input {i}, as measured", "input", "continuous", start=0.0)
-        for i, symbol in enumerate(v.v_units, start=1)
-    ]
-    declared += [
+        *(
+            FmuVariable(f"v{i}", symbol, f"input {i}, as measured", "input", "continuous", start=0.0)
+            for i, symbol in enumerate(subject.validity.v_units, start=1)
+        ),
         FmuVariable("q", unit, "displacement of the joint, positive to the right", "output", "continuous"),
         FmuVariable("qdot", f"{unit}/s", "its velocity", "output", "continuous"),
         FmuVariable("qddot", f"{unit}/s2", "its acceleration", "output", "continuous"),
@@ -240,7 +233,6 @@ def description(subject: Subject, realisation: Realisation, guid: str) -> str:
     places = {fact.name: i for i, fact in enumerate(declared, start=1)}
     outputs = [places[fact.name] for fact in declared if fact.causality == "output"]
     derivatives = [places[fact.name] for fact in declared if fact.derivative]
-    states = [places[x.name] for x in realisation.states]
     fields: dict[str, Any] = model_fields(subject, realisation) | {
         "guid": guid,
         "description": f"{realisation.structure}. Training range: {'; '.join(bounds(subject))}.",
@@ -249,7 +241,7 @@ def description(subject: Subject, realisation: Realisation, guid: str) -> str:
         "stop": math.ceil(float(subject.t[-1] - subject.t[0])),
         "outputs": outputs,
         "derivatives": derivatives,
-        "initial": sorted([*outputs, *states, *derivatives]),
+        "initial": sorted([*outputs, *(places[x.name] for x in realisation.states), *derivatives]),
     }
     return render("modelDescription.xml.j2", fields)
 

@@ -176,8 +176,7 @@ class _Joint:
 
     def _forces(self, x: Values, u: Values) -> Outputs:
         c = _corrections(x[0], self.basis, self.weights)
-        squares = [square(v) for v in u]
-        return inline(REST_FORCES, x=x[:STATES], u=squares, c=c, p=self.p)
+        return inline(REST_FORCES, x=x[:STATES], u=[square(v) for v in u], c=c, p=self.p)
 
 
 def stop_operators() -> tuple[Variable, ...]:

@@ -19,17 +19,12 @@ from ..store.manifest import to_json
 from ..system.package import program_version
 from ..units.units import MASS
 from .subject import SCALARS, Exported, Realisation, Subject, curve_tables
-from .templates import constant, render
+from .templates import constant, render, write_texts
 
 
 def write_c(subject: Subject, folder: Path) -> Exported:
     """Write ``IDENTIFIER.h`` and ``IDENTIFIER.c``."""
-    realisation = subject.realisation()
-    written = []
-    for name, text in c_sources(subject, realisation).items():
-        write_text(folder / name, text)
-        written.append(folder / name)
-    return Exported(written)
+    return Exported(write_texts(folder, c_sources(subject, subject.realisation())))
 
 
 def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False) -> dict[str, str]:
@@ -46,10 +41,7 @@ def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False)
 def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
     """Fields of the templates, except the functions."""
     validity = subject.validity
-    ranges = [("Q_MIN", validity.q[0]), ("Q_MAX", validity.q[1])]
-    ranges += [("QDOT_MIN", validity.qdot[0]), ("QDOT_MAX", validity.qdot[1])]
-    for i, (low, high) in enumerate(validity.v, start=1):
-        ranges += [(f"V{i}_MIN", low), (f"V{i}_MAX", high)]
+    spans = {"Q": validity.q, "QDOT": validity.qdot, **{f"V{i}": span for i, span in enumerate(validity.v, start=1)}}
     return {
         "title": f"Dynamic model of the joint {subject.prototype}",
         "version": program_version(),
@@ -62,7 +54,9 @@ def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
         "step": constant(realisation.step),
         "constant": constant,
         "bounds": bounds(subject),
-        "ranges": ranges,
+        "ranges": [
+            pair for name, (low, high) in spans.items() for pair in ((f"{name}_MIN", low), (f"{name}_MAX", high))
+        ],
         "k": realisation.inputs,
         "n": len(realisation.states),
         "base": realisation.base,
@@ -75,13 +69,15 @@ def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
 def bounds(subject: Subject) -> list[str]:
     """The validity range in words."""
     v = subject.validity
-    lines = [f"q from {v.q[0]:.6g} to {v.q[1]:.6g} {v.q_unit}"]
-    lines += [f"its velocity from {v.qdot[0]:.4g} to {v.qdot[1]:.4g} {v.q_unit}/s"]
-    lines += [
-        f"v{i} from {low:.6g} to {high:.6g} {unit}"
-        for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1)
+    return [
+        f"q from {v.q[0]:.6g} to {v.q[1]:.6g} {v.q_unit}",
+        f"its velocity from {v.qdot[0]:.4g} to {v.qdot[1]:.4g} {v.q_unit}/s",
+        *(
+            f"v{i} from {low:.6g} to {high:.6g} {unit}"
+            for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1)
+        ),
+        f"samples every {v.sample_interval:g} s",
     ]
-    return [*lines, f"samples every {v.sample_interval:g} s"]
 
 
 _DESCRIPTION_BYTES = 116
@@ -93,10 +89,16 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
     The MAT file holds breakpoints and tables for Simulink's 1-D Lookup Table blocks under the names `q_bp`, `F_table`,
     `d_table`, …, the structs `units` and `validity`, and in `check` a log with the model's own run.
     """
+    from scipy.io import savemat
+
     script = folder / f"{subject.identifier}.m"
     data = folder / f"{subject.identifier}_data.mat"
     write_text(script, function_source(subject))
-    write_bytes(data, _mat_bytes(variables(subject), f"debist {program_version()}, {subject.identifier}"))
+    buffer = io.BytesIO()
+    savemat(buffer, variables(subject), long_field_names=True, oned_as="row")  # type: ignore[arg-type]  # takes streams
+    title = f"debist {program_version()}, {subject.identifier}".encode("ascii", "replace")  # for the time of writing
+    header = title[:_DESCRIPTION_BYTES].ljust(_DESCRIPTION_BYTES)
+    write_bytes(data, header + buffer.getvalue()[_DESCRIPTION_BYTES:])
     return Exported([script, data])
 
 
@@ -143,18 +145,6 @@ def variables(subject: Subject) -> dict[str, Any]:
     return arrays | {"units": units, "source": f"{subject.prototype}, {subject.name}, {subject.origin}"}
 
 
-def _mat_bytes(arrays: dict[str, Any], title: str) -> bytes:
-    """A MAT v5 file whose header has a title in place of the time of writing."""
-    from scipy.io import savemat
-
-    buffer = io.BytesIO()
-    savemat(buffer, arrays, long_field_names=True, oned_as="row")  # type: ignore[arg-type]  # takes streams too
-    content = buffer.getvalue()
-    return (
-        title.encode("ascii", "replace")[:_DESCRIPTION_BYTES].ljust(_DESCRIPTION_BYTES) + content[_DESCRIPTION_BYTES:]
-    )
-
-
 FORMAT = "debist-model/1"
 _BETWEEN = {"linear": "linear", "cubic": "cubic spline", "zero": "held"}
 CHECK_SAMPLES = 500
@@ -170,6 +160,9 @@ def write_json(subject: Subject, folder: Path) -> Exported:
 
 def document(subject: Subject) -> dict[str, Any]:
     """The document; every number in SI, units beside the numbers or in the keys."""
+    t = subject.t[:CHECK_SAMPLES]
+    v = subject.v[:CHECK_SAMPLES]
+    run = subject.model.simulate(t, v, *subject.start)
     facts: dict[str, Any] = to_json(
         {
             "format": FORMAT,
@@ -180,7 +173,14 @@ def document(subject: Subject) -> dict[str, Any]:
             "description": subject.model.describe(),
             "equations": _equations(subject),
             "curves": [vars(table) for table in curve_tables(subject)],
-            "check": _check(subject),
+            "check": {
+                "t_s": t,
+                "v": v,
+                "q0": subject.start[0],
+                "qdot0": subject.start[1],
+                "q": run.q,
+                "status": run.status,
+            },
         }
     )
     return facts
@@ -204,12 +204,3 @@ def _equations(subject: Subject) -> dict[str, Any] | None:
             "delay_s": realisation.delay,
         },
     }
-
-
-def _check(subject: Subject) -> dict[str, Any]:
-    """The start of a log with the model's own run."""
-    rows = slice(0, CHECK_SAMPLES)
-    t = subject.t[rows]
-    v = subject.v[rows]
-    run = subject.model.simulate(t, v, *subject.start)
-    return {"t_s": t, "v": v, "q0": subject.start[0], "qdot0": subject.start[1], "q": run.q, "status": run.status}

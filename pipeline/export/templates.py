@@ -7,14 +7,16 @@ reads as words wherever it lands: it can end no comment and no string, begin no 
 import re
 import textwrap
 import unicodedata
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache, partial
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, Undefined
 
 from ..codegen.text_writer import Code, number
+from ..store.atomic import write_text
 from ..system.package import full_name
 
 _SPELT = str.maketrans({"²": "^2", "³": "^3", "·": ".", "−": "-", "µ": "u", '"': "'", "\\": "/", "`": "'"})
@@ -65,8 +67,14 @@ def reals(values: Iterable[float]) -> Code:
 
 def render(name: str, fields: dict[str, Any]) -> str:
     """The file that the template `name` makes of `fields`; its ending, as ``.c.j2``, decides the language."""
-    text: str = _environment(_LANGUAGES[name.split(".")[-2]]).get_template(name).render(fields)
-    return text
+    return _environment(_LANGUAGES[name.split(".")[-2]]).get_template(name).render(fields)
+
+
+def write_texts(folder: Path, texts: Mapping[str, str]) -> list[Path]:
+    """Write files into a folder, by name; their paths."""
+    for name, text in texts.items():
+        write_text(folder / name, text)
+    return [folder / name for name in texts]
 
 
 def asset(name: str) -> str:

@@ -20,14 +20,12 @@ def control_figures(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, Fig
     documents : mapping of str to mapping
         ``linear``, ``map``, ``pulse-to-left``, ``pulse-to-right``, ``design``, as far as they were made.
     """
-    figures: list[Figure] = []
-    if "map" in documents:
-        figures += [_map(each) for each in documents["map"]["maps"]]
-    if "linear" in documents:
-        figures += _bode(documents["linear"])
-    figures += [_pulse(documents[name]) for name in ("pulse-to-right", "pulse-to-left") if name in documents]
-    if "design" in documents:
-        figures.append(_loop(documents["design"]))
+    figures = (
+        *(_map(drawn) for drawn in (documents["map"]["maps"] if "map" in documents else ())),
+        *(_bode(documents["linear"]) if "linear" in documents else ()),
+        *(_pulse(documents[name]) for name in ("pulse-to-right", "pulse-to-left") if name in documents),
+        *([_loop(documents["design"])] if "design" in documents else ()),
+    )
     return {figure.name: figure for figure in figures}
 
 

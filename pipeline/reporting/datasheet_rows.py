@@ -78,14 +78,10 @@ def sheet_rows(known: Sequence[DatasheetFact]) -> list[SheetRow]:
     for row, sides in grouped.items():
         keys = [key for side in sides.values() for key in side if key in facts]
         if keys:
-            like = stroke if keys == ["saddle"] else _largest(facts, keys)
+            largest = max(abs(_shown(facts[key], facts[key].value) or 0.0) for key in keys)  # both wells have one unit
+            like = stroke if keys == ["saddle"] else largest
             rows.append(SheetRow(row[0], helps[row].help, tuple(_cell(facts, side, like) for side in sides.values())))
     return rows
-
-
-def _largest(facts: Mapping[str, DatasheetFact], keys: Sequence[str]) -> float:
-    """Both wells of a row have one unit."""
-    return max((abs(_shown(facts[key], facts[key].value) or 0.0) for key in keys if key in facts), default=0.0)
 
 
 def _cell(facts: Mapping[str, DatasheetFact], keys: Sequence[str], like: float) -> SheetCell:
@@ -119,15 +115,18 @@ class CalibratedRow:
 
 
 def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
-    """One row for each quantity that the hybrid model's fit moves; none of another main model."""
-    return [_row(fitted) for fitted in _known(calibrated(data.models.get(sheet.main_model)))]
+    """One row for each quantity that the hybrid model's fit moves; none of another main model.
+
+    Pure numbers of the beam's higher terms are left out: their names mean nothing outside the equations.
+    """
+    quantities = calibrated(data.models.get(sheet.main_model))
+    return [_row(fitted) for fitted in quantities if fitted.unit != "1" or fitted.nominal == 1.0]
 
 
 def structure_summary(data: RunData, sheet: Datasheet) -> str:
     """Sentences on the main model: its type, the reason, the count of its basis functions and their effect."""
     description = data.descriptions.get(sheet.main_model, {})
-    count = description.get("basis_functions")
-    if count is None:
+    if (count := description.get("basis_functions")) is None:
         return ""
     physical = description.get("physical_parameters", 0)
     sentences = [_WHAT.get((sheet.main_model, bool(count)), "").format(count=count, physical=physical)]
@@ -144,11 +143,6 @@ def structure_summary(data: RunData, sheet: Datasheet) -> str:
             f"Errors over the last quarters of the training logs, of the operating range: {', '.join(ablation)}."
         )
     return " ".join(sentence for sentence in sentences if sentence)
-
-
-def _known(quantities: Sequence[Calibrated]) -> list[Calibrated]:
-    """Quantities without pure numbers of the beam's higher terms, whose names mean nothing outside the equations."""
-    return [fitted for fitted in quantities if fitted.unit != "1" or fitted.nominal == 1.0]
 
 
 def _row(fitted: Calibrated) -> CalibratedRow:
@@ -175,17 +169,15 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
         (check["about"], check["grade"], check["statement"], "" if check["grade"] == "good" else check["advice"])
         for check in assessment["checks"]
     ]
-    line = f"data {assessment['data']}, model {document['judged_model']} {assessment['model']}"
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
-    if document["facts_from"] == document["judged_model"] and is_refused(assessment["checks"]):
-        source += NOT_USED
+    refused = document["facts_from"] == document["judged_model"] and is_refused(assessment["checks"])
     return ShownDatasheet(
-        f"{document['name']}: {source}",
+        f"{document['name']}: {source}{NOT_USED if refused else ''}",
         [texts(row, lambda cell: cell.value) for row in sheet],
         [texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
         element_rows(document.get("elements", ())),
         checks,
-        line,
+        f"data {assessment['data']}, model {document['judged_model']} {assessment['model']}",
     )
 
 
@@ -247,13 +239,12 @@ def described(
         tables.append(("fitted", [_quantity_row(key, pair, displacement, fitted=True) for key, *pair in pairs]))
     rows: FactRows = []
     for key, value in facts.items():
+        fitted_part = key in _FITTED
         if isinstance(value, Mapping) and len(value) > LONGEST_LIST:
-            fitted_part = key in _FITTED
             tables.append(
                 (_words(key), [_quantity_row(k, v, displacement, fitted=fitted_part) for k, v in value.items()])
             )
         elif isinstance(value, Mapping):
-            fitted_part = key in _FITTED
             rows += [_quantity_row(f"{key}: {k}", v, displacement, fitted=fitted_part) for k, v in value.items()]
         else:
             rows.append(_quantity_row(key, value, displacement))
@@ -283,9 +274,7 @@ def _text(value: Any, unit: str) -> str:
         return quantity(float(value), unit) if unit != "1" else str(value).replace("-", "−")
     if isinstance(value, float):
         return quantity(value, unit)
-    if isinstance(value, list | tuple):
-        return _list(value, unit)
-    return str(value)
+    return _list(value, unit) if isinstance(value, list | tuple) else str(value)
 
 
 def _list(values: Sequence[Any], unit: str, between: str = ", ") -> str:

@@ -45,15 +45,15 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     if sheet.curves:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
-    portrait = _phase_portrait(data, sheet)
-    figures |= {"phase-portrait": portrait} if portrait is not None else {}
     places = places_among(data.models.get(sheet.main_model), data.siblings)
-    figures |= {"siblings": siblings_figure(places)} if places else {}
-    instruments = instruments_figure(data.instruments)
-    figures |= {"instruments": instruments} if instruments is not None else {}
-    figures |= residual_figures(data, sheet.wells)
-    figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
-    return figures
+    others = {
+        "phase-portrait": _phase_portrait(data, sheet),
+        "siblings": siblings_figure(places) if places else None,
+        "instruments": instruments_figure(data.instruments),
+        **residual_figures(data, sheet.wells),
+        **{f"study-{study.name}": _study(data, study) for study in data.studies},
+    }
+    return figures | {name: figure for name, figure in others.items() if figure is not None}
 
 
 def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
@@ -95,7 +95,9 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
         curves = _curves_of(sheet, pick)
         frame = _frame(curves, visited, widened=not data.device.joint)
         panels.append(_curve_panel(name, unit, curves, frame, measured))
-        gone = [] if data.device.joint else _outside(curves, visited, frame)
+        # Models whose curve is visible in less than half of the visited part.
+        inside = {c.model: ((c.y >= frame[0]) & (c.y <= frame[1]))[c.inner(visited)] for c in curves}
+        gone = [m for m, visible in inside.items() if not data.device.joint and np.mean(visible) < 0.5]
         outside += [f"{name} of {', '.join(gone)}"] if gone else []
     band = (
         f" Bands: central {prefixed(COVERAGE, '%', 0)} % of what the training data leave open." if sheet.draws else ""
@@ -104,9 +106,9 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
     cut = (
         "where hardly any sample lies and a curve runs away" if data.device.joint else "where a curve leaves the frame"
     )
-    caption = f"Over the range of the training data; cut {cut}.{band}{per_mass}"
-    caption += f" Mostly outside the frame: {'; '.join(outside)}." if outside else ""
-    caption += " Circles: measured." if data.measured_curves else ""
+    hidden = f" Mostly outside the frame: {'; '.join(outside)}." if outside else ""
+    circles = " Circles: measured." if data.measured_curves else ""
+    caption = f"Over the range of the training data; cut {cut}.{band}{per_mass}{hidden}{circles}"
     return Figure(
         "curves", "Characteristic curves", caption, "q", data.device.displacement.symbol, tuple(panels), columns=2
     )
@@ -157,8 +159,7 @@ class _Curve(NamedTuple):
 def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) -> list[_Curve]:
     chosen = []
     for model, curves in sheet.curves.items():
-        y = pick(curves)
-        if y is None:
+        if (y := pick(curves)) is None:
             continue
         drawn = [c for draw in sheet.draws.get(model, ()) if (c := pick(draw)) is not None]
         low, high = np.quantile(drawn, [(1 - COVERAGE) / 2, (1 + COVERAGE) / 2], axis=0) if drawn else (y, y)
@@ -190,7 +191,7 @@ def _curve_panel(
     unit: str,
     curves: Sequence[_Curve],
     frame: tuple[float, float],
-    measured: tuple[FloatArray, FloatArray] | None = None,
+    measured: tuple[FloatArray, FloatArray] | None,
 ) -> Panel:
     lines = []
     bands = []
@@ -206,17 +207,11 @@ def _curve_panel(
     return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), _circles(measured, lines, frame))
 
 
-def _outside(curves: Sequence[_Curve], visited: tuple[float, float], frame: tuple[float, float]) -> list[str]:
-    """Models whose curve is visible in less than half of the visited part."""
-    inside = {c.model: (c.y >= frame[0]) & (c.y <= frame[1]) for c in curves}
-    return [c.model for c in curves if np.mean(inside[c.model][c.inner(visited)]) < 0.5]
-
-
 def _circles(
-    measured: tuple[FloatArray, FloatArray] | None, lines: Sequence[Line], frame: tuple[float, float] | None
+    measured: tuple[FloatArray, FloatArray] | None, lines: Sequence[Line], frame: tuple[float, float]
 ) -> tuple[Points, ...]:
     """The measured points inside the frame that the models' curves set."""
-    if measured is None or frame is None:
+    if measured is None:
         return ()
     q, y = measured
     visible = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
@@ -227,13 +222,15 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
     largest = np.max([data.device.peaks(log.motion.v) for log in data.logs], axis=0)
     roles = ("measured", "v1", "v2")
-    cases = [(f"no {data.device.input_word}", np.zeros(len(curves.gains)))]
-    cases += [
-        (f"v{k + 1} = {quantity(float(largest[k]), data.device.inputs[0].symbol)}", np.eye(len(curves.gains))[k])
-        for k in range(len(curves.gains))
+    cases = [
+        (f"no {data.device.input_word}", np.zeros(len(curves.gains))),
+        *(
+            (f"v{k + 1} = {quantity(float(largest[k]), data.device.inputs[0].symbol)}", np.eye(len(curves.gains))[k])
+            for k in range(len(curves.gains))
+        ),
     ]
     lines = []
-    points = []
+    points = list[Points]()
     ceiling = 0.0
     rows = slice(None, None, 4)
     low, high = visited_range(data)
@@ -252,32 +249,29 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     return Figure("energy", "Energy landscape", caption, "q", data.device.displacement.symbol, panels, half=True)
 
 
-def _marked(places_of_rest: Sequence[CurveEquilibrium], role: str, q: FloatArray, heights: FloatArray) -> list[Points]:
+def _marked(
+    places_of_rest: Sequence[CurveEquilibrium], role: str, q: FloatArray, heights: FloatArray
+) -> Iterator[Points]:
     """Equilibria on a curve over q: dots where stable, rings where not."""
-    points = []
     for marker, kind in (("dot", True), ("ring", False)):
-        places = np.array([e.q for e in places_of_rest if e.stable is kind])
-        if places.size:
+        if (places := np.array([e.q for e in places_of_rest if e.stable is kind])).size:
             at = np.interp(places, q, heights)
-            points.append(Points(_EQUILIBRIA[kind], role, places, at, marker))  # type: ignore[arg-type]
-    return points
+            yield Points(_EQUILIBRIA[kind], role, places, at, marker)  # type: ignore[arg-type]
 
 
 def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
     """Motion without input, over the basins of two wells; None where there is neither."""
-    train = data.role("train")
     paths = tuple(
         Line(log.title, "measured" if log.role == "train" else "raw", *unforced(data, log))
-        for log in (*data.role("validation"), *train)
+        for log in (*data.role("validation"), *data.role("train"))
     )
-    points: list[Points] = []
+    points: tuple[Points, ...] = ()
     cells = None
     caption = f"Measured motion without {data.device.input_word}."
     if sheet.model is not None:
         curves = sheet.curves[sheet.model]
-        points = _marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1))
-        wells = outer_wells(curves, plant=data.device)
-        if wells is not None:
+        points = tuple(_marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1)))
+        if (wells := outer_wells(curves, plant=data.device)) is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (
                 f"Measured motion while no {data.device.input_word} is on, over the basins of {sheet.model} without "
@@ -285,7 +279,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
             )
     if cells is None and not moves_unforced(data):
         return None
-    panel = Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=tuple(points), cells=cells)
+    panel = Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=points, cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"
     return Figure("phase-portrait", title, caption, "q", data.device.displacement.symbol, (panel,), tall=1.5)
 

@@ -29,15 +29,11 @@ def log_label(value: float, *, powers: bool) -> str:
     So is one that would be too long as a number.
     """
     exponent = round(math.log10(value))
-    plain = tick_label(value)
+    # With the digits that it needs, at most three.
+    digits = next((d for d in (1, 2) if math.isclose(float(f"{value:.{d - 1}e}"), value, rel_tol=1e-9)), 3)
+    plain = significant(value, digits)
     short = plain.replace(".", "").isdecimal() and not powers
     return plain if short or not math.isclose(value, 10.0**exponent, rel_tol=1e-9) else f"10{power(exponent)}"
-
-
-def tick_label(value: float) -> str:
-    """A round number with the digits that it needs, at most three."""
-    digits = next((d for d in (1, 2) if math.isclose(float(f"{value:.{d - 1}e}"), value, rel_tol=1e-9)), 3)
-    return significant(value, digits)
 
 
 @dataclass(frozen=True)
@@ -165,8 +161,7 @@ def rows_panel(names: Sequence[str], bars: Line, usual: str, within: FloatArray,
     points : sequence of Points
         Marks on the rows.
     """
-    edges = np.full(2, -0.5), np.full(2, len(names) - 0.5)
-    band = Band(usual, "reference", within, *edges)
+    band = Band(usual, "reference", within, np.full(2, -0.5), np.full(2, len(names) - 0.5))
     ends = (-0.5 - _ROOM, len(names) - 0.5 + _ROOM)
     return Panel("", "1", (bars,), (band,), tuple(points), y_limits=ends, names=tuple(names))
 
@@ -314,23 +309,29 @@ def x_range(figure: Figure, of: Panel | None = None) -> tuple[float, float]:
     """Least and largest x of all that is drawn, or of a panel with a horizontal axis of its own."""
     if of is not None and of.x_limits is not None:
         return of.x_limits
-    arrays: list[FloatArray] = []
-    for panel in (of,) if of is not None and of.x is not None else figure.panels:
-        arrays += [line.x for line in panel.lines]
-        arrays += [band.x for band in panel.bands]
-        arrays += [points.x for points in panel.points]
-        arrays += [panel.cells.x] if panel.cells is not None else []
-    return _range(arrays)
+    panels = (of,) if of is not None and of.x is not None else figure.panels
+    return _range(
+        [
+            *(line.x for panel in panels for line in panel.lines),
+            *(band.x for panel in panels for band in panel.bands),
+            *(points.x for panel in panels for points in panel.points),
+            *(panel.cells.x for panel in panels if panel.cells is not None),
+        ]
+    )
 
 
 def y_range(panel: Panel) -> tuple[float, float]:
     """Least and largest y of a panel, with a margin of 4 %; cells fill it."""
     if panel.y_limits is not None:
         return panel.y_limits
-    arrays = [line.y for line in panel.lines] + [points.y for points in panel.points]
-    arrays += [edge for band in panel.bands for edge in (band.low, band.high)]
-    arrays += [panel.cells.y] if panel.cells is not None else []
-    low, high = _range(arrays)
+    low, high = _range(
+        [
+            *(line.y for line in panel.lines),
+            *(points.y for points in panel.points),
+            *(edge for band in panel.bands for edge in (band.low, band.high)),
+            *([panel.cells.y] if panel.cells is not None else []),
+        ]
+    )
     if panel.log:
         return low, high * (high / low) ** MARGIN
     margin = 0.0 if panel.cells is not None else MARGIN * (high - low)
@@ -456,5 +457,4 @@ def event_swatches(figure: Figure) -> list[tuple[str, Markup]]:
 def _swatch(label: str, style: Style) -> tuple[str, Markup]:
     dashed = "dash" if style.dash in ("dashed", "dotted") else ""
     names = " ".join(part for part in (style.kind, style.slot, dashed) if part)
-    shape = _SHAPES.get(style.kind.rstrip("0123"), _LINE)
-    return label, Markup(shape).format(names)  # noqa: S704 - a literal above
+    return label, Markup(_SHAPES.get(style.kind.rstrip("0123"), _LINE)).format(names)  # noqa: S704 - literals above

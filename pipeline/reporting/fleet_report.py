@@ -226,8 +226,7 @@ def _varies(q: FleetColumn) -> bool:
 
 def _validated(q: FleetColumn, members: Sequence[Summary]) -> FleetColumn:
     """The same without errors on training logs, which must not stand beside those on others."""
-    trained = np.array([member.training and q.scored for member in members])
-    return replace(q, values=np.where(trained, np.nan, q.values))
+    return replace(q, values=np.where([member.training and q.scored for member in members], np.nan, q.values))
 
 
 def outliers(values: np.ndarray[tuple[int], np.dtype[np.float64]]) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
@@ -246,8 +245,7 @@ def outliers(values: np.ndarray[tuple[int], np.dtype[np.float64]]) -> np.ndarray
 def _quantities(members: Sequence[Summary]) -> list[FleetColumn]:
     errors = np.array([m.error for m in members])
     switches = np.array([m.switches for m in members])
-    trained = np.array([m.training for m in members])
-    unusual = outliers(np.log10(np.where(trained, np.nan, errors)))
+    unusual = outliers(np.log10(np.where([m.training for m in members], np.nan, errors)))
     columns = [
         FleetColumn(ERROR, "%", 100.0 * errors, unusual, scored=True),
         FleetColumn("switches correct", "%", 100.0 * switches, np.zeros_like(unusual), scored=True),
@@ -277,8 +275,7 @@ def _quantities(members: Sequence[Summary]) -> list[FleetColumn]:
 
 
 def _text(value: float, places: int | None) -> str:
-    text = significant(value) if places is None else f"{value:.{places}f}"
-    return text.replace("-", "−")
+    return (significant(value) if places is None else f"{value:.{places}f}").replace("-", "−")
 
 
 def _row(member: Summary, index: int, quantities: Sequence[tuple[FleetColumn, int | None]]) -> dict[str, Any]:
@@ -307,10 +304,9 @@ def _row(member: Summary, index: int, quantities: Sequence[tuple[FleetColumn, in
 
 
 def _grades(done: Sequence[Summary]) -> list[tuple[str, str, int]]:
-    counts = []
-    for about in ("data", "model"):
-        for grade in ("good", "fair", "poor"):
-            number = sum((member.data if about == "data" else member.model) == grade for member in done)
-            if number:
-                counts.append((about, grade, number))
-    return counts
+    counts = (
+        (about, grade, sum(getattr(member, about) == grade for member in done))
+        for about in ("data", "model")
+        for grade in ("good", "fair", "poor")
+    )
+    return [count for count in counts if count[2]]

@@ -69,7 +69,8 @@ def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> In
     if not logs:
         return InstrumentTable((), "Instruments: there is no second log to compare with a training log.")
     if not lines:
-        limits = ", ".join(f"{_name(r)} {_shown(r, 'limit', displacement)}" for r in rows[: _count(rows)])
+        quantities = len({row["quantity"] for row in rows})  # the first log has them all
+        limits = ", ".join(f"{_name(r)} {_shown(r, 'limit', displacement)}" for r in rows[:quantities])
         return InstrumentTable((), f"Instruments: no reading is off by more than its limit ({limits}).")
     differing = {row["log"] for row in rows if row["role"] == "train" and row["beyond"]}
     explanation = f"{RELATIVE} {ONE_OF_THEM}" if len(differing) > 1 else RELATIVE
@@ -79,10 +80,6 @@ def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> In
 def _name(row: Row) -> str:
     quantity_name = str(row["quantity"])
     return READINGS.get(quantity_name, quantity_name)
-
-
-def _count(rows: Sequence[Row]) -> int:
-    return len({row["quantity"] for row in rows})
 
 
 def main_rows(rows: Sequence[Row]) -> list[Row]:
@@ -156,8 +153,8 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     at = np.array([row["estimate"] for row in measured]) / limits
     half = SIGNIFICANCE * np.array([row["standard_error"] for row in measured]) / limits
     bars = error_bars(f"± {SIGNIFICANCE:g} standard errors", at, half, y)
-    points = [Points("a log", "measured", at[~beyond], y[~beyond])]
-    points += [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
+    off = [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
+    points = [Points("a log", "measured", at[~beyond], y[~beyond]), *off]
     panel = rows_panel(names, bars, "limit", np.array([-1.0, 1.0]), points)
     caption = f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}"
     return Figure(

@@ -1,5 +1,6 @@
 """Figures 1b and 3 to 7 of the paper from the analytical model, and those of `debist physics`."""
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -31,14 +32,12 @@ def _role(state: str) -> Role:
     return _ROLES.get(state, state)
 
 
-def _by_stability(label: str, role: Role, x: FloatArray, y: FloatArray, stable: BoolArray) -> list[Line]:
+def _by_stability(label: str, role: Role, x: FloatArray, y: FloatArray, stable: BoolArray) -> Iterator[Line]:
     """Solid where stable, dotted where not; the pieces share their end points."""
-    lines = []
     for marked, dash in ((stable, "solid"), (~stable, "dotted")):
         shown = marked | np.concatenate(([False], marked[:-1]))
         if marked.any():
-            lines.append(Line(label, role, x, np.where(shown, y, np.nan), dash, wide=True))  # type: ignore[arg-type]
-    return lines
+            yield Line(label, role, x, np.where(shown, y, np.nan), dash, wide=True)  # type: ignore[arg-type]
 
 
 def _equilibria(result: "Characteristics") -> Panel:
@@ -129,17 +128,18 @@ def equilibria_figure(
 
 def modes_figure(joint: "JointParameters", modes: "BeamModes", t: FloatArray) -> Figure:
     """Figure 6: modes of a motion at times t [s], and the static path with its polynomials (eq. 24)."""
-    shapes: list[Line] = []
-    amplitudes: list[Line] = []
-    for role, shape, share, a in zip(COLOURED, modes.shapes, modes.energy_share, modes.amplitudes.T, strict=False):
-        name = f"mode {len(shapes) + 1}: {100 * share:.3g} %"
-        shapes.append(Line(name, role, modes.x, shape, "solid"))
-        amplitudes.append(Line(name, role, t, a, "solid"))
-    shapes.append(Line("model, widest", "measured", modes.x, modes.widest, "dashed"))
+    names = [f"mode {number}: {100 * share:.3g} %" for number, share in enumerate(modes.energy_share, start=1)]
+    shapes = (
+        *(Line(name, role, modes.x, w, "solid") for name, role, w in zip(names, COLOURED, modes.shapes, strict=False)),
+        Line("model, widest", "measured", modes.x, modes.widest, "dashed"),
+    )
+    amplitudes = tuple(
+        Line(name, role, t, a, "solid") for name, role, a in zip(names, COLOURED, modes.amplitudes.T, strict=False)
+    )
     bending, axial = _static_path(joint)
     panels = (
-        Panel("mode shape", "1", tuple(shapes), x=("x", "m")),
-        Panel("amplitude", "m", tuple(amplitudes), x=("t", "s")),
+        Panel("mode shape", "1", shapes, x=("x", "m")),
+        Panel("amplitude", "m", amplitudes, x=("t", "s")),
         Panel("share of w(l)", "m", bending, x=("q", "m")),
         Panel("u₀", "m", axial, x=("q", "m")),
     )
@@ -155,11 +155,14 @@ def _static_path(joint: "JointParameters") -> tuple[tuple[Line, ...], tuple[Line
 
     path = static_path(joint, np.linspace(-PATH_REACH, PATH_REACH, 161), np.zeros(2))
     fitted = polyval(path.q / PATH_REACH, polynomial_shapes(path, PATH_DEGREE).T)
-    lines = []
-    for column, (name, power) in enumerate((("q₂ l²", 2), ("q₃ l³", 3), ("q₄ l⁴", 4), ("u₀", 0))):
-        own = Line(name, COLOURED[column % 3], path.q, joint.l**power * path.qm[:, column], "solid")
-        polynomial = f"polynomials of degree {PATH_DEGREE}"
-        lines.append((own, Line(polynomial, "measured", path.q, joint.l**power * fitted[column], "dashed")))
+    polynomial = f"polynomials of degree {PATH_DEGREE}"
+    lines = [
+        (
+            Line(name, COLOURED[column % 3], path.q, joint.l**power * path.qm[:, column], "solid"),
+            Line(polynomial, "measured", path.q, joint.l**power * fitted[column], "dashed"),
+        )
+        for column, (name, power) in enumerate((("q₂ l²", 2), ("q₃ l³", 3), ("q₄ l⁴", 4), ("u₀", 0)))
+    ]
     return tuple(line for pair in lines[:3] for line in pair), lines[3]
 
 
@@ -168,8 +171,18 @@ def motion_figure(motions: "Motions") -> Figure:
     full = motions.full
     reduced = motions.reduced
     voltages = tuple(Line(n, _role(n), full.t, motions.v[:, k], "solid") for k, n in enumerate(("left", "right")))
-    panels = [Panel("v", "V", voltages)]
-    for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot)):
-        order = Line("full order, 10 states", "measured", full.t, a, "solid")
-        panels.append(Panel(name, unit, (order, Line("reduced to q", "both", full.t, b, "dashed"))))
-    return Figure("motion", "Full-order against reduced model", "", "t", "s", tuple(panels))
+    panels = (
+        Panel("v", "V", voltages),
+        *(
+            Panel(
+                name,
+                unit,
+                (
+                    Line("full order, 10 states", "measured", full.t, a, "solid"),
+                    Line("reduced to q", "both", full.t, b, "dashed"),
+                ),
+            )
+            for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot))
+        ),
+    )
+    return Figure("motion", "Full-order against reduced model", "", "t", "s", panels)

@@ -36,11 +36,9 @@ def _timeline(
     data: RunData, log: LogData, wells: Wells | NoWells, kind: str, title: str, caption: str, panels: list[Panel]
 ) -> Figure:
     t = log.motion.t
-    q = log.motion.q
-    v = log.motion.v
-    switched = {"voltage switched": voltage_switches(t, v)} if data.device.joint else {}
-    marks = switched or {f"{data.device.input_word} steps": input_steps(t, v)}
-    marks["device snaps over"] = t[snaps(q, wells)]
+    switched = {"voltage switched": voltage_switches(t, log.motion.v)} if data.device.joint else {}
+    marks = switched or {f"{data.device.input_word} steps": input_steps(t, log.motion.v)}
+    marks["device snaps over"] = t[snaps(log.motion.q, wells)]
     places = {name: at[~_unknown(log, at)] for name, at in marks.items()}
     return Figure(
         name=f"{log.key}-{kind}",
@@ -84,11 +82,11 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         _inputs(data, log),
     ]
     notes = log.record_notes
-    caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart"
+    raw = ""
     if "raw_rows" in notes:
-        caption += f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
-    caption += "."
-    caption += " Shaded: masked rows." if _masked(t, log.record["segment"]) else ""
+        raw = f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
+    shaded = " Shaded: masked rows." if _masked(t, log.record["segment"]) else ""
+    caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart{raw}.{shaded}"
     return _timeline(data, log, wells, "signals", "Measured signals", caption, panels)
 
 
@@ -106,21 +104,22 @@ def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
 def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     unit = signal_units(data.device.displacement.symbol)
     t = log.motion.t
-    q = log.motion.q
-    velocity = np.gradient(q, t)
+    velocity = np.gradient(log.motion.q, t)
     raw = {"qdot": velocity, "qddot": np.gradient(velocity, t)}
-    panels = [Panel("q", unit["q"], (Line("q measured", "measured", t, q),), low=True)]
-    for name in ("qdot", "qddot"):
-        panels.append(
+    panels = [
+        Panel("q", unit["q"], (Line("q measured", "measured", t, log.motion.q),), low=True),
+        *(
             Panel(
                 HEADINGS[name],
                 unit[name],
                 (
-                    Line("plain differences", "raw", t, raw[name]),
+                    Line("plain differences", "raw", t, differences),
                     Line("regularised", "measured", t, getattr(log.motion, name)),
                 ),
             )
-        )
+            for name, differences in raw.items()
+        ),
+    ]
     caption = f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison."
     return _timeline(data, log, wells, "derivatives", "Derivatives", caption, panels)
 
@@ -153,12 +152,16 @@ def measured_signals(log: LogData) -> dict[str, FloatArray]:
 def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.motion.t
     unit = signal_units(data.device.displacement.symbol)
-    panels = []
-    for name, measured in measured_signals(log).items():
-        lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
-        # The main model is drawn last, over the measurement and its baselines.
-        lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
-        panels.append(Panel(HEADINGS[name], unit[name], tuple(lines)))
+    # The main model is drawn last, over the measurement and its baselines.
+    panels = [
+        Panel(
+            HEADINGS[name],
+            unit[name],
+            (Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]),
+        )
+        for name, measured in measured_signals(log).items()
+        for lines in [[Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]]
+    ]
     gone = [f"{m} diverged at {moment(n['diverged_at_s'])}" for m, n in log.outcomes.items() if n["status"] != "ok"]
     inputs = f"{data.device.input_word}s"
     caption = f"Free runs from the log's first sample under its measured {inputs}; nothing is fed back."
@@ -241,10 +244,9 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             if name in table
         ]
         panels.append(Panel(f"error of {HEADINGS[name]}", unit[name], (*lines[1:], *lines[:1])))
-    caption = "Errors are model minus measurement."
-    caption += " A model in the wrong well is off by the distance of the wells." if isinstance(wells, Wells) else ""
-    motion = _models(data, log, wells).panels[0]
-    panels = [motion, *panels, _inputs(data, log, low=True)]
+    wrong = " A model in the wrong well is off by the distance of the wells." if isinstance(wells, Wells) else ""
+    caption = f"Errors are model minus measurement.{wrong}"
+    panels = [_models(data, log, wells).panels[0], *panels, _inputs(data, log, low=True)]
     return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)
 
 
@@ -252,8 +254,7 @@ def residual_figures(data: RunData, wells: Wells | NoWells) -> dict[str, Figure]
     """Correlations and spectrum for the worst validation log (training log without any); none of a short record."""
     log = judged_log(data)
     model = data.model_names[0]
-    residual = main_residual(data, log)
-    if residual is None:
+    if (residual := main_residual(data, log)) is None:
         return {}
     return {
         "residual-correlation": _correlation(data, log, model, residual, rings=isinstance(wells, Wells)),
@@ -286,7 +287,6 @@ def _spectrum(data: RunData, log: LogData, model: str, residual: Residual) -> Fi
         Line(f"residual of {model}", model, residual.frequency, residual.density),
     )
     caption = f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing."
-    unit = f"{data.device.displacement.symbol}²/Hz"
-    panel = Panel("power spectral density", unit, lines, log=True)
+    panel = Panel("power spectral density", f"{data.device.displacement.symbol}²/Hz", lines, log=True)
     title = "Residual analysis: spectrum"
     return Figure("residual-spectrum", title, caption, "frequency", "Hz", (panel,), x_log=True, half=True)

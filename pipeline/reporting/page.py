@@ -52,15 +52,12 @@ def packed(y: FloatArray, longest: int = LONGEST) -> dict[str, Any]:
     codes[finite] = np.rint((y[finite] - low) / step)
     change = np.diff(codes, prepend=0) % 65536
     planes = np.concatenate((change & 255, change >> 8)).astype(np.uint8)
-    data = base64.b64encode(_deflated(planes.tobytes())).decode("ascii")
-    return {"n": int(y.size), "low": low, "step": step, "data": data}
-
-
-def _deflated(data: bytes) -> bytes:
-    """Deflated for repetitions or for noise, whichever is shorter."""
+    # For repetitions or for noise, whichever is shorter.
     strategies = (zlib.Z_DEFAULT_STRATEGY, zlib.Z_FILTERED)
     packers = [zlib.compressobj(level=DEFLATION, strategy=strategy) for strategy in strategies]
-    return min((packer.compress(data) + packer.flush() for packer in packers), key=len)
+    deflated = min((packer.compress(planes.tobytes()) + packer.flush() for packer in packers), key=len)
+    data = base64.b64encode(deflated).decode("ascii")
+    return {"n": int(y.size), "low": low, "step": step, "data": data}
 
 
 def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) -> str:
@@ -92,8 +89,7 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
         "base-uri 'none'; form-action 'none'"
     )
     ours = {"style": Markup(style), "script": Markup(script)}  # noqa: S704 - files of this package, no input
-    page = environment.get_template(template).render(context, policy=policy, **ours)
-    return page + "\n"
+    return environment.get_template(template).render(context, policy=policy, **ours) + "\n"
 
 
 def _commands(text: str) -> Markup:
@@ -126,8 +122,7 @@ def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, A
 
     def store(values: FloatArray) -> str:
         """The name under which a series is stored."""
-        content = hashlib.blake2b(values.tobytes()).digest()
-        if content not in names:
+        if (content := hashlib.blake2b(values.tobytes()).digest()) not in names:
             names[content] = f"s{len(names)}"
             series[names[content]] = packed(values)
         return names[content]

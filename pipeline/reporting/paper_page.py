@@ -130,7 +130,9 @@ def table_2_row(row: Mapping[str, Any]) -> dict[str, Any]:
 
     The printed one is empty where the paper has none.
     """
-    cells = []
-    for value, printed in ((row[signal], row[f"printed_{signal}"]) for signal in SIGNALS if signal in row):
-        cells.append((prefixed(value, "%", 2, "diverged"), prefixed(printed, "%", 1, "")))
+    cells = [
+        (prefixed(row[signal], "%", 2, "diverged"), prefixed(row[f"printed_{signal}"], "%", 1, ""))
+        for signal in SIGNALS
+        if signal in row
+    ]
     return {"log": f"{row['role']}, {row['log']}", "model": row["model"], "cells": cells}

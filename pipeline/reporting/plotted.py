@@ -51,7 +51,6 @@ from matplotlib.artist import Artist  # noqa: E402
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.figure import Figure as Canvas  # noqa: E402
-from matplotlib.figure import SubFigure  # noqa: E402
 
 SERIF = ("STIXGeneral", "DejaVu Serif", "DejaVu Sans")
 SANS = ("DejaVu Sans Figures", "DejaVu Sans")
@@ -176,8 +175,8 @@ def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, lab
     # A logarithmic axis has powers of ten anyway.
     x_unit, fx = (scale if x_log else axis_scale)(x_symbol, max(abs(low), abs(high)))
     y_unit, fy = (scale if panel.log else axis_scale)(panel.unit, max(abs(bottom), abs(top)))
-    _axis(on, "x", low * fx, high * fx, _Ticks(10 if wide else 6, x_log, figure.whole))
-    _axis(on, "y", bottom * fy, top * fy, _Ticks(3 if panel.low else 5, panel.log, panel.whole))
+    _axis(on, "x", low * fx, high * fx, about=10 if wide else 6, log=x_log, whole=figure.whole)
+    _axis(on, "y", bottom * fy, top * fy, about=3 if panel.low else 5, log=panel.log, whole=panel.whole)
     if panel.names:
         on.yaxis.set_major_locator(ticker.FixedLocator(range(len(panel.names))))
         on.yaxis.set_major_formatter(ticker.FixedFormatter([writable(name) for name in panel.names]))
@@ -231,20 +230,11 @@ def _dashes(where: str, dash: Dash, width: float) -> Any:
     return tuple(length / width for length in points) if points else (None, None)
 
 
-@dataclass(frozen=True)
-class _Ticks:
-    """Wanted intervals between the ticks of an axis, and whether it is logarithmic or counts things."""
-
-    about: int
-    log: bool
-    whole: bool
-
-
-def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, ticks: _Ticks) -> None:
-    """Limits and round ticks, of which every axis has at least three."""
+def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, *, about: int, log: bool, whole: bool) -> None:
+    """Limits and round ticks, `about` so many and at least three, on an axis that is logarithmic or counts things."""
     axis = on.xaxis if which == "x" else on.yaxis
     (on.set_xlim if which == "x" else on.set_ylim)(low, high)
-    if ticks.log:
+    if log:
         (on.set_xscale if which == "x" else on.set_yscale)("log")
         inside = math.floor(math.log10(high)) - math.ceil(math.log10(low)) + 1
         between = (1.0,) if inside > 2 else (1.0, 2.0, 5.0)  # where there are few powers of ten
@@ -253,8 +243,8 @@ def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, ticks: _T
         powers = high > MOST_PLAIN * low
         axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: log_label(value, powers=powers)))
     else:
-        steps = [1, 2, 5, 10] if ticks.whole else [1, 2, 2.5, 5, 10]
-        axis.set_major_locator(ticker.MaxNLocator(ticks.about, steps=steps, min_n_ticks=3, integer=ticks.whole))
+        steps = [1, 2, 5, 10] if whole else [1, 2, 2.5, 5, 10]
+        axis.set_major_locator(ticker.MaxNLocator(about, steps=steps, min_n_ticks=3, integer=whole))
     (on.set_xlim if which == "x" else on.set_ylim)(low, high)
 
 
@@ -270,7 +260,7 @@ def _cells(on: Axes, cells: Cells, fx: float, fy: float) -> None:
         on.contourf(cells.x * fx, cells.y * fy, ahead, levels=[0.0, 2.0], colors=[CELL_COLOURS[number]], zorder=0.2)
 
 
-def _legend(canvas: Canvas | SubFigure, figure: Figure, models: Sequence[str], look: Look) -> int:
+def _legend(canvas: Canvas, figure: Figure, models: Sequence[str], look: Look) -> int:
     """The legend over the panels, none of a single line; the number of its rows."""
     named = entries(figure, models, marks=True)
     if len(named) < 2:
@@ -329,8 +319,7 @@ _LEFT_OUT = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|<!--.*?-->|
 
 def _lay_out(canvas: Canvas) -> None:
     """Find the places of a figure's parts, which saving would otherwise draw it once more for."""
-    engine = canvas.get_layout_engine()
-    if engine is not None:
+    if (engine := canvas.get_layout_engine()) is not None:
         engine.execute(canvas)
     canvas.set_layout_engine(None)
 
@@ -345,8 +334,7 @@ def form_of(target: Path) -> Format:
     """
     if target.suffix not in FORMATS:
         raise InputError(f"{target}: figures are written as {', '.join(FORMATS)}")
-    form: Format = target.suffix[1:]  # type: ignore[assignment]
-    return form
+    return target.suffix[1:]  # type: ignore[return-value]
 
 
 def save(figure: Figure, target: Path, models: Sequence[str]) -> None:

@@ -31,22 +31,32 @@ def basis_figure(q: FloatArray, bells: FloatArray, weights: FloatArray) -> Figur
 def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
     """Rank and condition number at each accepted step of the search for T_z (§ 4.2)."""
     lag = search["lag_s"]
-    panels = []
-    for title, key in (("rank", "rank"), ("condition number", "condition")):
-        path = Line("accepted steps", "measured", lag, search[key], "solid")
-        taken = Points("taken", "rbf-paper", lag[-1:], search[key][-1:], "ring")
-        panels.append(Panel(title, "1", (path,), points=(taken,), log=key == "condition", whole=key == "rank"))
-    return Figure("lag-search", "Search for T_z", "", "T_z", "s", tuple(panels), columns=2, x_log=True)
+    panels = tuple(
+        Panel(
+            title,
+            "1",
+            (Line("accepted steps", "measured", lag, search[key], "solid"),),
+            points=(Points("taken", "rbf-paper", lag[-1:], search[key][-1:], "ring"),),
+            log=key == "condition",
+            whole=key == "rank",
+        )
+        for title, key in (("rank", "rank"), ("condition number", "condition"))
+    )
+    return Figure("lag-search", "Search for T_z", "", "T_z", "s", panels, columns=2, x_log=True)
 
 
 def signals_figure(log: LogData) -> Figure:
     """Figure 11a: voltages, position, velocity and acceleration of a log."""
     motion = log.motion
     sides = zip(("left", "right"), ("v1", "v2"), motion.v.T, strict=True)
-    panels = [Panel("v", "V", tuple(Line(side, name, motion.t, v) for side, name, v in sides))]
-    for name, key, unit in (("q", "q", "m"), ("q̇", "qdot", "m/s"), ("q̈", "qddot", "m/s²")):
-        panels.append(Panel(name, unit, (Line("measured", "measured", motion.t, getattr(motion, key)),)))
-    return Figure("signals", "Excitation and measured motion", "", "time", "s", tuple(panels))
+    panels = (
+        Panel("v", "V", tuple(Line(side, name, motion.t, v) for side, name, v in sides)),
+        *(
+            Panel(name, unit, (Line("measured", "measured", motion.t, values),))
+            for name, unit, values in (("q", "m", motion.q), ("q̇", "m/s", motion.qdot), ("q̈", "m/s²", motion.qddot))
+        ),
+    )
+    return Figure("signals", "Excitation and measured motion", "", "time", "s", panels)
 
 
 def basis_study_figure(
@@ -56,13 +66,12 @@ def basis_study_figure(
     figure = study_figure("basis", columns, units)
     here = (columns["basis_functions"] == chosen[0]) & (columns["smoothing"] == chosen[1])
     x = columns["basis_functions"][here]
-    values = ("mse", "condition", "nrmse")
     factors = {"nrmse": PERCENT}
     panels = tuple(
         replace(
             panel, points=(Points("the recipe", "measured", x, factors.get(key, 1.0) * columns[key][here], "ring"),)
         )
-        for key, panel in zip(values, figure.panels, strict=True)
+        for key, panel in zip(("mse", "condition", "nrmse"), figure.panels, strict=True)
     )
     return replace(figure, panels=panels)
 
@@ -153,8 +162,10 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
         Panel("condition number", "1", lines("condition"), log=True),
         Panel("NRMSE of q", "%", lines("nrmse")),
     )
-    caption = "Training error of the acceleration, conditioning, and free-run error on the logs held out"
-    caption += " (100 %: diverged, or missed everything)."
+    caption = (
+        "Training error of the acceleration, conditioning, and free-run error on the logs held out (100 %: diverged, "
+        "or missed everything)."
+    )
     return Figure("study-basis", "Basis functions and smoothing", caption, "basis functions M", "1", panels, whole=True)
 
 
@@ -186,8 +197,10 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
         )  # fmt: skip
         name = "constant F" if drift == 0.0 else f"F + {PERCENT * drift:g} %"
         panels.append(Panel(name, "%", lines, log=True))
-    caption = "Recursive least squares: error of the restoring force against that of the whole log, over its range. "
-    caption += "Below, a growth of the restoring force is planted in the log, and the estimate has to follow it."
+    caption = (
+        "Recursive least squares: error of the restoring force against that of the whole log, over its range. Below, a "
+        "growth of the restoring force is planted in the log, and the estimate has to follow it."
+    )
     return Figure("study-online", "Online identification", caption, "length of the stream", "s", tuple(panels))
 
 
@@ -219,6 +232,8 @@ def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
         Panel(f"NRMSE of {symbol}", "%", means(key), points=points(key))
         for key, symbol in (("nrmse", "q"), ("nrmse_qdot", "q̇"), ("nrmse_qddot", "q̈"))
     )
-    caption = "Each model fitted without the fold and run freely over it (100 %: diverged, or missed everything). "
-    caption += "Dashed: mean."
+    caption = (
+        "Each model fitted without the fold and run freely over it (100 %: diverged, or missed everything). Dashed: "
+        "mean."
+    )
     return Figure("study-folds", "Cross-validation", caption, "fold left out", "1", panels, whole=True)

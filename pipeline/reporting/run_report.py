@@ -42,9 +42,12 @@ SCORES_OF_WELLS = ("well_agreement", "switch_accuracy", "outcomes", "rise_error_
 
 def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     """Every figure of a run by its name: those of the logs in their order, then those of the device."""
-    figures = [overlay(data, judged_log(data), sheet.wells)]
-    figures += [figure for log in data.logs for figure in log_figures(data, log, sheet.wells).values()]
-    figures += [*device_figures(data, sheet).values(), *control_figures(data.control).values()]
+    figures = (
+        overlay(data, judged_log(data), sheet.wells),
+        *(figure for log in data.logs for figure in log_figures(data, log, sheet.wells).values()),
+        *device_figures(data, sheet).values(),
+        *control_figures(data.control).values(),
+    )
     return {figure.name: figure for figure in figures}
 
 
@@ -98,8 +101,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
 def assessment(checks: Sequence[Check]) -> str:
     """The assessment in one sentence: the worst of what is wrong, or that nothing is."""
     for grade in ("poor", "fair"):
-        failing = [check for check in checks if check.grade == grade]
-        if failing:
+        if failing := [check for check in checks if check.grade == grade]:
             rest = len([check for check in checks if check.grade != "good"]) - 1
             more = f" And {rest} more below." if rest else ""
             return f"{failing[0].statement[:1].upper()}{failing[0].statement[1:]}: {failing[0].advice}.{more}"
@@ -107,13 +109,13 @@ def assessment(checks: Sequence[Check]) -> str:
 
 
 def _subtitle(data: RunData) -> str:
-    parts = []
-    for role in ("train", "validation"):
-        logs = data.role(role)
-        if logs:
-            length = sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs)
-            parts.append(f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, {short(length, 4)} s")
-    return " · ".join([*parts, f"models {', '.join(data.model_names)}"])
+    parts = (
+        f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, "
+        f"{short(sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs), 4)} s"
+        for role in ("train", "validation")
+        if (logs := data.role(role))
+    )
+    return " · ".join((*parts, f"models {', '.join(data.model_names)}"))
 
 
 def _log_checks(data: RunData) -> dict[str, Any]:
@@ -133,9 +135,7 @@ def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
 def _facts_caption(sheet: Datasheet) -> str:
     if sheet.model is None:
         return "Measured: mean ± standard deviation over the rests and ring-downs of all logs."
-    band = "which states no uncertainty"
-    if sheet.model in sheet.draws:
-        band = "± half of its central 90 %"
+    band = "± half of its central 90 %" if sheet.model in sheet.draws else "which states no uncertainty"
     name = f"{sheet.model}{NOT_USED}" if sheet.refused else sheet.model
     return f"By {name}, {band}. Grey: measured, mean ± standard deviation · how often, and in the model's free runs."
 
@@ -222,14 +222,15 @@ def _provenance(data: RunData) -> dict[str, Any]:
 
 
 def _sections(studies: bool, control: bool) -> list[tuple[str, str]]:
-    sections = [
+    return [
         ("overview", "Overview"),
         ("datasheet", "Datasheet"),
         ("logs", "Logs"),
         ("errors", "Errors"),
         *SECTION_TITLES.items(),
         ("device", "Device"),
+        *[("control", "Control")] * control,
+        ("models-described", "Models"),
+        *[("studies", "Studies")] * studies,
+        ("provenance", "Provenance"),
     ]
-    sections += [("control", "Control")] if control else []
-    sections += [("models-described", "Models")] + ([("studies", "Studies")] if studies else [])
-    return [*sections, ("provenance", "Provenance")]

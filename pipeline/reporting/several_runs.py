@@ -17,13 +17,8 @@ CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", 
 """Curves that are drawn, and their names."""
 
 
-@dataclass(frozen=True)
-class DiffTable:
-    """Differences in one part: its title, the heading of its keys, and a row of texts for each key."""
-
-    title: str
-    head: str
-    rows: Sequence[Sequence[str]]
+DiffTable = tuple[str, str, Sequence[Sequence[str]]]
+"""Differences in one part: its title, the heading of its keys, and a row of texts for each key."""
 
 
 @dataclass(frozen=True)
@@ -75,9 +70,9 @@ def _free_runs(runs: Sequence[DrawnRun]) -> Iterator[Figure]:
     for number, key in enumerate(dict.fromkeys(key for run in runs for key in run.logs)):
         having = [run for run in runs if key in run.logs]
         t, measured, _ = having[0].logs[key]
-        lines = [Line("measured", "measured", t, measured, wide=True)]
-        lines += [Line(run.name, run.name, run.logs[key][0], run.logs[key][2]) for run in having]
-        panel = Panel("q", having[0].displacement, tuple(lines))
+        simulated = (Line(run.name, run.name, run.logs[key][0], run.logs[key][2]) for run in having)
+        lines = (Line("measured", "measured", t, measured, wide=True), *simulated)
+        panel = Panel("q", having[0].displacement, lines)
         yield Figure(f"log-{number}", f"Free runs of the {key[0]}", "Measured and simulated.", "t", "s", (panel,))
 
 
@@ -100,11 +95,10 @@ def series_rows(series: Series) -> list[tuple[str, ...]]:
 def change(fact: SeriesFact, unit: str) -> str:
     """Trend of a fact in words; `unit` is that of the time."""
     trend = fact.trend
-    large = float(np.abs(fact.values).max())
     if trend.kind == "unknown" or trend.slope is None:
         return f"{len(fact.at)} runs: too few"
     if trend.kind == "step":
-        step = quantity(trend.step, fact.unit, trend.step_error, large)
+        step = quantity(trend.step, fact.unit, trend.step_error, float(np.abs(fact.values).max()))
         return f"step of {step} between {unit}s {trend.after:g} and {trend.before:g}"
     slope = quantity(trend.slope, fact.unit, trend.slope_error)
     return f"{slope} a {unit}" if trend.kind == "line" else f"none shown ({slope} a {unit})"
@@ -117,11 +111,8 @@ def conclusion(series: Series) -> str:
     changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
     scattered = [fact.title for fact in series.facts if fact.title not in changed and _scatter(fact) > _WIDE]
     text = f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
-    if scattered:
-        text += (
-            f"; scattered by over {_WIDE:g} times their errors: {', '.join(scattered)}; are these runs of one device?"
-        )
-    return text
+    doubt = f"; scattered by over {_WIDE:g} times their errors: {', '.join(scattered)}; are these runs of one device?"
+    return text + (doubt if scattered else "")
 
 
 _WIDE = 10.0

@@ -214,12 +214,15 @@ def lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
         *(f"{HEADINGS[s]} [%]" for s in table.signals),
         *(column.heading for column in table.extras),
     ]
-    rows = [[log_title(r.role, r.log), r.model, *(_marked(c, best) for c in r.cells)] for r in table.rows]
+    rows = [
+        [
+            log_title(row.role, row.log),
+            row.model,
+            *(best.format(cell.text) if cell.best else cell.text + TIED * cell.tied for cell in row.cells),
+        ]
+        for row in table.rows
+    ]
     return [heading, *rows]
-
-
-def _marked(cell: TableCell, best: str) -> str:
-    return best.format(cell.text) if cell.best else cell.text + TIED * cell.tied
 
 
 def scores_csv(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow]) -> str:
@@ -247,13 +250,9 @@ def disarmed(value: Any) -> Any:
 def _markdown(table: NrmseTable) -> str:
     heading, *rows = lines(table, "**{}**")
     rule = ["---", "---", *["---:"] * (len(heading) - 2)]
-    named = [[*map(_in_markdown, line[:2]), *line[2:]] for line in rows]
+    markup = re.compile(r"[\\`*_<>&|\[\]~!]")  # of names: HTML, links, code and columns
+    named = [[*(markup.sub(r"\\\g<0>", _one_line(name)) for name in line[:2]), *line[2:]] for line in rows]
     return "".join("| " + " | ".join(line) + " |\n" for line in (heading, rule, *named))
-
-
-def _in_markdown(name: str) -> str:
-    """A name without markup: no HTML, link, code, column or line break."""
-    return re.sub(r"[\\`*_<>&|\[\]~!]", r"\\\g<0>", _one_line(name))
 
 
 def _one_line(text: str) -> str:
@@ -385,12 +384,10 @@ def fold_table(summary: Sequence[Mapping[str, Any]]) -> tuple[list[str], list[li
 
 def _row(record: Mapping[str, Any], *, wells: bool) -> list[str]:
     folds = " ".join(prefixed(value, "%", 2, "refused") for value in record["folds"])
-    agreement = record["well_agreement"]
-    share = [prefixed(agreement, "%", 1)] * wells
     return [
         record["model"],
         *(_fold_cell(record, key) for key in NRMSE_COLUMNS),
-        *share,
+        *[prefixed(record["well_agreement"], "%", 1)] * wells,
         str(record["diverged"]),
         folds,
     ]

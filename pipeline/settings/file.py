@@ -59,26 +59,21 @@ def translated(stored: Mapping[str, Any], *, used: bool = False) -> dict[str, An
         True if an artifact was made with them. Then a value that no setting has any more stays, so that it counts as a
         change.
     """
-    tables = {name: dict(table) if isinstance(table, Mapping) else table for name, table in stored.items()}
+    tables = {name: dict(table) for name, table in stored.items() if isinstance(table, Mapping)}
     for name, defaults in _DEFAULTS.items():
-        table = tables.get(name)
-        if not isinstance(table, dict):
-            continue
-        for key in defaults.keys() & table.keys():
-            if not used or table[key] == defaults[key]:
-                del table[key]
-    if isinstance(prototype := tables.get("prototype"), dict):
-        tables["prototype"] = translated(prototype, used=used)
-    quality = tables.get("quality")
-    if not used and isinstance(quality, dict) and isinstance(accepted := quality.get("accept"), list | tuple):
-        quality["accept"] = [gate for gate in accepted if gate not in GATES]
-    differentiate = tables.get("differentiate")
-    identify = tables.get("identify")
-    if not used and isinstance(differentiate, dict) and differentiate.get("method") == "rts":
-        del differentiate["method"]
-    if isinstance(identify, dict) and (moved := {key: identify.pop(key) for key in STRUCTURE if key in identify}):
+        for key in defaults.keys() & tables.get(name, {}).keys():
+            if not used or tables[name][key] == defaults[key]:
+                del tables[name][key]
+    if "prototype" in tables:
+        tables["prototype"] = translated(tables["prototype"], used=used)
+    if not used and isinstance(accepted := tables.get("quality", {}).get("accept"), list | tuple):
+        tables["quality"]["accept"] = [gate for gate in accepted if gate not in GATES]
+    if not used and tables.get("differentiate", {}).get("method") == "rts":
+        del tables["differentiate"]["method"]
+    identify = tables.get("identify", {})
+    if moved := {key: identify.pop(key) for key in STRUCTURE if key in identify}:
         identify["structure"] = moved
-    return tables
+    return {**stored, **tables}
 
 
 Options = TypeVar("Options", bound=BaseModel)
@@ -160,8 +155,7 @@ def _advice(path: Path, error: str) -> str:
     """Advice where the line that is no TOML shows a common slip; else empty."""
     if "Unescaped" in error:
         return "; write paths with / or between single quotes"
-    place = re.search(r"at line (\d+)", error)
-    if place is None:
+    if (place := re.search(r"at line (\d+)", error)) is None:
         return ""
     line = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
     return next((f"; {advice}" for slip, advice in _SLIPS if slip.search(line)), "")
@@ -212,8 +206,7 @@ def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
             continue
         if error["type"] == "too_short" and error["input"]:  # its entries have mistakes of their own
             continue
-        key = ".".join(_location(error))
-        texts.setdefault(key or str(error["msg"]), explain(error, settings))
+        texts.setdefault(".".join(_location(error)) or str(error["msg"]), explain(error, settings))
     return list(texts.values())
 
 
@@ -274,15 +267,12 @@ def _hint(location: list[str], settings: type[BaseModel]) -> str:
     if close := difflib.get_close_matches(key, keys, n=1, cutoff=0.5):
         return f"did you mean {close[0]!r}?"
     elsewhere = [name for name in settings.model_fields if key in _fields_at([name], settings) and len(section) < 2]
-    if elsewhere:
-        return f"it belongs into [{elsewhere[0]}]"
-    return f"known here: {', '.join(keys)}"
+    return f"it belongs into [{elsewhere[0]}]" if elsewhere else f"known here: {', '.join(keys)}"
 
 
 def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:
     """Names of the keys that the table at a place must have; all of them where none is mandatory."""
-    table = _table_at(location, settings)
-    if table is None:
+    if (table := _table_at(location, settings)) is None:
         return []
     return [name for name, field in table.model_fields.items() if field.is_required()] or list(table.model_fields)
 

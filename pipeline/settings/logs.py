@@ -185,8 +185,7 @@ class Channels(SettingsTable):
     def _each_its_own(self) -> "Channels":
         named: dict[tuple[str, str], str] = {}
         for key in ("time", "q", "qdot", "v1", "v2"):
-            column = getattr(self, key)
-            if column is None:
+            if (column := getattr(self, key)) is None:
                 continue
             part = getattr(column, "part", "all")
             other = named.setdefault((column.channel, part), key)

@@ -273,46 +273,70 @@ class Prototype(SettingsTable):
 
     @model_validator(mode="after")
     def _joint(self) -> "Prototype":
+        plant = self.plant
         lacking = [
             entry.name for entry in ENTRIES if entry.needs_parameters and entry.name in (self.compare.models or ())
         ]
-        if self.plant.parameters is None and lacking:
-            raise ValueError(f"compare.models: {lacking[0]!r} needs a parameter set; name one as plant.parameters")
-        if "hybrid" in self.identify.models and not self.may_be_a_joint:
-            raise ValueError('identify.models: "hybrid" has two squared inputs; take "rbf" for another device')
-        if self.compare.curves is not None and self.plant.mass is None:
-            raise ValueError("compare.curves: measured forces compare with a known mass only; give plant.mass")
-        if self.plant.parameters is not None and not self.may_be_a_joint:
-            raise ValueError(
+        _refuse(
+            *(
+                (
+                    plant.parameters is None,
+                    f"compare.models: {name!r} needs a parameter set; name one as plant.parameters",
+                )
+                for name in lacking
+            ),
+            (
+                "hybrid" in self.identify.models and not self.may_be_a_joint,
+                'identify.models: "hybrid" has two squared inputs; take "rbf" for another device',
+            ),
+            (
+                self.compare.curves is not None and plant.mass is None,
+                "compare.curves: measured forces compare with a known mass only; give plant.mass",
+            ),
+            (
+                plant.parameters is not None and not self.may_be_a_joint,
                 "plant.parameters: the joint has two squared inputs; name v1 and v2 in [channels], or leave the set "
-                "out for another device"
-            )
-        if self.plant.siblings is not None and self.plant.parameters is None:
-            raise ValueError("plant.siblings: siblings are joints of one drawing; give plant.parameters too")
-        if self.plant.curves is not None and self.plant.mass is None:
-            raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
+                "out for another device",
+            ),
+            (
+                plant.siblings is not None and plant.parameters is None,
+                "plant.siblings: siblings are joints of one drawing; give plant.parameters too",
+            ),
+            (
+                plant.curves is not None and plant.mass is None,
+                "plant.curves: measured forces move a known mass only; give plant.mass",
+            ),
+        )
         return self
 
     @model_validator(mode="after")
     def _read(self) -> "Prototype":
         """Refuse settings that nothing reads; the paper's M and σ_n also decide gates and studies."""
-        set_here = [f"identify.structure.{key}" for key, value in self.identify.structure if value != AUTO]
-        set_here += ["identify.time_limit"] if self.identify.time_limit != _default(Identify, "time_limit") else []
-        set_here += ["plant.curves"] if self.plant.curves is not None else []
-        if set_here and not {AUTO, "rbf"} & set(self.identify.models):
-            raise ValueError(f'{set_here[0]}: is for "rbf", which identify.models does not name')
-        if self.plant.siblings is not None and not {AUTO, "hybrid"} & set(self.identify.models):
-            raise ValueError('plant.siblings: is for "hybrid", which identify.models does not name')
-        if self.identify.corrections != AUTO and not {AUTO, "hybrid"} & set(self.identify.models):
-            raise ValueError('identify.corrections: is for "hybrid", which identify.models does not name')
-        film = [key for key in sorted(FILM) if getattr(self.plant, key) != _default(Plant, key)]
-        if film and not self.may_be_a_joint:
-            raise ValueError(f"plant.{film[0]}: is for the joint's two squared voltages; leave it out for this device")
-        if self.channels.qdot is not None and self.differentiate.alpha != AUTO:
-            raise ValueError(
+        given = {f"identify.structure.{key}": value != AUTO for key, value in self.identify.structure}
+        given["identify.time_limit"] = self.identify.time_limit != _default(Identify, "time_limit")
+        given["plant.curves"] = self.plant.curves is not None
+        of_hybrid = {
+            "plant.siblings": self.plant.siblings is not None,
+            "identify.corrections": self.identify.corrections != AUTO,
+        }
+        film = {f"plant.{key}": getattr(self.plant, key) != _default(Plant, key) for key in sorted(FILM)}
+        readers = (
+            (given, {AUTO, "rbf"} & set(self.identify.models), 'is for "rbf", which identify.models does not name'),
+            (
+                of_hybrid,
+                {AUTO, "hybrid"} & set(self.identify.models),
+                'is for "hybrid", which identify.models does not name',
+            ),
+            (film, self.may_be_a_joint, "is for the joint's two squared voltages; leave it out for this device"),
+        )
+        _refuse(
+            *((stated and not read, f"{key}: {why}") for keys, read, why in readers for key, stated in keys.items()),
+            (
+                self.channels.qdot is not None and self.differentiate.alpha != AUTO,
                 "differentiate.alpha: is for the displacement; a measured velocity (channels.qdot) is smoothed by its "
-                "own noise, leave alpha and epsilon out"
-            )
+                "own noise, leave alpha and epsilon out",
+            ),
+        )
         return self
 
     @property
@@ -337,6 +361,13 @@ class Prototype(SettingsTable):
 def _default(section: type[SettingsTable], key: str) -> Any:
     """Default of a key."""
     return section.model_fields[key].default
+
+
+def _refuse(*rules: tuple[bool, str]) -> None:
+    """Raise ValueError with the words of the first rule that is broken: whether it is, and what to do."""
+    for broken, words in rules:
+        if broken:
+            raise ValueError(words)
 
 
 def _known_names(given: tuple[str, ...], choices: tuple[str, ...]) -> tuple[str, ...]:

@@ -48,6 +48,21 @@ def reading(path: Path) -> Iterator[None]:
         ) from error
 
 
+@contextmanager
+def writing(path: Path) -> Iterator[None]:
+    """Within, `path` or what lies in it is written.
+
+    Raises
+    ------
+    InputError
+        The system does not let it.
+    """
+    try:
+        yield
+    except OSError as error:
+        raise not_written(path, error) from error
+
+
 def refuse_link(path: Path, *, within: Path | None = None) -> None:
     """Refuse to write through a link.
 
@@ -79,10 +94,8 @@ def make_folder(path: Path) -> None:
     InputError
         A file has its name, or the system does not let it.
     """
-    try:
+    with writing(path):
         path.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise not_written(path, error) from error
 
 
 def not_written(path: Path, error: OSError) -> InputError:
@@ -116,7 +129,7 @@ def atomic_path(target: Path, *, within: Path | None = None) -> Iterator[Path]:
     """
     refuse_link(target, within=within)
     temporary = target.with_name(f".{target.name}.{os.getpid()}{TEMPORARY_MARK}")
-    try:
+    with writing(target):
         target.parent.mkdir(parents=True, exist_ok=True)
         temporary.unlink(missing_ok=True)  # it may be a link to a file of somebody else
         try:
@@ -128,8 +141,6 @@ def atomic_path(target: Path, *, within: Path | None = None) -> Iterator[Path]:
             with suppress(OSError):  # a folder that became read-only keeps its leftover; `sweep` removes it later
                 temporary.unlink(missing_ok=True)
         _sync(target.parent)
-    except OSError as error:
-        raise not_written(target, error) from error
 
 
 def write_text(target: Path, text: str, *, within: Path | None = None) -> None:
@@ -166,11 +177,9 @@ def move(source: Path, target: Path, *, within: Path) -> None:
         The file system does not let it, or a folder between `within` and it is a link.
     """
     refuse_link(source.parent, within=within)
-    try:
+    with writing(target):
         replace(source, target)
         _sync(target.parent)
-    except OSError as error:
-        raise not_written(target, error) from error
 
 
 def _sync(folder: Path) -> None:
@@ -236,8 +245,10 @@ def run_lock(root: Path, name: str = LOCK) -> Iterator[None]:
         ) from None
     except OSError as error:
         raise _not_locked(root, error) from error
+    now = datetime.now(UTC).isoformat(timespec="seconds")
     try:
-        _leave_note(note)
+        with suppress(InputError):  # for the message to a second process; the lock works without it
+            write_text(note, json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": now}), within=root)
         yield
     finally:
         with suppress(OSError):
@@ -270,13 +281,6 @@ def _not_locked(root: Path, error: OSError) -> InputError:
     return InputError(
         f"{root}: cannot be locked for writing: {error.strerror or error}; permit writing or use another folder"
     )
-
-
-def _leave_note(path: Path) -> None:
-    """The holder of the lock, for the message to a second process; the lock works without it."""
-    note = {"pid": os.getpid(), "host": socket.gethostname(), "since": datetime.now(UTC).isoformat(timespec="seconds")}
-    with suppress(InputError):
-        write_text(path, json.dumps(note), within=path.parent)
 
 
 def _holder(path: Path) -> str:

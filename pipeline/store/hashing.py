@@ -39,19 +39,15 @@ class ColumnDigest:
 
     def __init__(self) -> None:
         self._digest = hashlib.sha256()
-        self._length = 0
+        self.length = 0
+        """Number of values."""
 
     def update(self, values: np.ndarray[Any, Any]) -> None:
         """Append values; memory is bounded by one block."""
         flat = np.asarray(values).reshape(-1)
         for start in range(0, len(flat), _BLOCK):
             self._digest.update(_canonical(flat[start : start + _BLOCK]))
-        self._length += len(flat)
-
-    @property
-    def length(self) -> int:
-        """Number of values."""
-        return self._length
+        self.length += len(flat)
 
     def hexdigest(self) -> str:
         """The digest of all values so far."""

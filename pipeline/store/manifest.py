@@ -27,7 +27,7 @@ from ..settings.file import translated
 from ..system.names import shell_word
 from ..system.package import program_version
 from ..system.plain_files import read_plain
-from .atomic import move, not_written, reading, refuse_link, sweep, write_text
+from .atomic import move, reading, refuse_link, sweep, write_text, writing
 from .hashing import file_sha256, flatten, json_sha256
 from .schemas import ADVICE, Document, first_mistake
 
@@ -89,12 +89,9 @@ class Recipe:
             reasons.append(f"algorithm {other.algorithm} became {self.algorithm}")
         reasons += changes(self.settings, other.settings)
         for name in sorted(self.inputs.keys() | other.inputs.keys()):
-            if name not in other.inputs:
-                reasons.append(f"input {name} is new")
-            elif name not in self.inputs:
-                reasons.append(f"input {name} is gone")
-            elif self.inputs[name] != other.inputs[name]:
-                reasons.append(f"input {name} changed")
+            if self.inputs.get(name) != other.inputs.get(name):
+                how = "is new" if name not in other.inputs else "changed" if name in self.inputs else "is gone"
+                reasons.append(f"input {name} {how}")
         return reasons
 
 
@@ -151,7 +148,12 @@ class Manifest:
 
     def save(self, root: Path, name: str = MANIFEST) -> None:
         """Write the manifest into the run folder `root`."""
-        write_text(root / name, _dump(self), within=root)
+        # `asdict` would copy every note and setting, half of the time that this takes
+        artifacts = {path: {**vars(record), "recipe": vars(record.recipe)} for path, record in self.artifacts.items()}
+        document = {"format": self.format, **vars(self), "artifacts": artifacts}
+        # in the order in which it was made, so that a run which was opened anew reads the same as one that goes on
+        text = json.dumps({**document, "digest": json_sha256(document)}, indent=1, ensure_ascii=False) + "\n"
+        write_text(root / name, text, within=root)
 
 
 _SHAPE = TypeAdapter(Manifest)
@@ -192,7 +194,7 @@ def load_manifest(root: Path) -> Manifest:
     try:
         manifest = _SHAPE.validate_json(raw, strict=True)
         digest = hashlib.sha256(raw).digest()
-        intact = digest in _INTACT or _has_its_digest(json.loads(raw))
+        intact = digest in _INTACT or (document := json.loads(raw)).pop("digest", None) == json_sha256(document)
     except ValidationError as error:
         mistake = first_mistake(error)
         if FORMAT.encode() not in raw[:64] and not mistake.startswith("damaged"):
@@ -210,18 +212,6 @@ def load_manifest(root: Path) -> Manifest:
     return manifest
 
 
-def _has_its_digest(document: dict[str, Any]) -> bool:
-    return bool(document.pop("digest", None) == json_sha256(document))
-
-
-def _dump(manifest: Manifest) -> str:
-    # `asdict` would copy every note and setting, half of the time that this takes
-    artifacts = {name: {**vars(record), "recipe": vars(record.recipe)} for name, record in manifest.artifacts.items()}
-    document = {"format": manifest.format, **vars(manifest), "artifacts": artifacts}
-    # in the order in which it was made, so that a run which was opened anew reads the same as one that goes on
-    return json.dumps({**document, "digest": json_sha256(document)}, indent=1, ensure_ascii=False) + "\n"
-
-
 def to_json(value: Any) -> Any:
     """The value for JSON: arrays as lists, keys as text, a number that is not finite as null."""
     if isinstance(value, Mapping):
@@ -230,9 +220,7 @@ def to_json(value: Any) -> Any:
         return to_json(value.tolist())
     if isinstance(value, list | tuple):
         return [to_json(entry) for entry in value]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def changes(settings: Mapping[str, Any], before: Mapping[str, Any]) -> list[str]:
@@ -282,14 +270,10 @@ def recover(root: Path) -> None:
             written = {name: record.sha256 for name, record in manifest.artifacts.items()}
             texts = {stage_file(stage): stage_text(stage, content) for stage, content in manifest.stages.items()}
             written |= {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
-            _complete(root, manifest, [name for name, sha256 in written.items() if is_staged(root / name, sha256)])
+            staged = {name: staging_place(root / name) for name in written}
+            waiting = [name for name, path in staged.items() if path.is_file() and file_sha256(path) == written[name]]
+            _complete(root, manifest, waiting)
     sweep(root, STAGED_MARK)
-
-
-def is_staged(path: Path, sha256: str) -> bool:
-    """True if the bytes that belong at `path` are still at its staging place."""
-    staged = staging_place(path)
-    return staged.is_file() and file_sha256(staged) == sha256
 
 
 def _complete(root: Path, manifest: Manifest, names: Iterable[str]) -> None:
@@ -297,10 +281,8 @@ def _complete(root: Path, manifest: Manifest, names: Iterable[str]) -> None:
     with reading(root):
         lost = [path for path in (root / STAGES).glob("*.json") if path.stem not in manifest.stages]
     for path in lost:
-        try:
+        with writing(path):
             path.unlink()
-        except OSError as error:
-            raise not_written(path, error) from error
     for name in names:
         move(staging_place(root / name), root / name, within=root)
     move(root / NEXT_MANIFEST, root / MANIFEST, within=root)

@@ -16,7 +16,7 @@ from typing import Any
 from ..errors import InputError
 from ..system.plain_files import read_plain, read_toml
 from . import layout
-from .atomic import TEMPORARY_MARK, not_written, refuse_link, replace, write_text
+from .atomic import TEMPORARY_MARK, refuse_link, replace, write_text, writing
 from .hashing import file_sha256
 
 WRITTEN = ".debist-written.json"
@@ -55,21 +55,19 @@ def new_outputs(
         A file is there that this command did not write, or the disk does not let it.
     """
     check_places(folder, names, command, force=force)
-    try:
+    with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
         staged = Path(tempfile.mkdtemp(prefix=".", suffix=TEMPORARY_MARK, dir=folder))
-    except OSError as error:
-        raise not_written(folder, error) from error
-    try:
-        yield staged
-        written = [path.relative_to(staged) for path in staged.rglob("*") if path.is_file()]
-        written.sort(key=lambda name: (name.suffix == ".toml", name))  # where the settings are, there are the logs
-        check_places(folder, map(str, written), command, force=force)
-        _place(staged, folder, written, {"command": command} | ({"made_from": dict(made_from)} if made_from else {}))
-    except OSError as error:
-        raise not_written(folder, error) from error
-    finally:
-        shutil.rmtree(staged, ignore_errors=True)
+        try:
+            yield staged
+            written = [path.relative_to(staged) for path in staged.rglob("*") if path.is_file()]
+            written.sort(key=lambda name: (name.suffix == ".toml", name))  # where the settings are, there are the logs
+            check_places(folder, map(str, written), command, force=force)
+            _place(
+                staged, folder, written, {"command": command} | ({"made_from": dict(made_from)} if made_from else {})
+            )
+        finally:
+            shutil.rmtree(staged, ignore_errors=True)
 
 
 def note_written(folder: Path, names: Iterable[str], command: str) -> None:
@@ -132,8 +130,7 @@ def check_places(folder: Path, names: Iterable[str], command: str, *, force: boo
             continue
         if not path.is_file():
             raise InputError(f"{path}: is no file; name another place")
-        settings = _named_by(path)
-        if settings is not None:
+        if (settings := _named_by(path)) is not None:
             raise InputError(f"{path}: is a raw log of {settings} and is never overwritten; name another place")
         if not force:
             raise InputError(

@@ -143,12 +143,10 @@ class RunFolder:
         recover(root)
         sweep(root)
         stored = load_manifest(root)
-        manifest.artifacts = stored.artifacts
-        manifest.stages = stored.stages
-        manifest.set_aside = stored.set_aside
-        if (stored.prototype, stored.prototype_file) != (manifest.prototype, manifest.prototype_file):
-            replace(stored, prototype=manifest.prototype, prototype_file=manifest.prototype_file).save(root)
-        return cls(root, manifest)
+        kept = replace(stored, prototype=prototype, prototype_file=manifest.prototype_file)
+        if kept != stored:
+            kept.save(root)
+        return cls(root, kept)
 
     @property
     def prototype(self) -> Prototype:
@@ -384,26 +382,20 @@ class RunFolder:
         if changed:
             commit(self.root, self.manifest, map(stage_file, changed))
 
-    def recover(self) -> None:
-        """Complete a commit that was interrupted; remove what no commit will ask for."""
-        recover(self.root)
-
-    def set_aside(self, name: str) -> Path:
-        """Move a damaged artifact out of the way, never deleting it; returns its new path."""
+    def set_aside(self, name: str) -> None:
+        """Move a damaged artifact out of the way, never deleting it."""
         path = self.path(name)
         aside = f"{name}{CORRUPT_MARK}{datetime.now(UTC).strftime('%Y%m%dT%H%M%S%f')}"
         self.manifest.set_aside.append(aside)
         commit(self.root, self.manifest, [])
         move(path, self.root / aside, within=self.root)
-        return self.root / aside
 
     def strike(self, name: str) -> str:
         """Strike an artifact off the manifest if it is damaged or lost, setting its file aside; what is wrong with it.
 
         Empty if it is intact.
         """
-        problem = self.problem(name)
-        if problem is None:
+        if (problem := self.problem(name)) is None:
             return ""
         if problem != "is missing":
             self.set_aside(name)

@@ -89,15 +89,11 @@ def resolve(
     """
     absent = {"v2": len(inputs) < 2, "phi": not phi, "velocity": not velocity}
     absent |= dict.fromkeys((column.key for column in TUBE_COLUMNS), not tubes)
-    units = {"{q}": displacement, "{v}": inputs[0], "{v2}": inputs[-1]}
-    columns = []
-    for column in schema.columns:
-        if absent.get(column.key):
-            continue
-        unit = column.unit
-        for mark, symbol in units.items():
-            unit = unit.replace(mark, symbol)
-        columns.append(replace(column, unit=unit))
+    columns = (
+        replace(column, unit=column.unit.format(q=displacement, v=inputs[0], v2=inputs[-1]))
+        for column in schema.columns
+        if not absent.get(column.key)
+    )
     return Schema(schema.kind, tuple(columns))
 
 
@@ -142,15 +138,11 @@ def misfit(name: str, table: Mapping[str, np.ndarray[Any, Any]]) -> str | None:
 
 
 def _fits(values: np.ndarray[Any, Any], dtype: Dtype) -> bool:
-    if values.dtype.kind not in _KINDS[dtype]:
-        return False
-    return values.dtype.kind != "O" or all(x is None or type(x) in _ENTRIES[dtype] for x in values)
+    kind = values.dtype.kind
+    return kind in _KINDS[dtype] and (kind != "O" or all(x is None or type(x) in _ENTRIES[dtype] for x in values))
 
 
 ADVICE = "restore it, or move the folder away and run again"
-
-
-_ELSEWHERE = "move the folder away and run again"
 
 
 class Document(dict[str, Any]):
@@ -165,7 +157,9 @@ class Document(dict[str, Any]):
         Advice for the user.
     """
 
-    def __init__(self, entries: Mapping[str, Any], where: str, remedy: str = _ELSEWHERE) -> None:
+    def __init__(
+        self, entries: Mapping[str, Any], where: str, remedy: str = "move the folder away and run again"
+    ) -> None:
         self._missing = f"is missing; {remedy}"
         self._where = where
 

@@ -13,13 +13,20 @@ from ..errors import CorruptArtifactError, memory_failure
 from ..system.plain_files import open_plain
 from .arrow_columns import from_numpy, to_numpy
 from .atomic import atomic_path, reading
-from .columns import SCHEMA_VERSION
+from .columns import SCHEMA_VERSION, Dtype
 from .hashing import ColumnDigest, digests_hash
 from .schemas import Schema
 from .trees import LARGEST_RATIO, SMALL_FILE
 
 Table = dict[str, np.ndarray[Any, Any]]
 
+_ARROW: dict[Dtype, Any] = {
+    "float64": pa.float64(),
+    "int32": pa.int32(),
+    "int64": pa.int64(),
+    "string": pa.string(),
+    "bool": pa.bool_(),
+}
 _ROW_GROUP = 1 << 20
 _WIDEST = 8
 
@@ -67,7 +74,11 @@ def write_pieces(
     pieces : iterable of mapping of str to array-like
         Consecutive rows of all columns.
     """
-    columns = _arrow_schema(schema, note or {})
+    fields = [
+        pa.field(column.key, _ARROW[column.dtype], metadata={"unit": column.unit, "meaning": column.help})
+        for column in schema.columns
+    ]
+    columns = pa.schema(fields, metadata={"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}", **(note or {})})
     digests = {column.key: ColumnDigest() for column in schema.columns}
     with (
         atomic_path(target, within=within) as temporary,
@@ -84,22 +95,6 @@ def write_pieces(
     return digests_hash(
         (c.key, c.dtype, c.unit, (digests[c.key].length,), digests[c.key].hexdigest()) for c in schema.columns
     )
-
-
-def _arrow_schema(schema: Schema, note: Mapping[str, str]) -> Any:
-
-    kinds = {
-        "float64": pa.float64(),
-        "int32": pa.int32(),
-        "int64": pa.int64(),
-        "string": pa.string(),
-        "bool": pa.bool_(),
-    }
-    fields = [
-        pa.field(column.key, kinds[column.dtype], metadata={"unit": column.unit, "meaning": column.help})
-        for column in schema.columns
-    ]
-    return pa.schema(fields, metadata={"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}", **note})
 
 
 def _row_groups(columns: Any, pieces: Iterable[Mapping[str, Any]]) -> Iterator[Any]:

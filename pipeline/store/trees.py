@@ -56,17 +56,8 @@ def write_tree(
         As for `atomic_path`.
     """
     digest = tree_hash(tree)
-    content = _laid_out(tree, columns)
-    if tree_hash(parse_tree(content, target)) != digest:
-        raise MemoryError
-    write_bytes(target, content, within=within)
-    return digest
-
-
-def _laid_out(tree: Mapping[str, Any], columns: Columns | None) -> bytes:
-    """The bytes of the file."""
-    content = BytesIO()  # HDF5's own image of a file is damaged in versions before 2.0
-    with h5py.File(content, "w", libver="v110") as file:
+    stream = BytesIO()  # HDF5's own image of a file is damaged in versions before 2.0
+    with h5py.File(stream, "w", libver="v110") as file:
         for path, value in flatten(tree):
             array = np.asarray(value)
             if array.dtype.kind in "US":
@@ -77,7 +68,11 @@ def _laid_out(tree: Mapping[str, Any], columns: Columns | None) -> bytes:
                 dataset = file.create_dataset(path, data=array)
             if columns is not None:
                 dataset.attrs["unit"], dataset.attrs["meaning"] = columns(path)
-    return content.getvalue()
+    content = stream.getvalue()
+    if tree_hash(parse_tree(content, target)) != digest:
+        raise MemoryError
+    write_bytes(target, content, within=within)
+    return digest
 
 
 def read_tree(path: Path, group: str = "/") -> Tree:
@@ -104,7 +99,8 @@ def parse_tree(content: bytes, path: Path, group: str = "/") -> Tree:
         It is damaged, or the branch is missing.
     """
     try:
-        return _parsed(content, group)
+        with h5py.File(BytesIO(content), "r") as file:
+            return _Reader(len(content)).group(file[group].id)
     except _UNREADABLE as error:
         if memory_failure(error):
             raise MemoryError from error
@@ -112,11 +108,6 @@ def parse_tree(content: bytes, path: Path, group: str = "/") -> Tree:
         raise CorruptArtifactError(
             f"{path}: damaged or incomplete ({reason}); `debist run` sets it aside and rebuilds it"
         ) from error
-
-
-def _parsed(content: bytes, group: str) -> Tree:
-    with h5py.File(BytesIO(content), "r") as file:
-        return _Reader(len(content)).group(file[group].id)
 
 
 class _Reader:

@@ -191,8 +191,7 @@ def death(exit_code: int) -> str:
     """Cause of the end of a process that has sent no answer."""
     if exit_code >= 0:
         return f"exit code {exit_code if exit_code < 1 << 16 else hex(exit_code)}"  # Windows counts in hex
-    is_signal = -exit_code in set(signal.Signals)
-    name = signal.Signals(-exit_code).name if is_signal else f"signal {-exit_code}"
+    name = signal.Signals(-exit_code).name if -exit_code in set(signal.Signals) else f"signal {-exit_code}"
     return f"{name} (by another program, or by the system where memory runs out)" if name == "SIGKILL" else name
 
 
@@ -294,7 +293,6 @@ def begin() -> None:
 
 
 def _end_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    if parent is not None:
+    if (parent := multiprocessing.parent_process()) is not None:
         wait([parent.sentinel])
         os._exit(1)

@@ -1,10 +1,9 @@
 """Settings of numerical libraries that keep results independent of the surroundings; made before NumPy loads."""
 
-import importlib
 import importlib.util
 import os
 from collections.abc import Callable
-from contextlib import chdir
+from contextlib import chdir, suppress
 from functools import wraps
 from pathlib import Path
 from types import ModuleType
@@ -57,9 +56,6 @@ def import_configured(name: str) -> ModuleType:
     numba looks for ``.numba_config.yaml`` and matplotlib for ``matplotlibrc``. A folder of somebody's logs may hold
     either; the folder of this package holds none.
     """
-    try:
-        elsewhere = chdir(Path(__file__).parent)
-        with elsewhere:
-            return importlib.import_module(name)
-    except FileNotFoundError:  # the current folder was deleted, and its files with it
+    with suppress(FileNotFoundError), chdir(Path(__file__).parent):
         return importlib.import_module(name)
+    return importlib.import_module(name)  # the current folder was deleted, and its files with it

@@ -26,13 +26,12 @@ def check_name(name: str, longest: int = _LONGEST) -> str:
     ValueError
         It is empty or longer than `longest`, holds what leaves a folder, a line, a table or a shell, or is reserved.
     """
-    # Windows leaves a dot at the end out
-    writable = not _NOT_WRITABLE & {*name}
     if not name.isprintable():
         raise ValueError(
             f"{name!r} is no usable name: a character of it cannot be printed; write paths with / or in single quotes"
         )
-    if not writable or not 0 < len(name) <= longest or name[0] in " =+@" or name[-1] in " .":
+    # Windows leaves a dot at the end out
+    if _NOT_WRITABLE & {*name} or not 0 < len(name) <= longest or name[0] in " =+@" or name[-1] in " .":
         raise ValueError(
             f"{name!r} is no usable name: 1 to {longest} visible characters without {' '.join(sorted(_NOT_WRITABLE))}, "
             "no blank at its ends, no =, + or @ before it, no dot behind it; rename it"
@@ -48,8 +47,7 @@ def slug(name: str) -> str:
     What has no spelling (another script) gets a name from its hash, always the same one; a name of more than 64 letters
     keeps its first ones, with a hash that separates it from others that begin alike.
     """
-    reserved = name.split(".")[0].strip().lower() in _RESERVED
-    if SAFE.fullmatch(name) and not reserved and not name.endswith("."):
+    if SAFE.fullmatch(name) and name.split(".")[0].strip().lower() not in _RESERVED and not name.endswith("."):
         return name
     spelt = "".join(map(_spelt, unicodedata.normalize("NFC", name)))
     short = re.sub(r"-{2,}", "-", spelt).strip("-.")

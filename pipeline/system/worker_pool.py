@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import partial
 from multiprocessing.connection import Connection, wait
-from typing import Any, Protocol, TypeVar
+from typing import Any, TypeVar
 
 from ..errors import WARNING, DebistError
 from .isolation import apart, begin, end, process_context
@@ -23,20 +23,6 @@ Item = TypeVar("Item")
 Made = TypeVar("Made")
 Call = Callable[[OnProgress], Any]
 """Task: it takes a callable (current step, share done) for its progress, and returns its result."""
-
-
-class Pool(Protocol):
-    """Calls that were begun, and their results."""
-
-    @property
-    def jobs(self) -> int:
-        """The number of calls at a time."""
-
-    def begin(self, key: int, call: Call, on_progress: OnProgress) -> None:
-        """Begin a call; there are fewer than `jobs` under way."""
-
-    def finished(self) -> list[tuple[int, Callable[[], Any]]]:
-        """Wait for at least one call; the keys of those that have ended, and callables that give result or error."""
 
 
 class _Here:
@@ -61,6 +47,8 @@ class _Here:
 
 class _Processes:
     """Calls in processes that stay, each at one end of a pipe; calls and results must be picklable.
+
+    Fewer than `jobs` calls may be under way when one is begun.
 
     Parameters
     ----------
@@ -91,7 +79,7 @@ class _Processes:
         return channel  # type: ignore[no-any-return]
 
     def finished(self) -> list[tuple[int, Callable[[], Any]]]:
-        """Wait for a call, and meanwhile pass on the progress of all."""
+        """Wait for a call, passing on the progress of all; the keys of ended calls, and what gives their results."""
         ended = list[tuple[int, Callable[[], Any]]]()
         while not ended:
             for channel in wait(list(self._calls)):
@@ -114,24 +102,19 @@ class _Processes:
             self._idle.append(channel)
         return [(key, message.result)]
 
-    def close(self) -> None:
-        """Let processes without a call end."""
+    def leave(self) -> None:
+        """Let processes without a call end, which then keep what they have compiled, and end all if one has a call."""
+        if self._calls:
+            for process in self._processes:
+                process.terminate()
         for channel in self._idle:
             with suppress(OSError):
                 channel.send(None)
         for process in self._processes:
             process.join()
 
-    def terminate(self) -> None:
-        """End all processes now."""
-        for process in self._processes:
-            process.terminate()
 
-    def leave(self) -> None:
-        """Let processes without a call end, which then keep what they have compiled, and end all if one has a call."""
-        if self._calls:
-            self.terminate()
-        self.close()
+Pool = _Here | _Processes
 
 
 class _Ended:
@@ -179,7 +162,7 @@ def _made(call: Call, on_progress: OnProgress) -> _Ended:
 
 @contextmanager
 def pool(jobs: int) -> Iterator[Pool]:
-    """Calls in so many processes, in this one for a single job; whoever leaves it early ends the processes.
+    """Calls in so many processes, in this one for a single job; whoever leaves it early ends those with a call.
 
     Parameters
     ----------
@@ -192,11 +175,8 @@ def pool(jobs: int) -> Iterator[Pool]:
     processes = _Processes(jobs)
     try:
         yield processes
-    except BaseException:
-        processes.terminate()
-        raise
     finally:
-        processes.close()
+        processes.leave()
 
 
 @contextmanager
@@ -231,7 +211,7 @@ def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int)
         for number in range(len(items)):
             while number not in made:
                 while begun < min(len(items), number + jobs):
-                    processes.begin(begun, partial(_without_progress, work, items[begun]), _ignored)
+                    processes.begin(begun, partial(_without_progress, work, items[begun]), silent)
                     begun += 1
                 made |= {key: result() for key, result in processes.finished()}
             yield made.pop(number)
@@ -239,7 +219,3 @@ def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int)
 
 def _without_progress(work: Callable[[Item], Made], item: Item, on_progress: OnProgress) -> Made:
     return work(item)
-
-
-def _ignored(what: str, share: float) -> None:
-    """Progress that nobody shows."""

@@ -19,8 +19,6 @@ from ..store.atomic import make_folder, run_lock, write_text
 from ..store.manifest import MANIFEST
 from ..store.outputs import note_written
 from ..store.run_folder import RunFolder
-from ..store.schemas import FLEET
-from ..store.schemas import FLEET_FACTS as FLEET_FACT_TABLE
 from ..system.isolation import Isolated, Send, death, largest_memory, next_ready, preload
 from ..system.package import full_name
 from .members import FLEET_CSV, FLEET_FACTS, FLEET_FILES, FLEET_REPORT, FLEET_TABLE, Member, Shard
@@ -99,11 +97,8 @@ class Worker(Isolated):
         answer = messages[-1] if messages else {}
         code = answer["exit_code"] if answer else self.exit_code()
         printed = self.words()
-        reason = reason_of(code, printed)
-        if self.late:
-            reason = (
-                f"stopped after the time limit of {self._time_limit:g} s; raise --time-limit, the same command goes on"
-            )
+        late = f"stopped after the time limit of {self._time_limit:g} s; raise --time-limit, the same command goes on"
+        reason = late if self.late else reason_of(code, printed)
         if code not in (0, RunLockedError.exit_code):  # a locked run is another process's
             keep_failure(self._output, self.name, code, reason, printed)
             if code == 1:
@@ -139,8 +134,9 @@ def reason_of(exit_code: int, stderr: str) -> str:
     if exit_code < 0:
         return f"ended by {death(exit_code)}; what is written is whole, and the same command goes on"
     lines = [line for line in stderr.splitlines() if line.strip()]
-    if exit_code == 1:
-        return _last_of_traceback(lines)
+    if exit_code == 1:  # a traceback ends with the exception
+        own = [line for line in lines if not line.startswith(("debist: ", "warning: "))]
+        return f"a bug of debist: {own[-1].strip()}" if own else death(1)
     errors = [number for number, line in enumerate(lines) if line.startswith("debist: ")]
     if not errors:
         return (lines or [death(exit_code)])[-1]
@@ -148,12 +144,6 @@ def reason_of(exit_code: int, stderr: str) -> str:
     return (
         lines[errors[-1]].removeprefix("debist: ") + (": " if more else "") + "; ".join(line.strip() for line in more)
     )
-
-
-def _last_of_traceback(lines: Sequence[str]) -> str:
-    """The exception that a traceback ends with."""
-    own = [line for line in lines if not line.startswith(("debist: ", "warning: "))]
-    return f"a bug of debist: {own[-1].strip()}" if own else death(1)
 
 
 class BatchObserver(Protocol):
@@ -308,7 +298,9 @@ def write_fleet(output: Path, outcomes: Iterable[Outcome]) -> None:
     ordered = sorted(outcomes, key=lambda outcome: outcome.name)
     write_fleet_tables(output, ordered)
     summaries = [_member(output, outcome.name, outcome.reason) for outcome in ordered]
-    _write_facts(output, summaries)
+    facts = [(member.name, key, value, unit) for member in summaries for key, (value, unit) in member.facts.items()]
+    columns = {column.key: [fact[k] for fact in facts] for k, column in enumerate(schemas.FLEET_FACTS.columns)}
+    tables.write_table(output / FLEET_FACTS, schemas.FLEET_FACTS, columns)
     write_text(output / FLEET_REPORT, fleet_report(summaries, output.resolve().name))
     note_written(output, FLEET_FILES, "batch")
 
@@ -323,8 +315,8 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
         except DebistError as error:  # changed or damaged since it ended well
             scores, head = [{}], head | {"exit_code": error.exit_code, "reason": str(error)}
         rows += [{column.key: None for column in schemas.SCORES.columns} | score | head for score in scores]
-    columns = {column.key: [row[column.key] for row in rows] for column in FLEET.columns}
-    tables.write_table(output / FLEET_TABLE, FLEET, columns)
+    columns = {column.key: [row[column.key] for row in rows] for column in schemas.FLEET.columns}
+    tables.write_table(output / FLEET_TABLE, schemas.FLEET, columns)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
@@ -342,24 +334,15 @@ def _existing(member: Member, output: Path) -> Outcome:
     return Outcome(member.name, member.settings, 0, "")
 
 
-def _write_facts(output: Path, members: Iterable[Summary]) -> None:
-    """Every known fact of every prototype in one table."""
-    rows = [(member.name, key, value, unit) for member in members for key, (value, unit) in member.facts.items()]
-    columns = zip(*rows, strict=True) if rows else ((), (), (), ())
-    keys = [column.key for column in FLEET_FACT_TABLE.columns]
-    tables.write_table(output / FLEET_FACTS, FLEET_FACT_TABLE, dict(zip(keys, map(list, columns), strict=True)))
-
-
 def _member(output: Path, name: str, reason: str) -> Summary:
     if reason:
         return Summary(name, reason)
     try:
         held = RunFolder.open(output / name).manifest.artifacts
         document = load_datasheet(output / name) if layout.DATASHEET in held else _scores_alone(output / name)
-        paged = layout.REPORT in held
     except DebistError as error:
         return Summary(name, str(error))
-    return summary(name, document, f"{name}/{layout.REPORT}" if paged else None)
+    return summary(name, document, f"{name}/{layout.REPORT}" if layout.REPORT in held else None)
 
 
 def _scores_alone(run: Path) -> dict[str, Any]:

@@ -7,12 +7,13 @@ from contextlib import suppress
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import partial
+from operator import methodcaller
 from pathlib import Path
 from typing import Any, Protocol
 
 from ..errors import InputError
 from ..store.hashing import file_sha256
-from ..store.manifest import Recipe
+from ..store.manifest import Recipe, recover
 from ..store.run_folder import RunFolder, Written
 from ..system.worker_pool import OnProgress, Pool, pool
 
@@ -211,9 +212,7 @@ def check_sources(task: Task, recipe: Recipe, before: Mapping[Path, Seen]) -> No
         was = before.get(path)
         now = after.get(path)
         same = was is not None and now is not None and was.identity == now.identity
-        if same and was is not None and was.recent:
-            same = file_sha256(path) == recipe.inputs[name]
-        if not same:
+        if not same or (was and was.recent and file_sha256(path) != recipe.inputs[name]):
             raise InputError(f"{path}: was changed while it was read; wait until it is complete and run again")
 
 
@@ -229,8 +228,7 @@ def reasons_of(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
     for name in outputs_of(run, task):
         if name not in run.manifest.artifacts:
             return [FIRST_TIME]
-        problem = run.problem(name)
-        if problem:
+        if problem := run.problem(name):
             return [f"{name} {problem}"]
     return recipe.differences(run.manifest.artifacts[task.outputs[0]].recipe)
 
@@ -254,16 +252,17 @@ def bring_up_to_date(run: RunFolder, plan: Plan, observer: Observer, *, jobs: in
         Processes at a time. With more than one, `work` of each task must be a function of a module, or a partial of
         one, that can be pickled.
     """
-    run.recover()
+    recover(run.root)
     try:
         with pool(jobs) as processes:
             schedule = _Schedule(run, iter(plan), _InOrder(observer), processes)
             while schedule.goes_on():
                 schedule.begin_what_is_ready()
                 schedule.end_what_is_done()
-            schedule.raise_failure()
+            if schedule.failed is not None:
+                raise schedule.failed[1]
     except BaseException:
-        run.recover()
+        recover(run.root)
         raise
     return schedule.statuses
 
@@ -285,29 +284,20 @@ class _InOrder:
         self._first = 0
         self._waiting: dict[int, list[Event | None]] = {}
 
-    def add(self, number: int, *events: Event) -> None:
-        """Events of the task at a place of the plan."""
+    def add(self, number: int, *events: Event | None) -> None:
+        """Events of the task at a place of the plan; None behind the last of them."""
         self._waiting.setdefault(number, []).extend(events)
-        self._pass_on()
-
-    def end(self, number: int) -> None:
-        """No more events of a task."""
-        self._waiting.setdefault(number, []).append(None)
-        self._pass_on()
+        while self._waiting.get(self._first):
+            if (event := self._waiting[self._first].pop(0)) is None:
+                del self._waiting[self._first]
+                self._first += 1
+            else:
+                event(self._observer)
 
     def at_once(self, number: int, event: Event) -> None:
         """An event that is of no interest later, such as progress."""
         if number == self._first:
             event(self._observer)
-
-    def _pass_on(self) -> None:
-        while self._waiting.get(self._first):
-            event = self._waiting[self._first].pop(0)
-            if event is None:
-                del self._waiting[self._first]
-                self._first += 1
-            else:
-                event(self._observer)
 
 
 @dataclass
@@ -332,7 +322,8 @@ class _Schedule:
         self._mark: After | None = None
         self._waiting: dict[int, Task] = {}
         self._running: dict[int, _Step] = {}
-        self._failed: tuple[int, Exception] | None = None
+        self.failed: tuple[int, Exception] | None = None
+        """Place and error of the first task of the plan that failed."""
         self._statuses: dict[int, TaskStatus] = {}
 
     @property
@@ -342,23 +333,21 @@ class _Schedule:
 
     def goes_on(self) -> bool:
         """True if a task waits or runs, after the plan was read as far as it is known."""
-        while self._failed is None and not self._must_wait():
-            entry = next(self._plan, None)
-            if entry is None:
+        while self.failed is None and not self._must_wait():
+            if (entry := next(self._plan, None)) is None:
                 break
             if isinstance(entry, After):
                 self._mark = entry
             else:
                 self._waiting[self._read] = entry
                 self._read += 1
-        behind = math.inf if self._failed is None else self._failed[0]
+        behind = math.inf if self.failed is None else self.failed[0]
         return bool(self._waiting) or any(number < behind for number in self._running)
 
     def _must_wait(self) -> bool:
         """True if the plan is not known beyond this place, or this process alone does the tasks read so far."""
-        if self._processes.jobs == 1 and self._waiting:
-            return True
-        return self._mark is not None and self._mark.artifact in self._unfinished(self._read)
+        alone = self._processes.jobs == 1 and bool(self._waiting)
+        return alone or (self._mark is not None and self._mark.artifact in self._unfinished(self._read))
 
     def _unfinished(self, before: int) -> set[str]:
         """The artifacts that tasks before a place of the plan have still to write."""
@@ -382,8 +371,7 @@ class _Schedule:
         reasons = reasons_of(run, task, step.recipe)
         self._statuses[number] = TaskStatus(task.stage, task.title, task.outputs, reasons)
         if not reasons:
-            self._events.add(number, lambda observer: observer.skipped(task))
-            self._events.end(number)
+            self._events.add(number, lambda observer: observer.skipped(task), None)
             return
         self._events.add(number, lambda observer: observer.started(task, reasons))
         for name in outputs_of(run, task):
@@ -402,13 +390,13 @@ class _Schedule:
         """Wait for running tasks, and commit what they have written."""
         for number, result in self._processes.finished() if self._running else ():
             step = self._running.pop(number)
-            if self._failed is not None and self._failed[0] < number:
+            if self.failed is not None and self.failed[0] < number:
                 continue
             try:
                 written = result()
                 check_sources(step.task, step.recipe, step.sources)
             except Exception as error:
-                self._failed = (number, error)
+                self.failed = (number, error)
                 self._waiting = {earlier: task for earlier, task in self._waiting.items() if earlier < number}
             else:
                 self._commit(number, step, written)
@@ -417,18 +405,8 @@ class _Schedule:
         self._run.commit(step.recipe, written)
         seconds = time.perf_counter() - step.began
         warnings = dict.fromkeys(text for made in written.values() for text in made.notes.get("warnings", ()))
-        self._events.add(number, *(partial(_warn, title=step.task.title, text=text) for text in warnings))
-        self._events.add(number, lambda observer: observer.finished(step.task, seconds))
-        self._events.end(number)
-
-    def raise_failure(self) -> None:
-        """Raise the error of the first task of the plan that failed, if one did."""
-        if self._failed is not None:
-            raise self._failed[1]
-
-
-def _warn(observer: Observer, *, title: str, text: str) -> None:
-    observer.warned(title, text)
+        self._events.add(number, *(methodcaller("warned", step.task.title, text) for text in warnings))
+        self._events.add(number, lambda observer: observer.finished(step.task, seconds), None)
 
 
 def _perform(task: Task, place: RunFolder | Path, on_progress: OnProgress) -> Mapping[str, Written]:

@@ -4,9 +4,10 @@ from collections.abc import Iterator, Mapping
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, get_args
+from typing import Any, get_args
 
 from ..errors import CorruptArtifactError, InputError
+from ..export.subject import Exported, Subject
 from ..settings.file import toml_text
 from ..settings.logs import ROLES, log_label
 from ..settings.prototype import Prototype
@@ -19,9 +20,6 @@ from ..system.names import Target, log_name
 from .prior_knowledge import named_curves
 from .run_models import failed_validations, load_design, model_artifact, subject
 
-if TYPE_CHECKING:
-    from ..export.subject import Exported, Subject
-
 _TAKES_NONE = {
     "crate": "it is the whole run",
     "controller": "it is what `debist control design` made, on the joint's equations",
@@ -32,7 +30,7 @@ MODELS = ("c", "fmu", "json", "matlab")
 
 def export_run(
     root: Path, target: Target, *, model: str | None = None, output: Path | None = None, force: bool = False
-) -> "Exported":
+) -> Exported:
     """Write a model of a run for another tool.
 
     Parameters
@@ -79,16 +77,13 @@ def export_run(
 
 def stale_exports(root: Path) -> list[str]:
     """Files in ``RUN/exports`` that were made from another model, or design, than the run now holds."""
-    run = RunFolder.open(root)
-    stale = []
-    for name, entry in written_files(root / layout.EXPORTS).items():
-        origin = entry.get("made_from")
-        if not isinstance(origin, dict) or not (root / layout.EXPORTS / name).is_file():
-            continue
-        held = run.manifest.artifacts
-        if any(artifact not in held or held[artifact].content_hash != content for artifact, content in origin.items()):
-            stale.append(f"{layout.EXPORTS}/{name}")
-    return stale
+    held = {name: record.content_hash for name, record in RunFolder.open(root).manifest.artifacts.items()}
+    return [
+        f"{layout.EXPORTS}/{name}"
+        for name, entry in written_files(root / layout.EXPORTS).items()
+        if isinstance(origin := entry.get("made_from"), dict) and (root / layout.EXPORTS / name).is_file()
+        if any(held.get(artifact) != content for artifact, content in origin.items())
+    ]
 
 
 def _origin(run: RunFolder, prototype: Prototype, target: Target, model: str | None) -> dict[str, str]:
@@ -101,7 +96,7 @@ def _origin(run: RunFolder, prototype: Prototype, target: Target, model: str | N
     return {name: run.record(name).content_hash for name in origin}
 
 
-def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":
+def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> Exported:
     if target == "crate":
         return export_crate(run, prototype, folder)
     if target == "controller":
@@ -111,7 +106,7 @@ def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | No
     return replace(exported, notes=[*exported.notes, *(f"{problem}: do not trust its free runs" for problem in failed)])
 
 
-def write_model(target: str, subject: "Subject", folder: Path) -> "Exported":
+def write_model(target: str, subject: Subject, folder: Path) -> Exported:
     """Write a model in the form of one of `MODELS`."""
     from ..export import fmu, sources
 
@@ -119,7 +114,7 @@ def write_model(target: str, subject: "Subject", folder: Path) -> "Exported":
     return writers[target](subject, folder)
 
 
-def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
+def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> Exported:
     from ..control.law import Law
     from ..export.controller import ControllerSubject, write_controller
 
@@ -136,7 +131,7 @@ def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported
     return write_controller(subject, folder)
 
 
-def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
+def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> Exported:
     """Write the run with its inputs as ``NAME.crate.zip``.
 
     Raises
@@ -146,8 +141,7 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
     CorruptArtifactError
         An artifact does not have the bytes that were written.
     """
-    from ..export.crate import Packed, write_crate
-    from ..export.subject import Exported
+    from ..export.crate import write_crate
 
     settings, inputs = _relocated(run, prototype)
     texts: dict[str, str] = {}
@@ -156,7 +150,7 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
         settings["plant"]["parameters"] = f"inputs/plant/{Path(parameters).name}"
         texts[settings["plant"]["parameters"]] = _recorded_parameters(run, parameters)
     target = folder / f"{prototype.folder}.crate.zip"
-    write_crate(run, Packed(prototype.folder, toml_text(settings), inputs, texts), target)
+    write_crate(run, prototype.folder, toml_text(settings), inputs, texts, target)
     return Exported([target])
 
 
@@ -198,8 +192,7 @@ def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], di
         if file_sha256(source) != recorded:
             raise InputError(f"{source}: changed since the run was made; run it again before it is packed")
     for table, key in (("plant", "curves"), ("plant", "siblings"), ("compare", "curves")):
-        name = settings[table][key]
-        if name is not None:
+        if (name := settings[table][key]) is not None:
             settings[table][key] = f"inputs/{table}/{Path(name).name}"
             inputs[settings[table][key]] = layout.source(name, home)
     return settings, inputs

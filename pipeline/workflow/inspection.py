@@ -97,18 +97,16 @@ def _centres(excitation: Excitation, factor: float, unit: str) -> Iterator[Short
         finding = f"{_places(excitation, rows, factor, unit)}: {fewest} samples, below {FEW}"
         if rows.start == 0 or rows.stop == len(poor):
             add = "full pulses in quick succession, so that it overshoots; or fewer basis functions"
+        elif isinstance(excitation.wells, Wells):
+            add = "pulses near the switching voltage and chirps, which linger between the wells"
         else:
             add = "chirps, random steps and pulses of all sizes, which lead it there"
-            if isinstance(excitation.wells, Wells):
-                add = "pulses near the switching voltage and chirps, which linger between the wells"
         yield Shortfall(finding, add)
 
 
 def _driven(excitation: Excitation, names: Sequence[str], factor: float, unit: str) -> Iterator[Shortfall]:
     for k, name in enumerate(names):
-        visited = excitation.visits.visits >= FEW
-        poor = (excitation.visits.driven[k] < FEW) & visited
-        for rows in runs_of(poor):
+        for rows in runs_of((excitation.visits.driven[k] < FEW) & (excitation.visits.visits >= FEW)):
             finding = f"{name} hardly acts at {_places(excitation, rows, factor, unit)}: its gain there is a guess"
             yield Shortfall(finding, f"pulses of {name}, also weak ones, while q is or swings there")
 
@@ -145,9 +143,7 @@ def _frequencies(excitation: Excitation, names: Sequence[str]) -> Iterator[Short
 
 def _places(excitation: Excitation, rows: slice, factor: float, unit: str) -> str:
     places = factor * excitation.centres[rows]
-    first = places[0]
-    last = places[-1]
-    return f"q = {first:.1f} {unit}" if len(places) == 1 else f"q = {first:.1f} … {last:.1f} {unit}"
+    return f"q = {places[0]:.1f} {unit}" if len(places) == 1 else f"q = {places[0]:.1f} … {places[-1]:.1f} {unit}"
 
 
 @dataclass(frozen=True)

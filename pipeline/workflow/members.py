@@ -9,6 +9,7 @@ import zipfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import reduce
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -22,6 +23,7 @@ from ..system.plain_files import LARGEST_SETTINGS, read_plain
 from .prior_knowledge import read_siblings
 
 _ENDINGS = (".csv", ".tsv", ".xlsx")
+"""Of files that list prototypes in rows."""
 _LARGEST = 1 << 26
 _MOST_ROWS = 100_000
 _SHORT = {"train": "logs.train", "validation": "logs.validation"}
@@ -36,11 +38,6 @@ _PATHS = (
     ("compare", "curves"),
 )
 """Keys with paths that are relative to the settings file."""
-
-
-def is_table(place: Path) -> bool:
-    """True if a file lists prototypes in rows."""
-    return place.suffix.lower() in _ENDINGS and place.is_file()
 
 
 def table_settings(table: Path, base: Path | None, folder: Path) -> list[Path]:
@@ -114,13 +111,8 @@ def _settings(base: Mapping[str, Any], name: str, values: Mapping[str, Any], fol
     """The base with the values of a row, whose paths are relative to `folder`."""
     typed = {key: _logs(cell) if key.startswith("logs.") else _value(cell) for key, cell in values.items()}
     row = anchored(with_values({}, typed), folder)
-    return {"name": name} | with_values({**base, "name": name}, {key: _at(row, key) for key in typed})
-
-
-def _at(document: Any, key: str) -> Any:
-    for part in key.split("."):
-        document = document[part]
-    return document
+    whole = {key: reduce(lambda table, part: table[part], key.split("."), row) for key in typed}
+    return {"name": name} | with_values({**base, "name": name}, whole)
 
 
 def _value(cell: Any) -> Any:
@@ -149,16 +141,13 @@ def _rows(table: Path) -> Iterator[tuple[int, list[Any]]]:
 
 def _csv_rows(table: Path) -> Iterator[list[Any]]:
     try:
-        content = read_plain(table, _LARGEST)
+        text = read_plain(table, _LARGEST).decode("utf-8-sig")
     except OSError as error:
         raise InputError(f"{table}: cannot be read: {error.strerror or error}") from error
-    try:
-        text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise InputError(f"{table}: not UTF-8; save it as 'CSV UTF-8'") from None
     lines = text.splitlines(keepends=True)
-    heading = lines[0] if lines else ""
-    separator = max((",", ";", "\t"), key=heading.count)
+    separator = max((",", ";", "\t"), key=(lines[0] if lines else "").count)
     try:
         yield from csv.reader(lines, delimiter=separator, strict=True)
     except csv.Error as error:
@@ -193,8 +182,7 @@ def with_siblings(prototypes: Sequence[Path], siblings: Path, folder: Path) -> l
         try:
             document = anchored(read_document(path), path.resolve().parent)
             document = with_values(document, {"plant.siblings": str(siblings.resolve())})
-            name = parse_prototype(document, str(path)).folder
-            changed.append(write_settings(folder, name, document))
+            changed.append(write_settings(folder, parse_prototype(document, str(path)).folder, document))
         except InputError:
             changed.append(path)
     return changed
@@ -314,7 +302,7 @@ def prototype_files(places: Sequence[Path], output: Path, base: Path | None = No
     files: list[Path] = []
     of_rows: dict[Path, Path] = {}
     for place in places:
-        if is_table(place):
+        if place.suffix.lower() in _ENDINGS and place.is_file():
             for path in table_settings(place, base, output / SETTINGS):
                 if path in of_rows:
                     raise InputError(f"{place}: a prototype of {of_rows[path]} has the name of {path.stem}, too")
@@ -325,10 +313,10 @@ def prototype_files(places: Sequence[Path], output: Path, base: Path | None = No
             if not inside:
                 raise InputError(f"{place}: holds no settings file (*.toml)")
             files += inside
-        else:
-            if not place.exists():
-                raise InputError(f"{place}: no such file or folder")
+        elif place.exists():
             files.append(place)
+        else:
+            raise InputError(f"{place}: no such file or folder")
     if base is not None and not of_rows:
         raise InputError("--base: is what the rows of a table share; name a table, such as fleet.csv")
     return list(dict.fromkeys(path.resolve() for path in files))
@@ -368,8 +356,7 @@ def members(prototypes: Sequence[Path]) -> list[Member]:
     reserved = (*FLEET_FILES, SETTINGS, FAILED)
     for path in prototypes:
         member = _member(path)
-        folded = member.name.casefold()
-        if folded in reserved:
+        if (folded := member.name.casefold()) in reserved:
             raise InputError(
                 f"{path}: {member.name!r} is the name of a file of the fleet; name the prototype otherwise"
             )

@@ -35,12 +35,10 @@ def load_settings(prototype_file: Path) -> Prototype:
     try:
         prototype = parse_prototype(document, str(prototype_file))
         mistakes = list[str]()
-    except SeveralMistakesError as error:
-        prototype = None
-        mistakes = list(error.lines[1:])
     except InputError as error:
         prototype = None
-        mistakes = [str(error).removeprefix(f"{prototype_file}: ")]
+        several = error.lines[1:] if isinstance(error, SeveralMistakesError) else ()
+        mistakes = [*several] or [str(error).removeprefix(f"{prototype_file}: ")]
     mistakes += _wrong_units(document)
     if prototype is not None and not mistakes:
         device(prototype)  # whether the units suit each other
@@ -94,14 +92,12 @@ def require_sources(tasks: Sequence[Task]) -> None:
     sources = {path: task for task in tasks for path in (task.sources or {}).values()}
     for path, task in sources.items():
         try:
-            regular = stat.S_ISREG(path.stat().st_mode)
+            if not stat.S_ISREG(path.stat().st_mode):
+                mistakes.append(f"{path}: cannot be read: is no regular file; correct its name in {task.named_in}")
         except FileNotFoundError:
             mistakes.append(missing_source(path, task))
         except OSError as error:
             mistakes.append(unreadable_source(path, error))
-        else:
-            if not regular:
-                mistakes.append(f"{path}: cannot be read: is no regular file; correct its name in {task.named_in}")
     if len(mistakes) == 1:
         raise InputError(mistakes[0])
     if mistakes:
@@ -122,10 +118,9 @@ def refuse_training_as_validation(prototype: Prototype, prototype_file: Path) ->
     """
     try:
         raw = layout.raw_logs(prototype, prototype_file)
-        train = raw[: len(prototype.logs.train)]
-        validation = raw[len(prototype.logs.train) :]
-        sizes = [(*log, log[1].stat().st_size) for log in train]
-        for log, path, span in validation:
+        trained = len(prototype.logs.train)
+        sizes = [(*log, log[1].stat().st_size) for log in raw[:trained]]
+        for log, path, span in raw[trained:]:
             size = path.stat().st_size
             for other, place, its_span, its_size in sizes:
                 if size != its_size or max(span[0], its_span[0]) >= min(span[1], its_span[1]):

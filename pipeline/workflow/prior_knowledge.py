@@ -30,8 +30,6 @@ from .engine import Task
 from .steps.identify import PriorKnowledge
 
 ALGORITHM = "1"
-Write = Callable[..., Mapping[str, Written]]
-"""Writes the artifact of a file into a run."""
 MOST_ROWS = 100_000
 MEANINGS = {
     "F": "restoring force, positive where it pulls to the left",
@@ -202,8 +200,15 @@ def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
         layout.KNOWN_CURVES: ("known curves", "plant.curves"),
     }
 
-    def task(name: str, artifact: str, title: str, key: str, settings: dict[str, Any], write: Write) -> Task:
-        """The task of one file."""
+    def task(
+        name: str,
+        artifact: str,
+        title: str,
+        key: str,
+        settings: dict[str, Any],
+        write: Callable[..., Mapping[str, Written]],
+    ) -> Task:
+        """The task of one file, whose artifact `write` writes into a run."""
         path = layout.source(name, prototype_file)
         work = partial(write, path=path)
         return Task(

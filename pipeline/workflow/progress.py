@@ -42,9 +42,8 @@ class MemberState:
 
 def is_fleet(folder: Path) -> bool:
     """True if a folder is no run but holds runs, or failures of a batch."""
-    if not folder.is_dir() or (folder / MANIFEST).exists():
-        return False
-    return bool(_runs(folder) or failed_names(folder))
+    alone = folder.is_dir() and not (folder / MANIFEST).exists()
+    return alone and bool(_runs(folder) or failed_names(folder))
 
 
 def fleet_progress(output: Path) -> list[MemberState]:
@@ -55,8 +54,7 @@ def fleet_progress(output: Path) -> list[MemberState]:
     InputError
         The folder cannot be read, or holds no runs.
     """
-    names = sorted({*_runs(output), *failed_names(output)})
-    if not names:
+    if not (names := sorted({*_runs(output), *failed_names(output)})):
         raise InputError(f"{output}: holds no runs; name the DIR of `debist batch`")
     return [_member(output, name) for name in names]
 
@@ -81,7 +79,7 @@ def _member(output: Path, name: str) -> MemberState:
     if _is_file(run / HOLDER) and is_held(run):  # the lock itself is tried only where a note names its holder
         return MemberState(name, "running", since=_time(run / HOLDER))
     if (failed := failure(output, name)) is not None:
-        return MemberState(name, "failed", failed.reason, datetime.fromtimestamp(failed.time, UTC))
+        return MemberState(name, "failed", failed.reason, failed.time)
     if not _is_file(run / MANIFEST):
         return MemberState(name, "stopped")
     try:
@@ -100,11 +98,11 @@ def _time(path: Path) -> datetime | None:
 
 
 class Failure(NamedTuple):
-    """Failure of a prototype: exit code, reason in one line, and time [s since the epoch]."""
+    """Failure of a prototype: exit code, reason in one line, and time."""
 
     exit_code: int
     reason: str
-    time: float
+    time: datetime
 
 
 def failure_file(output: Path, name: str) -> Path:
@@ -141,13 +139,13 @@ def forget_failure(output: Path, name: str) -> None:
 def failure(output: Path, name: str) -> Failure | None:
     """Last failure of a prototype; None where there is none, or where something was written into its run since."""
     path = failure_file(output, name)
+    changed = _time(output / name / MANIFEST)
+    time = _time(path)
     try:
-        text = read_plain(path, _LARGEST).decode("utf-8", "replace")
-        time = path.stat().st_mtime
+        head = _HEAD.match(read_plain(path, _LARGEST).decode("utf-8", "replace"))
     except OSError:
         return None
-    head = _HEAD.match(text)
-    if head is None or _changed(output / name) > time:
+    if head is None or time is None or (changed is not None and changed > time):
         return None
     return Failure(int(head[1]), head[2], time)
 
@@ -155,10 +153,3 @@ def failure(output: Path, name: str) -> Failure | None:
 def failed_names(output: Path) -> list[str]:
     """The prototypes whose failure is kept."""
     return sorted(path.stem for path in (output / FAILED).glob("*.txt"))
-
-
-def _changed(run: Path) -> float:
-    """Time at which the manifest of a run was written [s since the epoch]; 0 where there is none."""
-    with suppress(OSError):
-        return (run / MANIFEST).stat().st_mtime
-    return 0.0

@@ -61,7 +61,8 @@ def read_run(
         scores=tuple(row for row in rows if row["model"] in models),
         provenance=provenance(run, prototype),
         accepted=_accepted(run, prototype),
-        log_checks=_log_checks(run),
+        # A run of before they were made has no checks.
+        log_checks=tuple(run.read_document(layout.CHECK)["rows"]) if layout.CHECK in run.manifest.artifacts else (),
         choice=run.record(layout.MODELS).notes.get(CHOICE),
         studies=tuple(read_study(run, name, plant) for name in studies),
         measured_curves=measured_curves(run, prototype),
@@ -86,13 +87,6 @@ def measured_curves(run: RunFolder, prototype: Prototype) -> dict[str, FloatArra
     }
 
 
-def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:
-    """The rows of `debist check`; none in a run of before they were made."""
-    if layout.CHECK not in run.manifest.artifacts:
-        return ()
-    return tuple(run.read_document(layout.CHECK)["rows"])
-
-
 def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
     """Findings that the quality gates let pass by the settings, those of the logs first."""
     accepted = [
@@ -100,9 +94,8 @@ def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
         for role, name, _ in layout.logs(prototype)
         for text in run.record(layout.record(role, name)).notes.get("accepted", ())
     ]
-    if layout.CHECK in run.manifest.artifacts:
-        accepted += run.record(layout.CHECK).notes.get("accepted", ())
-    return (*accepted, *run.record(layout.MODELS).notes.get("accepted", ()))
+    held = [artifact for artifact in (layout.CHECK, layout.MODELS) if artifact in run.manifest.artifacts]
+    return (*accepted, *(text for artifact in held for text in run.record(artifact).notes.get("accepted", ())))
 
 
 def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:
@@ -148,19 +141,16 @@ def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
     """Reasons why "auto" chose the model `name`, for readers; empty where it chose another or was not used."""
     if choice is None or choice["chosen"] != name:
         return {}
-    facts: dict[str, Any] = {WHY: choice["reason"]}
-    for model, error in choice["held_out_error"].items():
-        facts[f"held-out error of {model} [%]"] = 100.0 * error
+    errors = {f"held-out error of {model} [%]": 100.0 * error for model, error in choice["held_out_error"].items()}
+    facts: dict[str, Any] = {WHY: choice["reason"], **errors}
     if (excess := choice["excess_of_the_other"]) is not None:
-        low = 100.0 * excess["low"]
-        high = 100.0 * excess["high"]
-        facts["the other's error is higher by, 95 % interval"] = f"{low:.2f} to {high:.2f} % of the range"
+        low, high = (f"{100.0 * excess[end]:.2f}" for end in ("low", "high"))
+        facts["the other's error is higher by, 95 % interval"] = f"{low} to {high} % of the range"
     return facts
 
 
 def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
-    made = {m: layout.predictions(role, name, m) for m in models}
-    made = {m: artifact for m, artifact in made.items() if artifact in run.manifest.artifacts}
+    made = {m: a for m in models if (a := layout.predictions(role, name, m)) in run.manifest.artifacts}
     return LogData(
         role=role,
         name=name,
@@ -176,22 +166,22 @@ def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: s
 
 def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
     """Provenance of every number: settings, raw logs, artifacts, versions. No times, no machine's paths."""
-    artifacts = []
-    sources = []
-    for role, name, path in layout.logs(prototype):
-        recipe = run.record(layout.record(role, name)).recipe
-        sources += [{"log": log_title(role, name), "file": path, "sha256": digest} for digest in recipe.inputs.values()]
-    for artifact, record in sorted(run.manifest.artifacts.items()):
-        if record.recipe.stage != "report":
-            artifacts.append(
-                {
-                    "artifact": artifact,
-                    "stage": record.recipe.stage,
-                    "algorithm": record.recipe.algorithm,
-                    "content_hash": record.content_hash,
-                    "bytes": record.bytes,
-                }
-            )
+    sources = [
+        {"log": log_title(role, name), "file": path, "sha256": digest}
+        for role, name, path in layout.logs(prototype)
+        for digest in run.record(layout.record(role, name)).recipe.inputs.values()
+    ]
+    artifacts = [
+        {
+            "artifact": artifact,
+            "stage": record.recipe.stage,
+            "algorithm": record.recipe.algorithm,
+            "content_hash": record.content_hash,
+            "bytes": record.bytes,
+        }
+        for artifact, record in sorted(run.manifest.artifacts.items())
+        if record.recipe.stage != "report"
+    ]
     return {
         "prototype": json.loads(prototype.model_dump_json()),
         "prototype_file": run.manifest.prototype_file.rpartition("/")[2],
@@ -217,11 +207,6 @@ def instruments_shown(root: Path) -> tuple[list[dict[str, Any]], Mapping[tuple[s
     return in_snapshot(root, shown)
 
 
-def load_instruments(root: Path) -> list[dict[str, Any]]:
-    """The errors of the instruments of a run's logs as records, null where they are not measured."""
-    return in_snapshot(root, lambda run: list(_instruments(run)))
-
-
 def load_datasheet(root: Path) -> dict[str, Any]:
     """The document ``datasheet.json`` of a run, checked against the manifest.
 
@@ -237,19 +222,17 @@ def load_datasheet(root: Path) -> dict[str, Any]:
 
 def ingested(run: RunFolder) -> list[dict[str, Any]]:
     """Ingest results of each log: rows of its uniform record, their interval [s], masked rows, and gaps in time."""
-    results = []
-    for role, log, path in layout.logs(run.prototype):
-        notes = run.record(layout.signals(role, log)).notes
-        results.append(
-            {
-                "log": log_title(role, true_name(path)),
-                "rows": notes["rows"],
-                "masked_rows": notes["masked_rows"],
-                "interval_s": notes["interval"],
-                "gaps": notes["gaps_in_time"],
-            }
-        )
-    return results
+    return [
+        {
+            "log": log_title(role, true_name(path)),
+            "rows": notes["rows"],
+            "masked_rows": notes["masked_rows"],
+            "interval_s": notes["interval"],
+            "gaps": notes["gaps_in_time"],
+        }
+        for role, log, path in layout.logs(run.prototype)
+        for notes in [run.record(layout.signals(role, log)).notes]
+    ]
 
 
 def differentiated(run: RunFolder) -> list[dict[str, Any]]:

@@ -12,16 +12,18 @@ from ..errors import DebistError
 from ..settings.prototype import Prototype, load_prototype
 from ..store import layout
 from ..store.atomic import run_lock, sweep
-from ..store.manifest import MANIFEST, load_manifest
+from ..store.manifest import MANIFEST, load_manifest, recover
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import Typeface
-from . import prior_knowledge as side_files
-from . import stage_check as check
-from . import stage_identify as identify
-from . import stage_ingest as ingest
-from . import stage_instruments as instruments
-from . import stage_report as report
-from . import stage_validate as validate
+from . import (
+    prior_knowledge,
+    stage_check,
+    stage_identify,
+    stage_ingest,
+    stage_instruments,
+    stage_report,
+    stage_validate,
+)
 from .engine import After, Observer, Plan, Task, TaskStatus, bring_up_to_date, status, tasks_of
 from .place import Place, before_any_work, edited, place_of, run_folder
 from .run_models import identified_models, made_control
@@ -81,41 +83,44 @@ class Stage:
 
 def reading_tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """The tasks that read raw files."""
-    return [*ingest.tasks(prototype, prototype_file), *side_files.tasks(prototype, prototype_file)]
+    return [*stage_ingest.tasks(prototype, prototype_file), *prior_knowledge.tasks(prototype, prototype_file)]
 
 
 def _compare(planned: Planned) -> Iterator[Task]:
     for name in planned.prototype.baselines:
-        yield identify.baseline_task(planned.prototype, planned.parameters, name)
-        yield validate.task(planned.prototype, planned.parameters, "compare", name, layout.baseline(name))
+        yield stage_identify.baseline_task(planned.prototype, planned.parameters, name)
+        yield stage_validate.task(planned.prototype, planned.parameters, "compare", name, layout.baseline(name))
 
 
 def _report(planned: Planned) -> list[Task]:
     run = planned.run
-    figures = planned.typeface or report.made_figures(run)
-    return report.tasks(
-        planned.prototype, planned.parameters, planned.scored, report.made_studies(run), figures, made_control(run)
+    figures = planned.typeface or stage_report.made_figures(run)
+    studies = stage_report.made_studies(run)
+    return stage_report.tasks(
+        planned.prototype, planned.parameters, planned.scored, studies, figures, made_control(run)
     )
 
 
 STAGES = (
     Stage("ingest", lambda p: reading_tasks(p.prototype, p.prototype_file)),
-    Stage("check", lambda p: check.tasks(p.prototype)),
-    Stage("differentiate", lambda p: ingest.differentiate_tasks(p.prototype), with_it=("check",)),
-    Stage("identify", lambda p: identify.tasks(p.prototype, p.parameters, p.jobs), known_after=layout.CHECK),
+    Stage("check", lambda p: stage_check.tasks(p.prototype)),
+    Stage("differentiate", lambda p: stage_ingest.differentiate_tasks(p.prototype), with_it=("check",)),
+    Stage("identify", lambda p: stage_identify.tasks(p.prototype, p.parameters, p.jobs), known_after=layout.CHECK),
     Stage("compare", _compare, with_it=("scores",)),
     Stage(
         "instruments",
-        lambda p: [instruments.task(p.prototype, identified_models(p.run, p.prototype))],
+        lambda p: [stage_instruments.task(p.prototype, identified_models(p.run, p.prototype))],
         known_after=layout.MODELS,
     ),
     Stage(
         "validate",
-        lambda p: validate.tasks(p.prototype, p.parameters, identified_models(p.run, p.prototype)),
+        lambda p: stage_validate.tasks(p.prototype, p.parameters, identified_models(p.run, p.prototype)),
         known_after=layout.MODELS,
         with_it=("instruments", "scores"),
     ),
-    Stage("scores", lambda p: [validate.scores_task(p.prototype, p.parameters, p.scored)], known_after=layout.MODELS),
+    Stage(
+        "scores", lambda p: [stage_validate.scores_task(p.prototype, p.parameters, p.scored)], known_after=layout.MODELS
+    ),
     Stage("report", _report, known_after=layout.MODELS, with_it=("instruments",)),
 )
 STAGE_NAMES = tuple(stage.name for stage in STAGES)
@@ -218,7 +223,7 @@ def run_stage(
     with run_lock(root):
         run = RunFolder.open(root)
         _strike_lost(run, observer)
-        models = () if stage == "compare" else validate.scored_models(run, run.prototype)
+        models = () if stage == "compare" else stage_validate.scored_models(run, run.prototype)
         planned = Planned(run, run.prototype, Path(run.manifest.prototype_file), models, figures, jobs)
         beside = next(row.with_it for row in STAGES if row.name == stage)
         selected = list(tasks_of(of_stages(plan(planned), (stage, *beside))))
@@ -235,7 +240,7 @@ def run_stage(
 
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
     """Strike off damaged or lost artifacts of other commands: no stage makes them anew."""
-    run.recover()
+    recover(run.root)
     for name in [name for name in run.manifest.artifacts if layout.command_of(name)]:
         if problem := run.strike(name):
             observer.warned(name, f"{problem}; `debist {layout.command_of(name)}` makes it anew")

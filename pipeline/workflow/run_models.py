@@ -1,12 +1,13 @@
 """The models that a run holds: their names, the main model first, how one is loaded, and what control made of them."""
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
 from ..device.device import device
 from ..errors import InputError
+from ..export.subject import Subject, Validity
 from ..models.base import DynamicModel
 from ..models.free_runs import start_of
 from ..models.model_type import model_from_tree
@@ -17,9 +18,6 @@ from ..store.run_folder import RunFolder
 from ..system.names import shell_word
 from .logs import load_logs, load_motion
 from .steps.identify import EQUATIONS, IDENTIFIED
-
-if TYPE_CHECKING:
-    from ..export.subject import Subject, Validity
 
 WORST = 0.15
 """NRMSE of q on a validation log above which a model does not know where the device is."""
@@ -101,18 +99,16 @@ def made_control(run: RunFolder) -> tuple[str, ...]:
     return tuple(t for t, name in names if name in artifacts and present in artifacts[name].recipe.inputs.values())
 
 
-def failed_validations(run: RunFolder, name: str) -> list[str]:
+def failed_validations(run: RunFolder, name: str) -> Iterator[str]:
     """Sentences on validation logs on which a model diverges, or errs by more than `WORST`; none without scores."""
     if layout.SCORES not in run.manifest.artifacts:
-        return []
+        return
     table = run.read_table(layout.SCORES)
     rows = (table["model"] == name) & (table["role"] == "validation") & (table["signal"] == "q")
-    failures = []
     for log, status, error in zip(table["log"][rows], table["status"][rows], table["nrmse"][rows], strict=True):
         if status != "ok" or not error <= WORST:
             failure = "diverges" if status != "ok" else f"has an NRMSE of {100.0 * error:.0f} % of q"
-            failures.append(f"the model {name} {failure} on the validation log {log}")
-    return failures
+            yield f"the model {name} {failure} on the validation log {log}"
 
 
 def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> DynamicModel:
@@ -127,18 +123,20 @@ def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None
     return model_from_tree(chosen, run.read_tree(artifact, chosen))
 
 
-def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
+def subject(run: RunFolder, prototype: Prototype, name: str | None) -> Subject:
     """A model of the run, the main model if none is named, and what travels along with it."""
     chosen, artifact = model_artifact(run, prototype, name)
     model = model_from_tree(chosen, run.read_tree(artifact, chosen))
-    check = _check_log(run, prototype)
+    # The first validation log, or the first training log where there is none; of one with gaps the longest part.
+    role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
+    check = load_motion(run, prototype, role, log).longest_part()
     logs = load_logs(run, prototype, "train")
     return subject_on(check, model, prototype, logs, chosen, run.record(artifact).content_hash)
 
 
 def subject_on(
     check: Log, model: DynamicModel, prototype: Prototype, logs: Sequence[Log], name: str, origin: str
-) -> "Subject":
+) -> Subject:
     """A model called `name`, identified from the kinematics of `logs`, with the log `check` that travels along.
 
     The clock of that log begins at zero, as an exported model does: `hybrid` takes a later one for time in use.
@@ -158,8 +156,6 @@ def subject_on(
     origin : str
         Content hash of what holds it.
     """
-    from ..export.subject import Subject
-
     t, _, q0, qdot0 = start_of(check, model)
     return Subject(
         prototype=prototype.name,
@@ -174,16 +170,8 @@ def subject_on(
     )
 
 
-def _check_log(run: RunFolder, prototype: Prototype) -> Log:
-    """The first validation log, or the first training log where there is none; of one with gaps the longest part."""
-    role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
-    return load_motion(run, prototype, role, log).longest_part()
-
-
-def validity_of(logs: Sequence[Log], prototype: Prototype) -> "Validity":
+def validity_of(logs: Sequence[Log], prototype: Prototype) -> Validity:
     """Ranges of the training logs."""
-    from ..export.subject import Validity
-
     plant = device(prototype)
 
     def span(values: list[np.ndarray]) -> tuple[float, float]:

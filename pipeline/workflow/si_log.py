@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -78,11 +78,9 @@ def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | 
         at = np.interp(velocity[0], time[measured], phi[measured])
         velocity = velocity[0], velocity[1] * displacement_of_rotation(at, parameters)[1]
 
-    def displacement() -> Iterator[FloatArray]:
-        """Parts of the log, so that a long log does not lie in memory."""
-        return (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
-
-    return replace(log, q=(time, column(phi.size, displacement(), np.float64)), velocity=velocity)
+    # Part by part, so that a long log does not lie in memory.
+    displacement = (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
+    return replace(log, q=(time, column(phi.size, displacement, np.float64)), velocity=velocity)
 
 
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
@@ -142,8 +140,13 @@ def on_uniform_clocks(log: RawLog) -> RawLog:
     made = [
         (time if (clock := clocks[id(time)]) is None else clock.time, samples) for time, samples in signals.values()
     ]
-    inputs = len(log.inputs)
-    return RawLog(made[0], tuple(made[1 : inputs + 1]), made[-1] if made[inputs + 1 :] else None, tuple(notes))
+    return _raw_log(made, len(log.inputs), notes)
+
+
+def _raw_log(signals: Iterable[Signal], inputs: int, notes: Iterable[str]) -> RawLog:
+    """A log of q, so many inputs, and perhaps a velocity."""
+    q, *others = signals
+    return RawLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
 
 
 def part_of_log(log: RawLog, span: tuple[float, float], path: Path) -> RawLog:
@@ -164,9 +167,8 @@ def part_of_log(log: RawLog, span: tuple[float, float], path: Path) -> RawLog:
             f"{path}: has no sample from {span[0]:.6g} to {span[1]:.6g} s: its time runs from "
             f"{np.nanmin(log.q[0]):.6g} to {np.nanmax(log.q[0]):.6g} s; correct start and stop in [logs]"
         )
-    q, *others = ((bases[id(time)], samples[rows[id(time)]]) for time, samples in signals)
-    inputs = len(log.inputs)
-    return RawLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, log.notes)
+    cut = ((bases[id(time)], samples[rows[id(time)]]) for time, samples in signals)
+    return _raw_log(cut, len(log.inputs), log.notes)
 
 
 def _within(time: FloatArray, span: tuple[float, float]) -> "slice | BoolArray":
@@ -223,14 +225,13 @@ def _si_log(recording: Recording, prototype: Prototype, plant: Device, clocks: M
                 f"{recording.path}: channel {channel.channel!r} has {samples.size} samples, but its time has "
                 f"{base.size}; they are not of one recording, or the log was cut"
             )
-    q, *others = (
+    held_or_read = (
         _held(recording.path, channel, bases[0], (base, samples))
         if channel.on_change
         else _without_blanks((base, samples), name, notes, alone=base is not bases[0])
         for (channel, _), name, base, samples in zip(signals, names, bases, columns, strict=True)
     )
-    inputs = len(plant.inputs)
-    return RawLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
+    return _raw_log(held_or_read, len(plant.inputs), notes)
 
 
 def _without_blanks(signal: Signal, name: str, notes: list[str], *, alone: bool) -> Signal:
@@ -270,14 +271,12 @@ def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
 def _si(recording: Recording, log_column: LogColumn, unit: SiUnit, name: str, notes: list[str]) -> FloatArray:
     """A column in SI units, NaN in place of codes for no value, which are noted under its name in a record."""
     read = recording.channel(log_column.channel)
-    factor = unit.factor * log_column.scale
-    offset = unit.factor * log_column.offset
     if log_column.scale == 1.0:  # else the log's own unit is that of its data acquisition
         _check_unit(recording.path, read.name, read.unit, log_column.unit, unit)
         notes += [f"{name}: {note}" for note in recording.unapplied(log_column.channel) if not log_column.offset]
     codes = codes_in(read.samples, log_column.missing, of_time=unit.symbol == "s")
     notes += [f"{name}: {text}" for text in code_remarks(codes)]
-    samples = scaled(masked(read.samples, codes), factor, offset)
+    samples = scaled(masked(read.samples, codes), unit.factor * log_column.scale, unit.factor * log_column.offset)
     part = log_column.part if isinstance(log_column, Channel) else "all"
     return samples if part == "all" else one_sign(samples, 1.0 if part == "positive" else -1.0)
 
@@ -360,7 +359,8 @@ def _own_bases(recording: Recording, channels: list[Channel], rate: float | None
         if base is None and rate is not None:
             counted[channel.channel] = read.samples.size
             base = next((other for other in bases if other.size == read.samples.size), None)
-            base = _counted(read.samples.size, rate) if base is None else base
+            stamps = (np.arange(rows.start, rows.stop) / rate for rows in chunks(read.samples.size))
+            base = column(read.samples.size, stamps, np.float64) if base is None else base
         if base is None:
             raise InputError(
                 f"{recording.path}: the format carries no time base; name the time channel as [channels] time, "
@@ -436,11 +436,6 @@ def _rate_of_column(column: RecordedChannel, wanted: float) -> dict[str, float]:
     steps = (float(numbers[-1] - numbers[0]) / (numbers.size - 1), nominal_step(numbers))  # with gaps, or coarse stamps
     rates = [1.0 / (step * factor) for factor in factors for step in steps]
     return {column.name: next((rate for rate in rates if abs(rate / wanted - 1.0) <= _RATES_AGREE), 1.0 / steps[0])}
-
-
-def _counted(size: int, rate: float) -> FloatArray:
-    """Stamps [s] of so many samples at a rate [Hz]."""
-    return column(size, (np.arange(rows.start, rows.stop) / rate for rows in chunks(size)), np.float64)
 
 
 _UNIT_IN_NAME = re.compile(r"[\[(](?P<unit>[^\[\]()]+)[\])]$")

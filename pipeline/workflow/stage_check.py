@@ -71,21 +71,20 @@ def examine(run: RunFolder, prototype: Prototype) -> list[Finding]:
     twice = shared_findings(logs, shared)
     for (i, k, _), finding in zip(shared, twice, strict=True):
         if named[i][0] != named[k][0]:
-            spans = shared_spans(finding)
             raise InputError(
                 f"logs.validation: {named[k][2]!r} holds the recording of the training log {named[i][2]!r}: "
-                f"{spans}; validate on a recording of its own, or cut what both hold"
+                f"{shared_spans(finding)}; validate on a recording of its own, or cut what both hold"
             )
     return [*check_logs(logs, device(prototype), prototype.ingest.sample_interval), *twice]
 
 
 def signals(run: RunFolder, prototype: Prototype) -> list[LogSignals]:
     """The ingested logs of a run as the checks take them."""
-    logs = []
-    for role, log, path in layout.logs(prototype):
-        name = layout.record(role, log)
-        logs.append(log_signals(log_title(role, true_name(path)), run.read_table(name), run.record(name).notes))
-    return logs
+    return [
+        log_signals(log_title(role, true_name(path)), run.read_table(name), run.record(name).notes)
+        for role, log, path in layout.logs(prototype)
+        for name in [layout.record(role, log)]
+    ]
 
 
 def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> LogSignals:

@@ -59,17 +59,21 @@ def _identify(
     jobs: int,
 ) -> dict[str, Written]:
     plant = device(prototype)
-    data = load_logs(run, prototype, "train")
-    prior = prior_knowledge_of(run, prototype, parameters)
-    models, notes = identified(data, prototype, parameters, prior, on_progress, jobs)
+    models, notes = identified(
+        load_logs(run, prototype, "train"),
+        prototype,
+        parameters,
+        prior_knowledge_of(run, prototype, parameters),
+        on_progress,
+        jobs,
+    )
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
         **{name: model.to_tree() for name, model in models.items()},
         MAIN_MODEL: notes[IDENTIFIED][0],
+        **({"choice_json": json.dumps(notes[CHOICE], sort_keys=True)} if CHOICE in notes else {}),
     }
-    if CHOICE in notes:
-        tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
     columns = columns_of(plant, {name: type(model) for name, model in models.items()})
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}
 

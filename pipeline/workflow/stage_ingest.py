@@ -1,7 +1,7 @@
 """Ingest and differentiate: raw logs to uniform records in SI units, and these to kinematics."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
@@ -13,7 +13,7 @@ from ..diagnostics.sentences import accepted_settings
 from ..numerics.arrays import FloatArray
 from ..settings.logs import Role
 from ..settings.prototype import LogGate, Prototype
-from ..signals.log import Corrections, RawLog
+from ..signals.log import Corrections
 from ..signals.uniform_record import Resampling
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
@@ -26,9 +26,6 @@ from .steps.differentiate import kinematics
 from .steps.ingest import examined, record_columns, resamplings
 
 ALGORITHM = "20"
-
-Reader = Callable[[Callable[[float], None]], RawLog]
-"""A function that reads a log, and reports the share of it that is read."""
 
 
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
@@ -84,25 +81,14 @@ def _task(
         work=partial(
             _ingest,
             prototype=prototype,
-            read=partial(_read, prototype, parameters, path, span, by),
-            where=str(path),
+            parameters=parameters,
+            path=path,
+            span=span,
+            by=by,
             outputs=(layout.record(role, log), layout.signals(role, log)),
         ),
         reports=True,
     )
-
-
-def _read(
-    prototype: Prototype,
-    parameters: JointParameters | None,
-    path: Path,
-    span: tuple[float, float],
-    by: Corrections,
-    progress: Callable[[float], None],
-) -> RawLog:
-    """The part of a log that the settings name, in SI units and corrected; see `_task`."""
-    raw = part_of_log(read_si(path, prototype, parameters, progress), span, path)
-    return corrected_log(raw, by) if by.act else raw
 
 
 def _ingest(
@@ -110,23 +96,27 @@ def _ingest(
     on_progress: OnProgress,
     *,
     prototype: Prototype,
-    read: Reader,
-    where: str,
+    parameters: JointParameters | None,
+    path: Path,
+    span: tuple[float, float],
+    by: Corrections,
     outputs: tuple[str, str],
 ) -> Mapping[str, Written]:
-    signals = read(partial(on_progress, "reading"))
+    """Write the records of the part of a log that the settings name, corrected; see `_task`."""
+    raw = part_of_log(read_si(path, prototype, parameters, partial(on_progress, "reading")), span, path)
+    signals = corrected_log(raw, by) if by.act else raw
     on_progress("examining", 0.0)
-    log_seen = examined(signals, prototype, where)
-    written = {}
+    log_seen = examined(signals, prototype, str(path))
     kinds = (schemas.RECORD, schemas.SIGNALS)
-    for name, kind, resampling in zip(outputs, kinds, resamplings(log_seen, prototype.ingest), strict=True):
-        written[name] = run.write_pieces(
+    return {
+        name: run.write_pieces(
             name,
             schemas.schema_of(kind, device(prototype)),
             _pieces(resampling, tuple(signals.beside), on_progress),
             asdict(resampling.report) | log_seen.notes,
         )
-    return written
+        for name, kind, resampling in zip(outputs, kinds, resamplings(log_seen, prototype.ingest), strict=True)
+    }
 
 
 def _pieces(
@@ -159,8 +149,8 @@ def differentiate_tasks(prototype: Prototype) -> list[Task]:
 
 
 def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Mapping[str, Written]:
-    signals = run.read_table(layout.signals(role, log))
-    fine = run.read_table(layout.record(role, log))
-    columns, notes = kinematics(signals, fine, prototype)
+    columns, notes = kinematics(
+        run.read_table(layout.signals(role, log)), run.read_table(layout.record(role, log)), prototype
+    )
     name = layout.kinematics(role, log)
     return {name: run.write_table(name, schemas.schema_of(schemas.KINEMATICS, device(prototype)), columns, notes)}

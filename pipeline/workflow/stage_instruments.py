@@ -41,10 +41,8 @@ def task(prototype: Prototype, identified: Sequence[str]) -> Task:
 
 def _measure(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> Mapping[str, Written]:
     logs = {(role, log): load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype)}
-    rows = []
-    for name in models:
-        model = model_from_tree(name, run.read_tree(layout.MODELS, name))
-        rows += instrument_rows(model, logs, corrections(prototype))
+    held = [model_from_tree(name, run.read_tree(layout.MODELS, name)) for name in models]
+    rows = [row for model in held for row in instrument_rows(model, logs, corrections(prototype))]
     columns = {column.key: [row[column.key] for row in rows] for column in schemas.INSTRUMENTS.columns}
     return {layout.INSTRUMENTS: run.write_table(layout.INSTRUMENTS, schemas.INSTRUMENTS, columns, {})}
 

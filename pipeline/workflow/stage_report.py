@@ -112,10 +112,12 @@ def made_studies(run: RunFolder) -> tuple[StudyName, ...]:
 
 def made_figures(run: RunFolder) -> Typeface | None:
     """Typeface of the figures for a paper that a run holds, which a rerun keeps up to date; None if it holds none."""
-    for name, record in run.manifest.artifacts.items():
-        if record.recipe.stage == "report" and name not in (layout.REPORT, layout.DATASHEET):
-            return "serif" if record.recipe.settings.get("typeface") == "serif" else "sans"
-    return None
+    drawn = (
+        record.recipe.settings.get("typeface")
+        for name, record in run.manifest.artifacts.items()
+        if record.recipe.stage == "report" and name not in (layout.REPORT, layout.DATASHEET)
+    )
+    return next(("serif" if typeface == "serif" else "sans" for typeface in drawn), None)
 
 
 def prepare(

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -15,10 +15,10 @@ from ..device.device import Device, device
 from ..device.parameters import JointParameters, parameter_values
 from ..diagnostics.characteristics import believed_wells, stable_rests
 from ..models.analytical.statics import RotationMap, rotation_map
-from ..models.base import DynamicModel, FreeRun
-from ..models.free_runs import Tubes, free_run, tube_columns
+from ..models.free_runs import free_run, tube_columns
 from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
+from ..reporting.tables import Format, NrmseTable, behaviour_table, nrmse_table, render, scores_csv
 from ..scoring.wells import NoWells, Wells, wells_of
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
@@ -33,9 +33,6 @@ from .engine import Task
 from .logs import load_motion, sources
 from .run_models import identified_models
 from .steps.score import ComparedRun, rows_of_log, validated
-
-if TYPE_CHECKING:
-    from ..reporting.tables import Format, NrmseTable
 
 ALGORITHM = "29"
 
@@ -89,36 +86,22 @@ def _predict(
     seen = stable_rests(model, [log.q for log in trained])
     wells = believed_wells(wells_of(list(logs.values()), plant=plant), name, seen, plant=plant)
     for (role, log_name), log in logs.items():
-        if not written:
-            _compile(model, log)
+        if not written:  # have the kernels compiled, once per machine: that is no part of the time of a run
+            free_run(log.parts()[0].part(0, 3), model)
         result, tubes, notes = validated(log, model, wells, trained, plant)
         artifact = layout.predictions(role, log_name, name)
-        written[artifact] = _write(run, artifact, plant, rotation, result, tubes, {"stable_rests": seen} | notes)
+        columns = {
+            "t": result.t,
+            "q": result.q,
+            "qdot": result.qdot,
+            "qddot": result.qddot,
+            **({} if tubes is None else tube_columns(tubes)),
+            **({} if rotation is None else {"phi": rotation(result.q)}),
+        }
+        outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s, "stable_rests": seen}
+        schema = schemas.schema_of(schemas.PREDICTIONS, plant, phi=rotation is not None, tubes=tubes is not None)
+        written[artifact] = run.write_table(artifact, schema, columns, outcome | notes)
     return written
-
-
-def _compile(model: DynamicModel, log: Log) -> None:
-    """Have the model's kernels compiled, which is done once per machine and is no part of the time of a run."""
-    free_run(log.parts()[0].part(0, 3), model)
-
-
-def _write(
-    run: RunFolder,
-    artifact: str,
-    plant: Device,
-    rotation: RotationMap | None,
-    result: FreeRun,
-    tubes: Tubes | None,
-    notes: Mapping[str, Any],
-) -> Written:
-    columns = {"t": result.t, "q": result.q, "qdot": result.qdot, "qddot": result.qddot}
-    if tubes is not None:
-        columns |= tube_columns(tubes)
-    if rotation is not None:
-        columns["phi"] = rotation(result.q)
-    outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s}
-    schema = schemas.schema_of(schemas.PREDICTIONS, plant, phi=rotation is not None, tubes=tubes is not None)
-    return run.write_table(artifact, schema, columns, {**outcome, **notes})
 
 
 SCORES_ALGORITHM = "11"
@@ -126,7 +109,6 @@ SCORES_ALGORITHM = "11"
 
 def scores_task(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> Task:
     """Score these models, the main model first, on every log."""
-    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
         stage="scores",
         title="NRMSE table",
@@ -134,7 +116,7 @@ def scores_task(prototype: Prototype, parameters: JointParameters | None, models
         settings={"models": list(models), "parameters": parameter_values(parameters)},
         inputs=tuple(
             name
-            for role, log in logs
+            for role, log, _ in layout.logs(prototype)
             for name in (layout.kinematics(role, log), *(layout.predictions(role, log, model) for model in models))
         ),
         outputs=(layout.SCORES,),
@@ -168,12 +150,15 @@ def _score(
     rows = []
     wells = _wells(run, [measured for _, _, measured in logs], plant, layout.logs(prototype)[0][:2], models)
     for role, log, measured in logs:
-        runs = {}
-        for model in models:
-            name = layout.predictions(role, log, model)
-            runs[model] = ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
-        for row in rows_of_log(plant, measured, runs, wells):
-            rows.append({"log": log, "role": role, "headline": row["model"] == models[0]} | row)
+        runs = {
+            model: ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
+            for model in models
+            for name in [layout.predictions(role, log, model)]
+        }
+        rows += [
+            {"log": log, "role": role, "headline": row["model"] == models[0]} | row
+            for row in rows_of_log(plant, measured, runs, wells)
+        ]
     columns = {column.key: [row.get(column.key) for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
 
@@ -196,10 +181,8 @@ def _pairs(
     return {name: pairs[name] for name in SIGNALS if name in pairs}
 
 
-def score_text(root: Path, form: "Format") -> str:
+def score_text(root: Path, form: Format) -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
-    from ..reporting.tables import render, scores_csv
-
     if form == "csv":
         return scores_csv(
             *in_snapshot(root, lambda run: ((records := run.read_records(layout.SCORES)), _times(run, records)))
@@ -207,10 +190,8 @@ def score_text(root: Path, form: "Format") -> str:
     return "\n".join(render(table, form) for table in score_tables(root))
 
 
-def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
+def score_tables(root: Path) -> tuple[NrmseTable, ...]:
     """Errors with fitting and simulation times, and behaviour of all models on all logs."""
-    from ..reporting.tables import behaviour_table, nrmse_table
-
     times, shown = in_snapshot(
         root, lambda run: (_times(run, records := run.read_records(layout.SCORES)), _shown(run, records))
     )

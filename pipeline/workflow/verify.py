@@ -114,9 +114,8 @@ def _others(run: RunFolder) -> Iterator[str]:
 
 
 def _is_leftover(path: str) -> bool:
-    marks = (TEMPORARY_MARK, STAGED_MARK)
-    temporary = any(name.startswith(".") and name.endswith(marks) for name in path.split("/"))
-    return temporary or path == HOLDER
+    names = path.split("/")
+    return path == HOLDER or any(n.startswith(".") and n.endswith((TEMPORARY_MARK, STAGED_MARK)) for n in names)
 
 
 def verify_everything(root: Path) -> Verified:

@@ -51,7 +51,6 @@ def _hybrid() -> None:
     basis = np.array([-0.01, 0.01, 0.01])
     weights = np.zeros((9, 3))
     substeps(k, basis, weights, _DT)
-    u = np.zeros((2, 5, 2))
     undisturbed = instruments(np.zeros(len(nominal_deviations())))
     for shape in ((2, 2), (3, 10, 2)):
         u = DrivingVoltages(np.zeros(shape), _DT).squared(1, undisturbed, 1.0)[None]
@@ -89,15 +88,13 @@ def _network() -> None:
     from ..models.rbf.structure import drive_at_nodes
 
     x = np.zeros(2)
-    u = np.zeros((3, 2))
     single = np.ones(1)
     none = np.zeros(0)
     two = np.zeros(2)
     curves = np.zeros((5, 5))
     joint = Coefficients(curves, single, single, single, two, single, 1.0, -1.0, 1.0, two, 0.0, none, curves[:2], two)
-    drive = Drive(u, np.zeros((0, 3, 2)), np.zeros(2), False)
-    coupling = Coupling(x, x, 0.0)
-    observed_run(joint, drive, coupling, (0.0, 0.0), _DT, 1, no_sensitivities())
+    drive = Drive(np.zeros((3, 2)), np.zeros((0, 3, 2)), np.zeros(2), False)
+    observed_run(joint, drive, Coupling(x, x, 0.0), (0.0, 0.0), _DT, 1, no_sensitivities())
     drive_at_nodes(np.zeros((2, 1, 1)), _DT, 1, "record")
     basis_rows(x, joint)
     slid(x, 1.0)
@@ -118,8 +115,8 @@ def _analytical() -> None:
     friction_state(np.zeros(2), 1.0)
     maxwell_strains(np.ones((2, 2)), 1.0, np.ones(2))
     still: Any = np.zeros((2, STATES))
-    points = np.tile(NOMINAL.vector(), (2, 1))
-    state_sensitivities(t, v, still, still, points, np.ones(1), np.zeros((STATES, 1)))
+    joints = np.tile(NOMINAL.vector(), (2, 1))
+    state_sensitivities(t, v, still, still, joints, np.ones(1), np.zeros((STATES, 1)))
 
 
 def _measured() -> None:

@@ -40,8 +40,7 @@ def contradiction(signals: Table) -> str | None:
 
     Ways over `_WAY` samples are compared, so that neither the steps of an encoder nor the noise of a velocity matter.
     """
-    interval = sample_interval(signals["t"])
-    steps = 0.5 * interval * (signals["velocity"][1:] + signals["velocity"][:-1])
+    steps = 0.5 * sample_interval(signals["t"]) * (signals["velocity"][1:] + signals["velocity"][:-1])
     by_velocity = np.convolve(steps, np.ones(_WAY), "valid")
     by_q = signals["q"][_WAY:] - signals["q"][:-_WAY]
     both = np.isfinite(by_velocity) & np.isfinite(by_q)

@@ -61,10 +61,9 @@ def training(
     """
     plant = device(prototype)
     beside = prior_knowledge or PriorKnowledge()
-    parts = [part for log in logs for part in log.parts()]
     return Training(
         segments=tuple(segment for log in logs for segment in log.segments()),
-        records=tuple(part.to_fit() for part in _long_enough(parts)),
+        records=tuple(part.to_fit() for part in _long_enough([part for log in logs for part in log.parts()])),
         device=plant,
         parameters=parameters,
         known_curves=None if beside.curves is None else _known_curves(beside.curves, len(plant.inputs)),

@@ -1,6 +1,6 @@
 """Ingest: a raw log examined, masked and brought to uniform records."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -201,7 +201,7 @@ def _discarded(rows: TimeRows) -> list[str]:
     ]
 
 
-def _gaps(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> list[str]:
+def _gaps(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> Iterator[str]:
     """Messages on gaps in time, and on spans [s] in which the inputs are not known."""
     kinds = [
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
@@ -212,13 +212,11 @@ def _gaps(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> list[st
             "what they were is not known, so fits and free runs start anew behind",
         ),
     ]
-    texts = []
     for what, count, places, then in kinds:
         if count:
             (before, after), several = places[0], "the first " if count > 1 else ""
             place = f"{several}from {stamped(before)} to {stamped(after)} s"
-            texts.append(f"{counted(count, 'gap')} {what}, {place}: {then}")
-    return texts
+            yield f"{counted(count, 'gap')} {what}, {place}: {then}"
 
 
 def _left_out(trusted: Trusted, warnings: list[str], prototype: Prototype) -> dict[str, int]:
@@ -249,19 +247,17 @@ def record_columns(piece: UniformRecord, names: Sequence[str]) -> dict[str, Floa
     return {"t": piece.t, "q": piece.q, **beside, "segment": piece.segment}
 
 
-def _hum_against_rate(signals: RawLog, rate: float | None) -> list[str]:
+def _hum_against_rate(signals: RawLog, rate: float | None) -> Iterator[str]:
     """Warnings where mains hum on the inputs contradicts the sample rate [Hz] of the settings."""
-    texts = []
     for k, (_, samples) in enumerate(signals.inputs if rate else (), start=1):
         hum = mains_at_another_rate(select(samples, finite(samples)), 1.0 / (rate or 1.0))
         if hum is not None:
             line, factor = hum
             rectified = ", or that of a rectifier" if factor < 1.0 else ""
-            texts.append(
+            yield (
                 f"v{k}: a line at {line.frequency:g} Hz and no hum at {factor * line.frequency:g} Hz, as mains hum at "
                 f"{factor:g} times the sample rate{rectified}: is [ingest] sample_rate = {rate:g} right?"
             )
-    return texts
 
 
 def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> list[str]:

@@ -54,8 +54,7 @@ def validated(
     began = time.process_time()
     result = free_run(log, model)
     notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
-    ahead = {name: seconds for name, (seconds, _) in HORIZONS.items()}
-    notes["horizons"] = _horizons(log, model, ahead, plant)
+    notes["horizons"] = _horizons(log, model, {name: seconds for name, (seconds, _) in HORIZONS.items()}, plant)
     notes["basis_functions"] = model.describe().get("basis_functions")
     ensemble = drawn_runs(log, model) if isinstance(model, HasTubes) or isinstance(wells, Wells) else None
     notes |= trust_notes(log, wells, trained, ensemble, plant)
@@ -124,10 +123,9 @@ def _outcomes(log: Log, wells: Wells | NoWells, ensemble: FloatArray | None, pla
     if ensemble is None or not isinstance(wells, Wells) or not after:
         return None
     right, ambiguous = pulse_outcomes(ensemble, after, wells)
-    ends = [float(log.t[rest.stop - 1]) for rest in after]
     return {
         "draws": DRAWS,
-        "at_s": ends,
+        "at_s": [float(log.t[rest.stop - 1]) for rest in after],
         "right": right.tolist(),
         "ambiguous": ambiguous.tolist(),
     }
@@ -204,17 +202,19 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
         compared.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, plant=plant, rng=rng
     )
     more: dict[str, Any] = {c.key: compared.notes[c.key] for c in NOTED_COLUMNS if c.key in compared.notes}
-    outcomes = compared.notes.get("outcomes")
-    if outcomes:
+    if outcomes := compared.notes.get("outcomes"):
         more |= {"outcomes": len(outcomes["ambiguous"]), "ambiguous_outcomes": sum(outcomes["ambiguous"])}
     for name, error in compared.notes.get("horizons", {}).items():
         band = error["interval"] or {"low": None, "high": None}
         more |= {f"nrmse_{name}": error["nrmse"]} | {f"nrmse_{name}_{end}": band[end] for end in ("low", "high")}
     if isinstance(wells, Wells):
         switches = response_errors(*compared.pairs["q"], v, interval, wells, rng, plant=plant)
-        more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
-        more |= _band("rise_error", switches.rise_interval, "_s")
-        more |= _band("settling_error", switches.settling_interval, "_s")
+        more |= {
+            "rise_error_s": switches.rise_s,
+            "settling_error_s": switches.settling_s,
+            **_band("rise_error", switches.rise_interval, "_s"),
+            **_band("settling_error", switches.settling_interval, "_s"),
+        }
     return [
         _score_row(score) | {"unit": units[score.signal]} | (more if score.signal == "q" else {}) for score in scores
     ]

@@ -1,7 +1,7 @@
 """Closed loop: a designed controller on a virtual joint, from files to a raw log with the reference in it."""
 
 import json
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal, cast, get_args
@@ -101,8 +101,7 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
     t, target = np.array(steps).T
     if np.any(np.diff(t) <= 0.0) or t[0] < 0.0:
         raise InputError(f"--target {text}: the times must rise from 0 s on")
-    start = joint.places["left"]
-    return (t, target) if t[0] == 0.0 else (np.insert(t, 0, 0.0), np.insert(target, 0, start))
+    return (t, target) if t[0] == 0.0 else (np.insert(t, 0, 0.0), np.insert(target, 0, joint.places["left"]))
 
 
 def designed(law: Law) -> Controller:
@@ -165,12 +164,6 @@ def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
     plant = '[plant]\ninputs = "squared"\nparameters = "nominal"\n'
     toml.write_text(f"{head}{layout.toml()}\n{plant}", encoding="utf-8", newline="\n")
     return [path, toml]
-
-
-def with_side(scenario: Scenario, joint: VirtualJoint) -> Scenario:
-    """The scenario from the well that lies nearer to its first target."""
-    near = abs(scenario.target[0] - joint.places["right"]) < abs(scenario.target[0] - joint.places["left"])
-    return replace(scenario, side=1 if near else -1)
 
 
 class TipForce(SettingsTable):
@@ -245,10 +238,12 @@ class ScenarioFile(SettingsTable):
         """The scenario on a joint, with its target as `parse_target` reads it and its length [s]."""
         t, places = _checked_target(target, joint, duration)
         self.check_times(duration)
-        scenario = Scenario(
+        nearer = min(("left", "right"), key=lambda well: abs(places[0] - joint.places[well]))
+        return Scenario(
             t=t,
             target=places,
             duration=duration,
+            side=-1 if (self.start or nearer) == "left" else 1,
             highest=self.highest_V,
             lag=self.lag_s,
             pushes=tuple((push.start_s, push.force_N, push.length_s) for push in self.pushes),
@@ -262,9 +257,6 @@ class ScenarioFile(SettingsTable):
             noise=self.noise,
             seed=self.seed,
         )
-        if self.start is None:
-            return with_side(scenario, joint)
-        return replace(scenario, side=-1 if self.start == "left" else 1)
 
 
 def _checked_target(text: str, joint: VirtualJoint, duration: float) -> tuple[FloatArray, FloatArray]:
@@ -335,7 +327,6 @@ def closed_loop_log(
     places = joint.places
     refused = {"commands_not_finite": run.commands_not_finite, "commands_clipped": run.commands_clipped}
     steps = step_metrics(run.t, run.true_q, run.target, places["right"] - places["left"])
-    if len(steps) > _MOST_STEPS:  # a reference that moves has no steps
-        error = run.true_q - run.target
-        return files, {"joint": joint.name, "places_m": places, "steps": [], "rms_m": rms(error), **refused}
-    return files, {"joint": joint.name, "places_m": places, "steps": [asdict(step) for step in steps], **refused}
+    moves = len(steps) > _MOST_STEPS  # a reference that moves has no steps
+    followed = {"steps": [], "rms_m": rms(run.true_q - run.target)} if moves else {"steps": list(map(asdict, steps))}
+    return files, {"joint": joint.name, "places_m": places, **followed, **refused}

@@ -1,7 +1,7 @@
 """Linear models, switching maps, pulses and a controller for a run's identified joint."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -84,16 +84,14 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     logs = [(role, log) for role, log, _ in layout.logs(joint_run.prototype)]
     measured = [log_of(joint_run.run.read_table(layout.kinematics(*log))) for log in logs]
     hum = {line for log in logs for line in joint_run.run.record(layout.record(*log)).notes.get("hum", ())}
-    wells = wells_of(measured, plant=JOINT)
-    facts = rest_facts([(log.t, log.q, log.v) for log in measured], wells, hum, plant=JOINT)
-    rings = {"left": facts.rings_left, "right": facts.rings_right}
+    facts = rest_facts([(log.t, log.q, log.v) for log in measured], wells_of(measured, plant=JOINT), hum, plant=JOINT)
     return {
         side: {
             "ring_downs": len(decays),
             "frequency_Hz": float(np.mean([ring.frequency for ring in decays])) if decays else None,
             "damping_ratio": float(np.mean([ring.damping for ring in decays])) if decays else None,
         }
-        for side, decays in rings.items()
+        for side, decays in (("left", facts.rings_left), ("right", facts.rings_right))
     }
 
 
@@ -322,7 +320,11 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
             "margins": None if held is None else asdict(held),
             "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
             "predicted": predicted,
-            "warnings": _misses(predicted, right - left) + _thin(held) + _too_much(law, saddle, settings.average),
+            "warnings": [
+                *_misses(predicted, right - left),
+                *_thin(held),
+                *_too_much(law, saddle, settings.average),
+            ],
             "law": law.to_json(),
         }
 
@@ -344,19 +346,17 @@ SETTLES = 0.3
 """Time [s] in which a good controller settles in a well."""
 
 
-def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
+def _misses(predicted: Mapping[str, Any], distance: float) -> Iterator[str]:
     """Goals that the controller misses on the model itself; a joint that differs will not do better."""
-    misses = []
     for place, step in zip(("right well", "left well"), predicted["steps"], strict=False):
         if step["settling_s"] is None or step["settling_s"] > SETTLES:
             taken = "does not settle" if step["settling_s"] is None else f"takes {1e3 * step['settling_s']:.0f} ms"
-            misses.append(
+            yield (
                 f"the model {taken} to the {place}, {1e3 * SETTLES:.0f} ms are usual; allow a larger --max-voltage, or "
                 "play a pulse (`debist control pulse`)"
             )
         if step["rms_m"] > BAND * distance:
-            misses.append(f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}")
-    return misses
+            yield f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}"
 
 
 GAIN = 1.3
@@ -364,22 +364,21 @@ GAIN = 1.3
 long as the lag of usual converters."""
 
 
-def _thin(held: Margins | None) -> list[str]:
+def _thin(held: Margins | None) -> Iterator[str]:
     """Margins that are smaller than joints differ from their models."""
-    if held is not None and max(held.gain_low, 1.0 / held.gain_high) < 1.0 / GAIN and held.delay_s > ASSUMED_LAG:
-        return []
-    return ["the margins at the unstable equilibrium are small: a joint that differs from its model may leave it"]
+    wide = held is not None and max(held.gain_low, 1.0 / held.gain_high) < 1.0 / GAIN and held.delay_s > ASSUMED_LAG
+    if not wide:
+        yield "the margins at the unstable equilibrium are small: a joint that differs from its model may leave it"
 
 
-def _too_much(law: Law, saddle: float, average: float | None) -> list[str]:
+def _too_much(law: Law, saddle: float, average: float | None) -> Iterator[str]:
     """Warning where the unstable equilibrium (reading, m) takes more voltage for long than its mean may be."""
     needed = law.holding_voltage(saddle - law.number("offset"))
-    if average is None or needed <= average:
-        return []
-    return [
-        f"the unstable equilibrium takes {needed:.0f} V; with --average-voltage {average:g} V it may be lost after "
-        "some seconds"
-    ]
+    if average is not None and not needed <= average:
+        yield (
+            f"the unstable equilibrium takes {needed:.0f} V; with --average-voltage {average:g} V it may be lost after "
+            "some seconds"
+        )
 
 
 def _predicted(law: Law, places: tuple[float, float, float]) -> dict[str, Any]:

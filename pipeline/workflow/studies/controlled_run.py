@@ -60,7 +60,10 @@ class ControlSettings:
 
 @dataclass(frozen=True)
 class ControlRun:
-    """A run whose joint is to be controlled."""
+    """A run whose joint is to be controlled.
+
+    Its `rests` are the readings [m] at which the logs show the joint at rest; None where they show no two wells.
+    """
 
     run: RunFolder
     prototype: Prototype
@@ -133,12 +136,10 @@ class ControlRun:
         given = [side for side in (left, right) if side is not None]
         if not given:
             return Converters((ASSUMED_LAG, ASSUMED_LAG), DATA_SHEET, highest=self.limit), "assumed"
-        first = left or given[0]
-        other = right or given[0]
+        lags = ((left or given[0]).lag, (right or given[0]).lag)
         spread = max(_LEAST_SPREAD, *(side.scatter for side in given))
         counts = " and ".join(str(side.steps if side else 0) for side in (left, right))
-        converters = Converters((first.lag, other.lag), spread, highest=self.limit)
-        return converters, f"from {counts} voltage steps of the training logs"
+        return Converters(lags, spread, highest=self.limit), f"from {counts} voltage steps of the training logs"
 
 
 def control_run(root: Path) -> ControlRun:
@@ -164,21 +165,15 @@ def control_run(root: Path) -> ControlRun:
         raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
     if model.joint.angle:
         raise InputError(f"{root}: {ANGLE_IS_READ.format(name=name, what='controllers', way_out='measure q')}")
-    rests = _rests(run, prototype)
+    logs = [log_of(run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
+    wells = wells_of(logs, plant=JOINT)
+    rests = (wells.left, wells.right) if isinstance(wells, Wells) else None
     _refuse_bad_model(run, name, model, _MISSED * (rests[1] - rests[0]) if rests else _UNSEEN)
     return ControlRun(run, prototype, model, name, artifact, rests)
 
 
-def _rests(run: RunFolder, prototype: Prototype) -> tuple[float, float] | None:
-    """Readings [m] at which the logs show the joint at rest; None where they show no two wells."""
-    logs = [log_of(run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
-    wells = wells_of(logs, plant=JOINT)
-    return (wells.left, wells.right) if isinstance(wells, Wells) else None
-
-
 def _refuse_bad_model(run: RunFolder, name: str, model: HybridModel, limit: float) -> None:
-    missed = float(model.diagnostics.get("training_rms_m", 0.0))
-    if missed > limit:
+    if (missed := float(model.diagnostics.get("training_rms_m", 0.0))) > limit:
         raise DataRefusedError(
             f"{run.root}: the model {name} misses its training data by {1e3 * missed:.1f} mm; control on it would be a "
             f"guess (limit {1e3 * limit:.1f} mm); see `debist show {shell_word(run.root)}`"

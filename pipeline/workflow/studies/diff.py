@@ -1,5 +1,6 @@
 """Diff: runs side by side: settings, versions, raw logs, scores, facts of the device and artifacts."""
 
+import itertools
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -113,11 +114,11 @@ Pairs = Mapping[tuple[str, str], str]
 
 def _log_contents(run: RunFolder) -> dict[tuple[str, str], str]:
     """Hash of each raw log of a run, by role and name; empty where nothing was read."""
-    contents: dict[tuple[str, str], str] = {}
-    for role, name, _ in layout.logs(run.prototype):
-        record = run.manifest.artifacts.get(layout.record(role, name))
-        contents[role, name] = ", ".join(record.recipe.inputs.values()) if record else ""
-    return contents
+    return {
+        (role, name): ", ".join(record.recipe.inputs.values()) if record else ""
+        for role, name, _ in layout.logs(run.prototype)
+        for record in [run.manifest.artifacts.get(layout.record(role, name))]
+    }
 
 
 def paired_logs(
@@ -126,19 +127,17 @@ def paired_logs(
     """The logs of a second run beside those of the first: of one role and content, then of one name, then in order."""
     pairs: dict[tuple[str, str], str] = {}
     left = dict(first)
-
-    def pair(fits: Callable[[tuple[str, str], tuple[str, str]], bool]) -> None:
-        """Pair what is left of one role and fits."""
-        for log in second:
-            if log not in pairs:
-                partner = next((other for other in left if other[0] == log[0] and fits(log, other)), None)
-                if partner is not None:
-                    pairs[log] = partner[1]
-                    del left[partner]
-
-    pair(lambda log, other: bool(second[log]) and second[log] == first[other])
-    pair(lambda log, other: log == other)
-    pair(lambda log, other: True)
+    rules: tuple[Callable[[tuple[str, str], tuple[str, str]], bool], ...] = (
+        lambda log, other: bool(second[log]) and second[log] == first[other],
+        lambda log, other: log == other,
+        lambda log, other: True,
+    )
+    for fits, log in itertools.product(rules, second):
+        if log not in pairs:
+            partner = next((other for other in left if other[0] == log[0] and fits(log, other)), None)
+            if partner is not None:
+                pairs[log] = partner[1]
+                del left[partner]
     return pairs
 
 
@@ -273,8 +272,7 @@ def _drawn(name: str, pairs: Pairs, run: RunFolder) -> DrawnRun:
     units = {key: plant.curve_units["dC" if key.startswith("dC") else key] for key in curves}
     logs = {}
     for role, log, _ in layout.logs(prototype):
-        simulated = layout.predictions(role, log, main_model)
-        if simulated in run.manifest.artifacts:
+        if (simulated := layout.predictions(role, log, main_model)) in run.manifest.artifacts:
             source = ", ".join(run.record(layout.record(role, log)).recipe.inputs.values())
             motion = run.read_table(layout.kinematics(role, log))
             free = run.read_table(simulated)

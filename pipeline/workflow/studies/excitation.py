@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -19,28 +20,13 @@ from ...numerics.arrays import FloatArray
 from ...rig.excitation import BURSTS, ENDINGS, BurstKind, Sequence, command, save_sequence
 from ...settings.logs import Number, SettingsTable, Whole
 from ...settings.models import CENTRES
-from ...settings.prototype import FIELD_LIMIT, Prototype
+from ...settings.prototype import FIELD_LIMIT
 from ...store.outputs import check_places, new_outputs, rebased
 from ...store.run_folder import RunFolder
 from ..run_models import subject
 from .excitation_design import Assessment, Design, NextLog, Requirements, Simulator, design_excitation, design_next_log
 
 _COMMAND = "rig excite"
-
-
-@dataclass(frozen=True)
-class ExcitationLimits:
-    """Limits: voltage of a converter [V], field in an undeformed film [V/m].
-
-    Without a field that of the run's settings holds, or the paper's.
-    """
-
-    voltage: float = 3e3
-    field: float | None = None
-
-    def largest(self, thickness: float, field: float) -> float:
-        """The largest voltage [V] on a film of a thickness [m] that stands a field [V/m], if none is given here."""
-        return min(self.voltage, thickness * (self.field or field))
 
 
 @dataclass(frozen=True)
@@ -98,9 +84,10 @@ def excite(
     output: Path,
     source: ExcitationSource,
     wanted: Requirements,
-    limits: ExcitationLimits,
     rate: float,
     *,
+    voltage: float,
+    field: float | None = None,
     report: Callable[[float], None] | None = None,
 ) -> tuple[Design | NextLog, tuple[Path, ...]]:
     """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
@@ -113,10 +100,12 @@ def excite(
         Joint or run that it is designed for.
     wanted : Requirements
         Duration, bursts and candidates.
-    limits : ExcitationLimits
-        Largest voltage and field.
     rate : float
         Sampling rate of the file [Hz].
+    voltage : float
+        Largest voltage of a converter [V].
+    field : float, optional
+        Largest field in an undeformed film [V/m]; that of the run's settings, or the paper's, if left out.
     report : callable, optional
         Receives the share that is done.
 
@@ -136,8 +125,8 @@ def excite(
         raise InputError(f"{output}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")
     check_places(output.parent, (output.name, output.with_suffix(".json").name), _COMMAND, force=None)
     parameters = joint_parameters(source.parameters)
-    thickness, field = film(source, parameters)
-    wanted = replace(wanted, voltage=limits.largest(thickness, field))
+    thickness, usual_field = film(source, parameters)
+    wanted = replace(wanted, voltage=min(voltage, thickness * (field or usual_field)))
     design = _designed(source, parameters, wanted, report)
     t = np.arange(round(wanted.duration * rate)) / rate
     about = description(design) | {
@@ -157,7 +146,13 @@ def _designed(
     """A log after those of the run's `hybrid`, or a first log for another model or a drawing."""
     rng = np.random.default_rng(source.seed)
     if source.run is not None:
-        prototype, joint = _of_run(source.run, source.model)
+        run = RunFolder.open(source.run)
+        prototype = run.prototype
+        if not prototype.may_be_a_joint:
+            raise InputError(
+                f"{source.run}: an excitation is designed for a joint with two squared inputs; this device has others"
+            )
+        joint = subject(run, prototype, source.model)
         if isinstance(joint.model, HybridModel):
             programme = source.programme or "validation"
             interval = prototype.ingest.sample_interval
@@ -209,17 +204,6 @@ def _figures(assessment: Assessment) -> dict[str, Any]:
     }
 
 
-def _of_run(root: Path, name: str | None) -> tuple[Prototype, Subject]:
-    """The settings of a run, and its model from where one of its logs starts, at rest."""
-    run = RunFolder.open(root)
-    prototype = run.prototype
-    if not prototype.may_be_a_joint:
-        raise InputError(
-            f"{root}: an excitation is designed for a joint with two squared inputs; this device has others"
-        )
-    return prototype, subject(run, prototype, name)
-
-
 def _moving(joint: Subject) -> Simulator:
     def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""
@@ -246,16 +230,10 @@ def drawn_simulators(parameters: JointParameters, rng: np.random.Generator, coun
     -----
     Cost: some 50 ms a joint; a run of 37.5 s takes 4 ms.
     """
-    first = _simulator(parameters)
-    if first is None:
+    if (first := _simulator(parameters)) is None:
         raise InputError("the parameter set has no two wells at zero voltage; see `debist physics equilibria`")
-    simulators = [first]
-    for _ in range(_MOST_DRAWS):
-        if len(simulators) == count:
-            return simulators
-        simulator = _simulator(_made(parameters, rng))
-        if simulator is not None:
-            simulators.append(simulator)
+    made = (_simulator(_made(parameters, rng)) for _ in range(_MOST_DRAWS))
+    simulators = [first, *islice((simulator for simulator in made if simulator is not None), count - 1)]
     if len(simulators) < count:
         raise InputError(
             f"only {len(simulators)} of {_MOST_DRAWS} joints made after the drawing have two wells; "
@@ -268,8 +246,8 @@ def _made(parameters: JointParameters, rng: np.random.Generator) -> JointParamet
     """A joint as a workshop makes it: both membranes each with its own tolerances."""
     names = ("E", "left.Y", "right.Y", "left.eps_r", "right.eps_r")
     values = {name: parameters.value(name) * (1.0 + rng.uniform(-_RELATIVE, _RELATIVE)) for name in names}
-    for name in ("left.l0", "right.l0"):
-        values[name] = parameters.value(name) + rng.uniform(-_FREE_LENGTH, _FREE_LENGTH)
+    lengths = ("left.l0", "right.l0")
+    values |= {name: parameters.value(name) + rng.uniform(-_FREE_LENGTH, _FREE_LENGTH) for name in lengths}
     return parameters.with_values(values)
 
 

@@ -298,8 +298,7 @@ def _criterion(
         run = _simulated(simulate, bursts, duration)
         if len(run[0]) < round(duration / INTERVAL):
             return -np.inf
-        covered = _covered(_coverage(weights, run))
-        values.append(log_information(weights.information(*run, INTERVAL)) + covered)
+        values.append(log_information(weights.information(*run, INTERVAL)) + _covered(_coverage(weights, run)))
     return float(np.mean(values))
 
 
@@ -414,8 +413,7 @@ def design_next_log(
     Cost: about 20 places × candidates × 0.1 s.
     """
     t, v = _voltages(programme, wanted, rng)
-    unsure = uncertainty(model, t, v, start, interval)
-    if unsure is None:
+    if (unsure := uncertainty(model, t, v, start, interval)) is None:
         raise InputError(f"--programme {programme}: the free run of the model diverges; take another programme")
     expected = partial(_expected, unsure, start)
     bursts = greedy_bursts(lambda bursts, end: -2.0 * np.log(expected(bursts, end)), rng, wanted, report=report)
@@ -424,8 +422,7 @@ def design_next_log(
         for _ in range(DRAWS)
     ]
     designed = expected(bursts, wanted.duration)
-    mean = float(np.mean(usual))
-    return NextLog(wanted, bursts, programme, unsure.error(), designed, mean, 1e-3 * unsure.stroke)
+    return NextLog(wanted, bursts, programme, unsure.error(), designed, float(np.mean(usual)), 1e-3 * unsure.stroke)
 
 
 def _expected(unsure: Uncertainty, start: float, bursts: list[Burst], duration: float) -> float:

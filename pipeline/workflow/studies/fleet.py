@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ...device.device import device
+from ...device.device import Device, device
 from ...diagnostics.instruments import InstrumentTest, ObservedModel
 from ...diagnostics.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
 from ...errors import DataRefusedError, DebistError, InputError
@@ -84,8 +84,7 @@ def learn_siblings(roots: Sequence[Path], output: Path) -> LearntFile:
     except DataRefusedError as error:
         reasons = "".join(f"; left out: {reason}" for reason in left_out.values())
         raise DataRefusedError(f"{error}{reasons}") from None
-    parameters = next(iter(models.values())).joint.parameters
-    write_tree(output, to_tree(learnt, parameters, origins), column)
+    write_tree(output, to_tree(learnt, next(iter(models.values())).joint.parameters, origins), column)
     return LearntFile(output, tuple(models), left_out, learnt)
 
 
@@ -136,27 +135,25 @@ def series_of(roots: Sequence[Path], at: str | None) -> Series:
             raise InputError(f"{roots[order[i]]}: has the facts of another run here; name each recording once")
     ascending = times[order].tolist()
     between = common_stroke([run.sheet for run in runs])
-    of_runs = [list(facts_of(r.sheet, r.model, between, r.gain_unit)) for r in runs]
+    of_runs = [list(facts_of(r.sheet, r.model, between, r.plant.curve_units["dC"])) for r in runs]
     first = runs[0]
     if isinstance(first.model, ObservedModel):
         instruments = InstrumentTest(first.model, first.training)
         for run, own in zip(runs[1:], of_runs[1:], strict=True):
-            own += instrument_facts(instruments, [part for parts in run.training for part in parts], run.displacement)
+            parts = [part for of_log in run.training for part in of_log]
+            own += instrument_facts(instruments, parts, run.plant.displacement.symbol)
     facts = facts_over_time(ascending, of_runs)
     return Series(tuple(roots[i].name for i in order), tuple(ascending), "run" if at is None else "day", facts)
 
 
 @dataclass(frozen=True)
 class _Run:
-    """Datasheet of a run, the model of its facts, the unit of the slopes of its capacitances, the parts of its training
-    logs, and the unit of q.
-    """
+    """Datasheet of a run, the model of its facts, the device, and the parts of its training logs."""
 
     sheet: dict[str, Any]
     model: DynamicModel
-    gain_unit: str
+    plant: Device
     training: list[list[Log]]
-    displacement: str
 
 
 def _times(text: str, count: int) -> FloatArray:
@@ -181,7 +178,6 @@ def _read(run: RunFolder) -> _Run:
     prototype = run.prototype
     if sheet["facts_from"] is None:
         raise InputError(f"{run.root}: no model has curves, so there are no facts to follow; identify hybrid or rbf")
-    plant = device(prototype)
     training = [fitted_parts(log) for log in load_logs(run, prototype, "train")]
     model = load_run_model(run, prototype, sheet["facts_from"])
-    return _Run(sheet, model, plant.curve_units["dC"], training, plant.displacement.symbol)
+    return _Run(sheet, model, device(prototype), training)

@@ -149,14 +149,12 @@ def _work(
     logs = load_logs(run, prototype)
     deal = block_folds if split.by == "blocks" else log_folds
     numbers = deal([log.segment for log in logs], split.count)
-    data = _segments(logs)
-    wells = wells_of(logs, plant=device(prototype))
     judge = _Judge(
         prototype,
         parameters,
         model,
-        signal_ranges(data),
-        wells,
+        signal_ranges(_segments(logs)),
+        wells_of(logs, plant=device(prototype)),
         prior_knowledge_of(run, prototype, parameters),
     )
     dealt = list(zip(logs, numbers, strict=True))
@@ -199,19 +197,19 @@ class _Judge:
         if not samples:
             return row | {"status": "empty"}, "it holds no valid sample", 0.0
         try:
-            fitted = self._fit(logs)
+            fitted = model_type(self.model).fit(training(logs, self.prototype, self.parameters, self.prior_knowledge))
         except DebistError as error:
             return row | {"status": "refused"}, str(error), time.process_time() - began
         seconds = time.process_time() - began
         rests = stable_rests(fitted, [log.q for log in logs])
         wells = believed_wells(self.wells, self.model, rests, plant=device(self.prototype))
         score = fold_score(fitted, _segments(cut[1]), self.ranges, wells)
-        row |= {key: score.nrmse[signal] for key, signal in NRMSE_COLUMNS.items()}
-        row |= {"well_agreement": score.well_agreement, "status": "diverged" if score.diverged else "ok"}
+        row |= {
+            **{key: score.nrmse[signal] for key, signal in NRMSE_COLUMNS.items()},
+            "well_agreement": score.well_agreement,
+            "status": "diverged" if score.diverged else "ok",
+        }
         return row, "", seconds
-
-    def _fit(self, logs: list[Log]) -> Any:
-        return model_type(self.model).fit(training(logs, self.prototype, self.parameters, self.prior_knowledge))
 
 
 def _segments(logs: Sequence[Log]) -> list[Log]:

@@ -20,7 +20,9 @@ from ...models.analytical.reduced_order import beam_modes, pulse_sequence, simul
 from ...models.base import HasCurves
 from ...models.paper.model import RbfPaperModel
 from ...numerics.arrays import FloatArray
+from ...reporting import recipe_figures as draw
 from ...reporting.figure import Figure, of_models, window
+from ...reporting.joint_figures import COLOURED, modes_figure, motion_figure, paper_joint_figures
 from ...reporting.log_figures import log_figures
 from ...reporting.paper_page import paper_page, table_1, table_2
 from ...reporting.plotted import Format, paper_figure
@@ -127,9 +129,9 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
     with run_lock(root):
         run = RunFolder.create(root, recipe.model_dump(mode="json"), prototype_file)
         stages = [name for name in STAGE_NAMES if name != "report"]
-        tasks = list(tasks_of(of_stages(plan(Planned(run, recipe, prototype_file)), stages)))
-        tasks += [study_task(recipe, "basis", 1), _task(recipe, prototype_file)]
-        done = bring_up_to_date(run, tasks, observer)
+        tasks = tasks_of(of_stages(plan(Planned(run, recipe, prototype_file)), stages))
+        own = (study_task(recipe, "basis", 1), _task(recipe, prototype_file))
+        done = bring_up_to_date(run, [*tasks, *own], observer)
     return PaperRun(root, root / layout.PAPER, done, run.record(layout.PAPER).notes["table_2"])
 
 
@@ -157,21 +159,18 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
     )
     names = [name for name in FIGURES if name != "fig-15" or prototype.logs.validation]
     outputs = (layout.PAPER, *(layout.paper_figure(name, ending) for name in names for ending in ENDINGS))
-    settings = {"prototype": prototype.model_dump(mode="json")}
     return Task(
-        "paper", "figures and page", ALGORITHM, settings, inputs, outputs,
+        "paper", "figures and page", ALGORITHM, {"prototype": prototype.model_dump(mode="json")}, inputs, outputs,
         lambda run: _work(run, prototype, parameters),
     )  # fmt: skip
 
 
 def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> Mapping[str, Written]:
-    from ...reporting.joint_figures import COLOURED
-
     data = read_run(run, prototype, validate.scored_models(run, prototype))
     figures: dict[str, tuple[Figure, Sequence[str]]] = {
-        name: (figure, COLOURED) for name, figure in joint_figures(parameters).items()
+        **{name: (figure, COLOURED) for name, figure in joint_figures(parameters).items()},
+        **{name: (figure, DRAWN) for name, figure in _recipe_figures(run, prototype, data).items()},
     }
-    figures |= {name: (figure, DRAWN) for name, figure in _recipe_figures(run, prototype, data).items()}
     written: dict[str, Written] = {}
     pictures: dict[str, bytes] = {}
     for name, (figure, roles) in figures.items():
@@ -187,22 +186,16 @@ def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> 
 
 def joint_figures(parameters: JointParameters) -> dict[str, Figure]:
     """Figures 1b and 3 to 7: the analytical model of the parameter set."""
-    from ...reporting import joint_figures as draw
-
-    curves = characteristics(parameters)
     motions = simulate_both(parameters, *pulse_sequence())
-    modes = beam_modes(motions.full.qm, parameters.l)
     return {
-        **draw.paper_joint_figures(curves),
-        "fig-06": draw.modes_figure(parameters, modes, motions.full.t),
-        "fig-07": draw.motion_figure(motions),
+        **paper_joint_figures(characteristics(parameters)),
+        "fig-06": modes_figure(parameters, beam_modes(motions.full.qm, parameters.l), motions.full.t),
+        "fig-07": motion_figure(motions),
     }
 
 
 def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict[str, Figure]:
     """Figures 8 and 11 to 15, and the search for T_z: the recipe on the logs."""
-    from ...reporting import recipe_figures as draw
-
     training = data.role("train")[0]
     network = data.models["rbf-paper"]
     assert isinstance(network, RbfPaperModel)  # noqa: S101 - the recipe identifies it

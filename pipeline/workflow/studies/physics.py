@@ -55,28 +55,22 @@ def _columns(path: Path, *needed: str) -> Table:
     return table
 
 
-def measured_voltages(signals: Path) -> tuple[FloatArray, FloatArray, float | None]:
-    """Times [s], voltages (N, 2) [V] and the first valid q [m] of a run's `signals.parquet`.
+def simulate(parameters: JointParameters, voltage: float, signals: Path | None = None) -> Motions:
+    """The full-order and the reduced model under the voltages of a run, or under pulses of `voltage` [V].
+
+    The motion starts at rest: at the first valid q of the run's `signals.parquet`, or in the left well.
 
     Raises
     ------
     InputError
         The table lacks a voltage.
     """
-    table = _columns(signals, "t", "v1", "v2")
-    q = table["q"][np.isfinite(table["q"])] if "q" in table else np.empty(0)
-    return table["t"], np.column_stack([table["v1"], table["v2"]]), float(q[0]) if q.size else None
-
-
-def simulate(parameters: JointParameters, voltage: float, signals: Path | None = None) -> Motions:
-    """The full-order and the reduced model under the voltages of a run, or under pulses of `voltage` [V].
-
-    The motion starts at rest: at the first measured q, or in the left well.
-    """
     if signals is None:
         return simulate_both(parameters, *pulse_sequence(voltage))
-    t, v, start = measured_voltages(signals)
-    return simulate_both(parameters, t, v, q0=start)
+    table = _columns(signals, "t", "v1", "v2")
+    q = table["q"][np.isfinite(table["q"])] if "q" in table else np.empty(0)
+    v = np.column_stack([table["v1"], table["v2"]])
+    return simulate_both(parameters, table["t"], v, q0=float(q[0]) if q.size else None)
 
 
 class SearchFile(SettingsTable):
@@ -143,11 +137,10 @@ def write_parameters(fit: Calibration, target: Path) -> None:
 
 def calibration_document(fit: Calibration) -> dict[str, Any]:
     """The result of a calibration for `--json`: values and standard errors in SI units."""
-    rows = zip(fit.names, fit.values, fit.standard_errors, strict=True)
     return {
         "parameters": [
             {"name": name, "value": value, "standard_error": error, "unit": QUANTITIES[name].unit}
-            for name, value, error in rows
+            for name, value, error in zip(fit.names, fit.values, fit.standard_errors, strict=True)
         ],
         "correlation": fit.correlation,
         "at_bound": list(fit.at_bound),

@@ -175,10 +175,9 @@ def _held_out(run: RunFolder, prototype: Prototype) -> list[Log]:
 
 
 def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    data = _segments(run, prototype, "train")
-    held_out = _held_out(run, prototype)
+    logs = (_segments(run, prototype, "train"), _held_out(run, prototype))
     grid = [(count, smoothing) for count in BASIS_FUNCTIONS for smoothing in SMOOTHINGS]
-    work = partial(_one_basis, data, held_out, _asked(prototype, plant))
+    work = partial(_one_basis, *logs, _asked(prototype, plant))
     mse, condition, nrmse = np.array(list(in_processes(work, grid, jobs))).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
     return {"basis_functions": counts, "smoothing": smoothings, "mse": mse, "condition": condition, "nrmse": nrmse}, {
