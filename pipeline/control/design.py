@@ -153,10 +153,7 @@ def regulator(
     weight[:CORRECTED] = 1.0 / reach**2
     control_weight = 1.0 / (float(np.mean(per_square)) * highest**2) ** 2
     drive = step[:-1, -1:]
-    try:
-        cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
-    except np.linalg.LinAlgError:
-        raise InputError(f"a largest voltage of {highest:g} V does not move the joint; allow a larger one") from None
+    cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
     return np.asarray(np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0])
 
 
@@ -405,7 +402,8 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     Raises
     ------
     InputError
-        The joint is not bistable, or the voltage limit is no voltage of the trained range, or moves nothing.
+        The joint is not bistable, or the voltage limit is no voltage of the trained range, or moves it in no well by
+        the standard deviation of a reading.
 
     Notes
     -----
@@ -421,6 +419,12 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     places: FloatArray = left + (right - left) / between * np.arange(-BEYOND, between + BEYOND + 1.0)
     lags = acting_lags(plant, settings)
     distance = right - left
+    moved = max(np.abs(well.c @ np.linalg.solve(well.a, well.b_squared)).max() for well in (wells[0], wells[2]))
+    if moved * settings.highest**2 < READING * distance:
+        raise InputError(
+            f"a largest voltage of {settings.highest:g} V does not move the joint by the noise of a reading, "
+            f"{1e6 * READING * distance:.2g} µm; allow a larger one"
+        )
     mass = inertia(wells[1].x, plant.constants.p)
     slew = min(settings.highest, np.inf if settings.slew is None else PERIOD * settings.slew)
     law = condensed_joint_law(plant, lags)
