@@ -98,6 +98,7 @@ OPTIONS = {
     "--capabilities": "`debist --help`, and the README",
     "batch --set": "a table with a row for each combination of settings, and `debist diff` for its runs",
     "diff --format": "--json",
+    "diff --page": '`debist.open_run(RUN).plot("curves")` in Python, whose axes take the curves of another run',
     "series --format": "--json",
     "series -o": "--page",
     "status --watch": "`watch debist status DIR`",

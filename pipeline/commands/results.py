@@ -41,9 +41,6 @@ _OF_HASH = 16
 
 def diff(
     runs: Annotated[list[Path], typer.Argument(metavar="RUN...", help="Two or more run folders.")],
-    page: Annotated[
-        Path | None, typer.Option("--page", metavar="FILE", help="Write a page with curves and free runs, too (.html).")
-    ] = None,
     as_json: Json = False,
 ) -> None:
     """Runs side by side: only what differs in settings, versions, raw logs, scores, facts of the device and artifacts.
@@ -51,33 +48,26 @@ def diff(
     NRMSE in percent, a fraction in JSON; artifacts are compared with those of the first run. Exit code 0
     whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
-    from ..workflow.studies.diff import diff_runs, write_diff_page
+    from ..workflow.studies.diff import diff_runs
 
     if len(runs) < 2:
         raise InputError(f"{runs[0]}: name a second run to compare it with")
     different = diff_runs(runs)
-    if page is not None:
-        write_diff_page(runs, different.names, [table for table in _difference_tables(different) if table[2]], page)
     if as_json:
         emit_json(asdict(different) | {"equal": different.equal})
     else:
         _emit_differences(different)
 
 
-def _difference_tables(runs: "RunDifferences") -> list[tuple[str, str, list[tuple[str, ...]]]]:
-    """Title, heading of the keys, and rows of texts of each part."""
-    return [
+def _emit_differences(runs: "RunDifferences") -> None:
+    """Print what differs, table by table."""
+    tables = [
         ("settings", "key", [(row.key, *map(_text, row.values)) for row in runs.settings]),
         ("versions", "package", [(row.key, *map(_text, row.values)) for row in runs.versions]),
         ("raw logs (SHA-256)", "log", [(row.key, *(_text(v)[:_OF_HASH] for v in row.values)) for row in runs.sources]),
         ("NRMSE of free runs", "log · model · signal", [(row.key, *map(percent, row.values)) for row in runs.scores]),
         ("facts", "fact", [(row.key, *map(_text, row.values)) for row in runs.facts]),
     ]
-
-
-def _emit_differences(runs: "RunDifferences") -> None:
-    """Print what differs, table by table."""
-    tables = _difference_tables(runs)
     for title, head, rows in tables:
         if rows:
             emit_table(
@@ -398,7 +388,7 @@ def series(
 
     Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30 --page series.html
     """
-    from ..reporting.several_runs import COLUMNS, conclusion, series_page, series_rows
+    from ..reporting.series_page import COLUMNS, conclusion, series_page, series_rows
     from ..store.atomic import write_text
     from ..workflow.studies.fleet import series_of
 

@@ -11,17 +11,10 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ...device.device import device
-from ...models.base import HasCurves
-from ...numerics.arrays import FloatArray
-from ...reporting.several_runs import CURVES, DiffTable, DrawnRun, diff_page
 from ...store import layout
-from ...store.atomic import write_text
 from ...store.hashing import flatten
 from ...store.run_folder import RunFolder, in_snapshot
 from ...system.names import log_title
-from ..logs import load_logs
-from ..run_models import identified_models, load_run_model
 
 DIGITS = 6
 """Decimal digits, of the largest magnitude of a column, to which results are compared."""
@@ -195,17 +188,12 @@ def diff_runs(roots: Sequence[Path]) -> RunDifferences:
         One of the folders holds no run, or an artifact that must be read is damaged.
     """
     alone = len({root.name for root in roots}) == len(roots)
-    pairs = _paired(roots)
+    contents = [in_snapshot(root, _log_contents) for root in roots]
+    pairs = [paired_logs(contents[0], of_run) for of_run in contents]  # names of each run's logs in the first run
     facts = [in_snapshot(root, partial(_facts, pairs=of_run)) for root, of_run in zip(roots, pairs, strict=True)]
     different = {part: changes([run[part] for run in facts]) for part in facts[0]}
     artifacts = tuple(tuple(compare_runs(roots[0], root)) for root in roots[1:])
     return RunDifferences(tuple(root.name if alone else str(root) for root in roots), **different, artifacts=artifacts)
-
-
-def _paired(roots: Sequence[Path]) -> list[dict[tuple[str, str], str]]:
-    """Names of each run's logs in the first run."""
-    contents = [in_snapshot(root, _log_contents) for root in roots]
-    return [paired_logs(contents[0], of_run) for of_run in contents]
 
 
 def _facts(run: RunFolder, *, pairs: Pairs) -> dict[str, dict[str, Any]]:
@@ -225,59 +213,6 @@ def _facts(run: RunFolder, *, pairs: Pairs) -> dict[str, dict[str, Any]]:
         "scores": {f"{title(r['role'], r['log'])} · {r['model']} · {r['signal']}": r["nrmse"] for r in rows},
         "facts": {f"{fact['key']} [{fact['unit'].replace('%', '1')}]": fact["value"] for fact in sheet["facts"]},
     }
-
-
-CURVE_PLACES = 201
-"""Places along q at which curves are drawn."""
-
-
-def write_diff_page(roots: Sequence[Path], names: Sequence[str], tables: Sequence[DiffTable], target: Path) -> None:
-    """Write the page of some runs with what differs, their curves and their free runs.
-
-    Parameters
-    ----------
-    roots : sequence of Path
-        Run folders.
-    names : sequence of str
-        Name of each.
-    tables : sequence of DiffTable
-        The differences.
-    target : Path
-        The page.
-
-    Raises
-    ------
-    DebistError
-        A run cannot be read, or the page cannot be written.
-    """
-    drawn = [
-        in_snapshot(root, partial(_drawn, name, pairs))
-        for root, name, pairs in zip(roots, names, _paired(roots), strict=True)
-    ]
-    write_text(target, diff_page(names, tables, drawn))
-
-
-def _drawn(name: str, pairs: Pairs, run: RunFolder) -> DrawnRun:
-    prototype = run.prototype
-    plant = device(prototype)
-    q = np.zeros(0)
-    curves = dict[str, FloatArray]()
-    main_model = identified_models(run, prototype)[0]
-    if layout.MODELS in run.manifest.artifacts:
-        model = load_run_model(run, prototype)
-        displacements = np.concatenate([log.q for log in load_logs(run, prototype, "train")])
-        q = np.linspace(np.nanmin(displacements), np.nanmax(displacements), CURVE_PLACES)
-        if isinstance(model, HasCurves):
-            curves = {key: curve for key, curve in model.curves(q).items() if key in CURVES}
-    units = {key: plant.curve_units["dC" if key.startswith("dC") else key] for key in curves}
-    logs = {}
-    for role, log, _ in layout.logs(prototype):
-        if (simulated := layout.predictions(role, log, main_model)) in run.manifest.artifacts:
-            source = ", ".join(run.record(layout.record(role, log)).recipe.inputs.values())
-            motion = run.read_table(layout.kinematics(role, log))
-            free = run.read_table(simulated)
-            logs[log_title(role, pairs.get((role, log), log)), source] = motion["t"], motion["q"], free["q"]
-    return DrawnRun(name, plant.displacement.symbol, q, curves, units, logs)
 
 
 def changes(runs: Sequence[Mapping[str, Any]]) -> tuple[Change, ...]:
