@@ -119,16 +119,15 @@ def settings(
         document[name] = {**document.get(name, {}), **_plain(table)} if isinstance(table, Mapping) else table
     prototype = parse_prototype(document, "debist.identify")
     compared = model in names("compare")
+    not_taken = f"which the model {model!r} does not take"
     unread = (
-        ("compare.curves", prototype.compare.curves is not None, "which only the report of a run draws"),
-        ("ingest.sample_rate", prototype.ingest.sample_rate is not None, "but t has the time of each sample"),
-        *(
-            (f"plant.{key}", compared and value is not None, f"which the model {model!r} does not take")
-            for key, value in (("curves", prototype.plant.curves), ("siblings", prototype.plant.siblings))
-        ),
+        ("compare.curves", prototype.compare.curves, "which only the report of a run draws"),
+        ("ingest.sample_rate", prototype.ingest.sample_rate, "but t has the time of each sample"),
+        ("plant.curves", prototype.plant.curves if compared else None, not_taken),
+        ("plant.siblings", prototype.plant.siblings if compared else None, not_taken),
     )
-    for key, stated, why in unread:
-        if stated:
+    for key, value, why in unread:
+        if value is not None:
             raise InputError(f"settings has {key}, {why}; leave it out")
     return prototype
 

@@ -282,10 +282,8 @@ class ErrorBoundary(WholeLines):
         except (typer.Exit, typer.Abort):
             raise
         except Exception as error:
-            if (
-                isinstance(error, OSError) and _stdout_fails()
-            ):  # Windows calls a reader that has gone an invalid argument
-                if isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL):
+            if isinstance(error, OSError) and _stdout_fails():
+                if _reader_has_gone(error):
                     raise _unread() from error
                 raise
             if _of_typer(error):
@@ -365,6 +363,11 @@ def _remedy(error: Exception) -> str | None:
         unreadable = denied and Path(place).exists() and not os.access(error.filename, os.R_OK)
         return f"{place}: cannot be {'read' if unreadable else 'written'}: {why}; choose another place, or see to it"
     return None
+
+
+def _reader_has_gone(error: OSError) -> bool:
+    """True if nobody reads standard output any more, which Windows calls an invalid argument."""
+    return isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL)
 
 
 def _stdout_fails() -> bool:

@@ -112,25 +112,14 @@ def _files(
         *(_file(crate, place / name, name, name) for name in texts),
         *(_file(crate, source, name, f"Input {source.name}") for name, source in inputs.items()),
     ]
-    results = [
-        _file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts"),
-        *(
-            _file(
-                crate,
-                run.checked(name),
-                f"run/{name}",
-                f"{record.recipe.stage}: {name}",
-                contentHash=record.content_hash,
-            )
-            for name, record in sorted(run.manifest.artifacts.items())
-        ),
-        *(
-            _file(crate, run.path(name), f"run/{name}", f"Content hashes of the stage {stage}")
-            for stage in run.manifest.stages
-            if not run.stage_problem(stage)
-            for name in [stage_file(stage)]
-        ),
-    ]
+    results = [_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts")]
+    for name, record in sorted(run.manifest.artifacts.items()):
+        title = f"{record.recipe.stage}: {name}"
+        results.append(_file(crate, run.checked(name), f"run/{name}", title, contentHash=record.content_hash))
+    for stage in run.manifest.stages:
+        if not run.stage_problem(stage):
+            name = stage_file(stage)
+            results.append(_file(crate, run.path(name), f"run/{name}", f"Content hashes of the stage {stage}"))
     return objects, results
 
 

@@ -96,7 +96,8 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
     write_text(script, function_source(subject))
     buffer = io.BytesIO()
     savemat(buffer, variables(subject), long_field_names=True, oned_as="row")  # type: ignore[arg-type]  # takes streams
-    title = f"debist {program_version()}, {subject.identifier}".encode("ascii", "replace")  # for the time of writing
+    # The header of a MAT file begins with a text. SciPy writes the time into it; the same model shall give equal files.
+    title = f"debist {program_version()}, {subject.identifier}".encode("ascii", "replace")
     header = title[:_DESCRIPTION_BYTES].ljust(_DESCRIPTION_BYTES)
     write_bytes(data, header + buffer.getvalue()[_DESCRIPTION_BYTES:])
     return Exported([script, data])

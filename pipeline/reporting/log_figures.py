@@ -152,16 +152,12 @@ def measured_signals(log: LogData) -> dict[str, FloatArray]:
 def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.motion.t
     unit = signal_units(data.device.displacement.symbol)
-    # The main model is drawn last, over the measurement and its baselines.
-    panels = [
-        Panel(
-            HEADINGS[name],
-            unit[name],
-            (Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]),
-        )
-        for name, measured in measured_signals(log).items()
-        for lines in [[Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]]
-    ]
+    panels = []
+    for name, measured in measured_signals(log).items():
+        lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
+        # The main model is drawn last, over the measurement and its baselines.
+        drawn = (Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1])
+        panels.append(Panel(HEADINGS[name], unit[name], drawn))
     gone = [f"{m} diverged at {moment(n['diverged_at_s'])}" for m, n in log.outcomes.items() if n["status"] != "ok"]
     inputs = f"{data.device.input_word}s"
     caption = f"Free runs from the log's first sample under its measured {inputs}; nothing is fed back."

@@ -229,8 +229,8 @@ def _sections(studies: bool, control: bool) -> list[tuple[str, str]]:
         ("errors", "Errors"),
         *SECTION_TITLES.items(),
         ("device", "Device"),
-        *[("control", "Control")] * control,
+        *([("control", "Control")] if control else []),
         ("models-described", "Models"),
-        *[("studies", "Studies")] * studies,
+        *([("studies", "Studies")] if studies else []),
         ("provenance", "Provenance"),
     ]

@@ -312,25 +312,30 @@ class Prototype(SettingsTable):
     @model_validator(mode="after")
     def _read(self) -> "Prototype":
         """Refuse settings that nothing reads; the paper's M and σ_n also decide gates and studies."""
-        given = {f"identify.structure.{key}": value != AUTO for key, value in self.identify.structure}
-        given["identify.time_limit"] = self.identify.time_limit != _default(Identify, "time_limit")
-        given["plant.curves"] = self.plant.curves is not None
-        of_hybrid = {
-            "plant.siblings": self.plant.siblings is not None,
-            "identify.corrections": self.identify.corrections != AUTO,
-        }
-        film = {f"plant.{key}": getattr(self.plant, key) != _default(Plant, key) for key in sorted(FILM)}
-        readers = (
-            (given, {AUTO, "rbf"} & set(self.identify.models), 'is for "rbf", which identify.models does not name'),
-            (
-                of_hybrid,
-                {AUTO, "hybrid"} & set(self.identify.models),
-                'is for "hybrid", which identify.models does not name',
-            ),
-            (film, self.may_be_a_joint, "is for the joint's two squared voltages; leave it out for this device"),
-        )
+        no_rbf = not {AUTO, "rbf"} & {*self.identify.models}
+        no_hybrid = not {AUTO, "hybrid"} & {*self.identify.models}
+        of_rbf = 'is for "rbf", which identify.models does not name'
+        of_hybrid = 'is for "hybrid", which identify.models does not name'
+        of_joint = "is for the joint's two squared voltages; leave it out for this device"
         _refuse(
-            *((stated and not read, f"{key}: {why}") for keys, read, why in readers for key, stated in keys.items()),
+            *(
+                (no_rbf and value != AUTO, f"identify.structure.{key}: {of_rbf}")
+                for key, value in self.identify.structure
+            ),
+            (
+                no_rbf and self.identify.time_limit != _default(Identify, "time_limit"),
+                f"identify.time_limit: {of_rbf}",
+            ),
+            (no_rbf and self.plant.curves is not None, f"plant.curves: {of_rbf}"),
+            (no_hybrid and self.plant.siblings is not None, f"plant.siblings: {of_hybrid}"),
+            (no_hybrid and self.identify.corrections != AUTO, f"identify.corrections: {of_hybrid}"),
+            *(
+                (
+                    not self.may_be_a_joint and getattr(self.plant, key) != _default(Plant, key),
+                    f"plant.{key}: {of_joint}",
+                )
+                for key in sorted(FILM)
+            ),
             (
                 self.channels.qdot is not None and self.differentiate.alpha != AUTO,
                 "differentiate.alpha: is for the displacement; a measured velocity (channels.qdot) is smoothed by its "

@@ -206,7 +206,7 @@ def _refit(
     return dynamics, {
         "library": str(chosen.library),
         "library_terms": theta.shape[1],
-        "terms_kept": np.count_nonzero(dynamics.coefficients[1]),
+        "terms_kept": int(np.count_nonzero(dynamics.coefficients[1])),
         "test_function_half_width_s": problem.half_width,
         "optimizer": "STLSQ",
         "threshold_of_rms_acceleration": chosen.threshold,

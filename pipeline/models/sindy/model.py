@@ -274,7 +274,7 @@ def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyM
 
     dynamics = fit_default_sindy(trajectories, plant)
     library = "poly2(q, q̇, u), pysindy's default, in the units of the log"
-    notes = {"library": library, "terms_kept": np.count_nonzero(dynamics.coefficients[1])}
+    notes = {"library": library, "terms_kept": int(np.count_nonzero(dynamics.coefficients[1]))}
     return SindyModel.of(dynamics, plant, "sindy-default", notes)
 
 

@@ -87,6 +87,10 @@ def test_round_trip_through_the_tree_changes_no_prediction(model: SindyModel) ->
     np.testing.assert_array_equal(again.simulate(t, v, -0.01, 0.0).q, model.simulate(t, v, -0.01, 0.0).q)
 
 
+def test_a_count_in_its_description_is_a_number_of_python(model: SindyModel) -> None:
+    assert isinstance(model.describe()["terms_kept"], int)
+
+
 def test_divergence_is_a_status_with_a_time() -> None:
     """q̈ = +400 q leaves ±0.1 m from 1 mm after ln(200)/20 s = 0.265 s."""
     unstable = PolynomialDynamics(
