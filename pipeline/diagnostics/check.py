@@ -439,9 +439,9 @@ def beside(rows: Sequence[CheckRow]) -> tuple[tuple[str, ...], list[tuple[str, .
     table = []
     for what in dict.fromkeys(row.what for row in rows):
         kind = [row for row in rows if row.what == what]
-        shown = [next((row for row in kind if row.log == log), None) for log in logs]
-        if len(logs) > _MOST_BESIDE:
-            shown = [max(kind, key=lambda row: order.index(row.state))]
+        worst = max(kind, key=lambda row: order.index(row.state))
+        of_log = {row.log: row for row in reversed(kind)}
+        shown = [worst] if len(logs) > _MOST_BESIDE else [of_log.get(log) for log in logs]
         table.append((what, *map(_cell, shown), kind[0].limit))
     columns = logs if len(logs) <= _MOST_BESIDE else [f"most remarkable of {len(logs)} logs"]
     return ("checked", *columns, "limit"), table

@@ -117,7 +117,10 @@ def _rival(finding: Finding) -> tuple[str, str]:
         "(force, damping, drag, gain, friction, drive)"
     )
     if "own" not in finding.numbers:
-        return finding.filled(f"{best} predicts the {{log}} with {{error:percent}}, where {own} diverged"), advice
+        return (
+            f"{best} predicts the {finding.log} with {finding.numbers['error']:percent}, where {own} diverged",
+            advice,
+        )
     errors = finding.filled("{error:percent} for {own:percent}")
     return f"{best} predicts the {finding.log} surely better than {own}: {errors}", advice
 

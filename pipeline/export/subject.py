@@ -94,7 +94,7 @@ class Subject:
     start : (float, float)
         Displacement and velocity at its first sample.
     curve_units : mapping of str to str
-        SI units of its curves by the start of their names (`pipeline.units.units.curve_units`).
+        SI units of its curves by the start of their names (`pipeline.device.device.Device.curve_units`).
     """
 
     prototype: str

@@ -371,7 +371,7 @@ def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[Any]
         Path in the file, such as ``rbf-paper/weights``.
     units : dict of str
         SI units: of the displacement (``q``), the inputs (``v``), the mass (``m``), a stiffness (``c``), and those of
-        the curves (``F``, ``d``, ``g``; `pipeline.units.units.curve_units`).
+        the curves (``F``, ``d``, ``g``; `pipeline.device.device.Device.curve_units`).
     files : mapping of str to type
         The declaration of each group of the file.
     """

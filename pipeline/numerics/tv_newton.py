@@ -299,7 +299,7 @@ def newton_step(at: Iterate, step: NewtonStep, delta: float, order: int, first_v
     """Write the Newton step; return the longest dual step and the objective after a full step.
 
     The longest dual step is the one that keeps |p| ≤ 1; the objective is that of `objective`. The smoother's state is
-    the chain of m + 1 summators of `tv_chain`; its start is diffuse, as m + 1 samples fix it.
+    the chain of m + 1 summators; its start is diffuse, as m + 1 samples fix it.
 
     Parameters
     ----------

@@ -109,10 +109,7 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
             *left_out({name: f"{error}" for name, error in failed.items()}),
         ],
         "warnings": source.warnings,
-        "rates": source.rates,
-        "frequencies": source.frequencies,
-        "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
-        "heading": source.heading[:_LONGEST_TEXT],
+        **_stated(source),
         "listed": [entry.name for entry in entries if entry.name not in failed],
         "channels": [
             {
@@ -124,6 +121,16 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
             }
             for name, entry in wanted
         ],
+    }
+
+
+def _stated(source: Source) -> dict[str, Any]:
+    """What the log states beside its channels: rates, descriptions, heading."""
+    return {
+        "rates": source.rates,
+        "frequencies": source.frequencies,
+        "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
+        "heading": source.heading[:_LONGEST_TEXT],
     }
 
 

@@ -24,7 +24,7 @@ from .source import as_other_logs
 Purpose = Literal["train", "validation", "test", ""]
 
 _BETWEEN_WORDS = re.compile(r"[\W\d_]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
-"""Other characters, and nothing between the small and the large letter of ``trainData``."""
+"""What separates words: other characters, or the place between a small and a large letter, as in ``trainData``."""
 _OF_DATA = "(data|daten|set|log|logs|run|lauf)?"
 _WORDS: dict[Purpose, re.Pattern[str]] = {
     "validation": re.compile(rf"val{_OF_DATA}|valid\w*", re.IGNORECASE),

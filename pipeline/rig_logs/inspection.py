@@ -135,17 +135,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     rates = {} if own_time else dict(recording.rates) | _constant_rates(recording.channels, notes)
     roles, apart = _roles(recording, rates, own_time=own_time)
     column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)
-    stamps: list[FloatArray] = []
-    bases: list[TimeQuality] = []
-    examined: list[tuple[RecordedChannel, int | None, SignalQuality, Clock]] = []
-    for channel in recording.channels:
-        time = column if channel.time is None else channel.time
-        position = _time_base(time, stamps, bases, notes) if time is not None else None
-        if time is not None and position is not None and time.size == channel.samples.size:
-            examined.append((channel, position, examine_signal(time, channel.samples, bases[position].step), clock))
-        else:  # a time base itself, or a channel without one: located by sample number
-            numbers = np.arange(channel.samples.size, dtype=np.float64)
-            examined.append((channel, None, examine_signal(numbers, channel.samples, 1.0), "samples"))
+    bases, examined = _examined(recording.channels, column, clock, notes)
     driving = {role.role: role.candidates for role in roles}
     channels = []
     for channel, position, quality, own_clock in examined:
@@ -176,6 +166,24 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         path, recording.format, path.stat().st_size, own_time, tuple(bases), tuple(channels), roles, apart, rates,
         tuple(notes), recording.heading,
     )  # fmt: skip
+
+
+def _examined(
+    recorded: Sequence[RecordedChannel], column: FloatArray | None, clock: Clock, notes: list[str]
+) -> tuple[list[TimeQuality], list[tuple[RecordedChannel, int | None, SignalQuality, Clock]]]:
+    """The time bases, own ones or the log's `column`; each channel with the place of its base, quality and clock."""
+    stamps: list[FloatArray] = []
+    bases: list[TimeQuality] = []
+    examined: list[tuple[RecordedChannel, int | None, SignalQuality, Clock]] = []
+    for channel in recorded:
+        time = column if channel.time is None else channel.time
+        position = _time_base(time, stamps, bases, notes) if time is not None else None
+        if time is not None and position is not None and time.size == channel.samples.size:
+            examined.append((channel, position, examine_signal(time, channel.samples, bases[position].step), clock))
+        else:  # a time base itself, or a channel without one: located by sample number
+            numbers = np.arange(channel.samples.size, dtype=np.float64)
+            examined.append((channel, None, examine_signal(numbers, channel.samples, 1.0), "samples"))
+    return bases, examined
 
 
 def _without_dropouts(signal: Signal, quality: SignalQuality, step: float) -> tuple[Dropouts, SignalQuality]:

@@ -338,6 +338,13 @@ def step_response(q: FloatArray, interval: float) -> tuple[float | None, float |
         Displacement, finite.
     interval : float
         Sample interval [s].
+
+    Returns
+    -------
+    rise : float or None
+        From 10 to 90 % of the way to the final value [s]; None if the way is not completed.
+    settling : float or None
+        From the voltage step until q stays within ±10 % of the step [s]; None if it does not for the last 0.4 s.
     """
     window = samples_of(LONGEST_WINDOW, interval)
     step = float(np.mean(q[-window:])) - q[0]
@@ -391,7 +398,8 @@ def response_errors(
         switches += 1
         if np.all(np.isfinite(calculated[rows])) and _switches(calculated[rows], wells, interval):
             pairs.append((step_response(measured[rows], interval), step_response(calculated[rows], interval)))
-    rise, settling = (_errors([(a[time], b[time]) for a, b in pairs]) for time in (0, 1))
+    rise = _errors([(own, other) for (own, _), (other, _) in pairs])
+    settling = _errors([(own, other) for (_, own), (_, other) in pairs])
     bands = median_interval(rise, rng), median_interval(settling, rng)
     return ResponseErrors(switches, len(pairs), _median(rise), _median(settling), *bands)
 

@@ -241,6 +241,13 @@ def switch_accuracy(
         The wells of the device.
     plant : Device
         Its inputs, and whether it is the joint.
+
+    Returns
+    -------
+    correct : int
+        Pulses after which the simulation rests in the well in which the measurement does.
+    pulses : int
+        Pulses after which the measurement rests in one well.
     """
     pulses = correct = 0
     for rest in places_of_rest(measured, v, interval, plant=plant):

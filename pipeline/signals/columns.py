@@ -64,9 +64,11 @@ class Stream:
 
     def read(self, count: int) -> FloatArray:
         """The next `count` rows, shape (k, count)."""
-        parts = self._ready or [next(self._pieces)]
-        while sum(part.shape[1] for part in parts) < count:
+        parts = self._ready
+        held = sum(part.shape[1] for part in parts)
+        while held < count:
             parts.append(next(self._pieces))
+            held += parts[-1].shape[1]
         values = np.concatenate(parts, axis=1)
         self._ready = [values[:, count:].copy()]
         return values[:, :count]

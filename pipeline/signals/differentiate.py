@@ -83,7 +83,7 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
 
     Gaussian below s and exponential above. sigma comes from the record (`noise.noise_std`), the shape c² is fixed, and
     the scale s follows from the record by MacKay's re-estimation: the data determine gamma of the M increments (the
-    effective number of parameters, `tv_chain.effective_parameters`), and so many should have the size that the prior
+    effective number of parameters, `tv_newton.effective_parameters`), and so many should have the size that the prior
     expects,
 
         c² Σ w²/(s sqrt(s² + w²)) = gamma.

@@ -19,5 +19,5 @@ G. Bock 1983), with a robust loss and from several starts. Gradients are those o
 - `statics`: all equilibria with their stability, and the static path. `bifurcation`: diagrams and switching voltage.
 - `full_order`: eqs. 19 to 23 by RODAS4. `reduced_order`: reduction and simulation of eq. 26.
 - `windows`: windows of the logs and their errors. `sensitivity`: their derivatives by parameters.
-- `calibration`: the calibration and its covariance. `calibration_problem`: its unknowns, priors and search.
+- `calibration`: the calibration, its unknowns, priors, search and covariance.
 """

@@ -283,7 +283,7 @@ def calibrate(
 
     Notes
     -----
-    Least squares with soft-L1 loss (`calibration_problem`): a window near a switching that ends in the wrong well must
+    Least squares with soft-L1 loss (`search`): a window near a switching that ends in the wrong well must
     not decide the fit. Gradients are those of the variational equations. Cost: an iteration on 37.5 s
     at 10 ms takes 0.1 to 0.2 s of processor time, a third of that while starts are compared; a calibration with three
     starts 2 to 4 s (nine simulated joints).

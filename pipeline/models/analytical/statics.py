@@ -404,7 +404,7 @@ def unactuated_path(parameters: JointParameters, reach: float = 0.03, count: int
 
 @lru_cache(maxsize=64)
 def _without_dynamics(parameters: JointParameters) -> JointParameters:
-    """The joint whose viscosities, inertia and friction, which no static kernel reads, are nominal; kept as well."""
+    """The joint of equal statics, with nominal viscosities, inertia and friction, which no static kernel reads."""
     operations = (operation for graph in (STATICS, TIP, CAPACITANCE) for operation in graph.operations)
     read = {operation.place[1] for operation in operations if operation.place[0] == "p"}
     return parameters.with_values({n: NOMINAL.value(n) for i, n in enumerate(VECTOR_NAMES) if i not in read})

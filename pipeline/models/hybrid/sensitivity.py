@@ -79,7 +79,10 @@ def sensitivities(
         delay, charging time and probes in units of θ.
     by_weights : FloatArray, shape (N, 9, M)
         Its derivatives by the weights of the corrections.
-        Cost: 1.4 µs a stage for 104 constants, 2.3 with corrections; 37.5 s at two steps in 10 ms take 43 and 70 ms.
+
+    Notes
+    -----
+    Cost: 1.4 µs a stage for 104 constants, 2.3 with corrections; 37.5 s at two steps in 10 ms take 43 and 70 ms.
     """
     k, weights, basis = coefficients
     dt, substeps, wall, lead, reading = stepping

@@ -17,8 +17,7 @@ segment.
 **Known limits.** The Gaussians vanish outside the training data, so no force restores the joint there. A fit of
 accelerations does not see that a small error of force near the barrier sends a free run into the wrong well.
 
-- `model`: the model, its estimation and its file.
+- `model`: the model, its estimation, its free run by Runge-Kutta steps on the generated rates, and its file.
 - `lag_search`: the descent on T_z.
-- `lagged_free_run`: the free run, by Runge-Kutta steps on the generated rates.
 - `online`: the weights by recursive least squares over a stream of samples (§4.1), for studies.
 """
