@@ -83,13 +83,15 @@ def similar_joint(records: Sequence[Log], parameters: JointParameters, mass: flo
     if not motions:
         raise DataRefusedError("no small motion about a well is seen, so the joint's time scale is unknown")
     gain = _weighted([(motion.gains[0] - motion.gains[1], motion.gain_error) for motion in motions])
+    stiffness = _weighted([(motion.stiffness, motion.stiffness_error) for motion in motions])
+    if np.isnan(gain + stiffness):
+        raise DataRefusedError("no voltage drives a small motion about a well, so the joint's scales are unknown")
     if gain <= 0.0:
         raise DataRefusedError(
             "v1 pushes to smaller q and v2 to larger, against the sides of a joint; are they exchanged?"
         )
     reference = _reference_motion(parameters)
     length = half / reference.place
-    stiffness = _weighted([(motion.stiffness, motion.stiffness_error) for motion in motions])
     time = float(np.sqrt(reference.stiffness / stiffness))
     voltage = float(np.sqrt(length / time**2 * (reference.gains[0] - reference.gains[1]) / gain))
     return Similarity(length, time, voltage, mass_factor(parameters, mass), _shift(wells))
@@ -131,7 +133,8 @@ def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotio
     target = np.concatenate(targets)
     if len(target) <= matrix.shape[1]:
         return None
-    scale = np.maximum(np.abs(matrix).max(axis=0), 1e-300)
+    scale = np.abs(matrix).max(axis=0)
+    scale[scale == 0.0] = 1.0
     scaled = matrix / scale
     solution = np.linalg.lstsq(scaled, target, rcond=1e-9)[0]
     if solution[1] >= 0.0:
@@ -142,13 +145,19 @@ def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotio
         * np.diag(np.linalg.pinv(scaled.T @ scaled))
         / scale**2
     )
+    variance = np.where(variance > 0.0, variance, np.inf)  # rounding alone is left of what the rows do not determine
     errors = float(np.sqrt(variance[1])), float(np.sqrt(variance[4:].sum()))
     return _SmallMotion(place, -float(solution[1] / scale[1]), solution[4:] / scale[4:], *errors)
 
 
 def _weighted(estimates: Sequence[tuple[float, float]]) -> float:
-    """Mean of estimates with standard errors: of the two wells, one may hardly have been visited, or never driven."""
+    """Mean of estimates with standard errors: of the two wells, one may hardly have been visited, or never driven.
+
+    NaN where none is known.
+    """
     value, error = np.array(estimates).T
+    if np.isinf(error).all():
+        return np.nan
     weight = 1.0 / (error**2 + (WELLS_DIFFER * np.abs(value).min()) ** 2)
     return float(weight @ value / weight.sum())
 

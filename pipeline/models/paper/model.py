@@ -303,7 +303,7 @@ class RbfPaperModel(ModelFile):
         -------
         dict
             ``F`` = c(q) q, restoring force [N]; ``d`` damping [N s/m]; ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33)
-            for squared inputs, ``g1``, ``g2`` [N/V] for linear ones. Per unit mass where `mass` is 1.
+            for squared inputs, ``g1``, ``g2`` [N/V] for linear ones. Per unit mass where `mass_kg` is 1.
         """
         return self._characteristics(self.weights, q)
 

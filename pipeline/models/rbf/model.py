@@ -133,7 +133,7 @@ class RbfModel:
         return np.delete(states, 2, axis=1), u[:: 2 * steps]
 
     def acting(self, logs: Sequence[Log]) -> dict[str, float]:
-        """RMS force [N] of each element along logs; per unit mass where `mass` is 1, and 0 of one that is absent."""
+        """RMS force [N] of each element along logs; per unit mass where `mass_kg` is 1, and 0 of one that is absent."""
         s = self.parameters.scales
         parts = [
             self._followed(
@@ -155,7 +155,7 @@ class RbfModel:
         dict
             ``F`` restoring force [N] at rest without inputs; ``d`` damping [N s/m] including the hidden elements
             that relax faster than the joint moves; and at rest ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33) for
-            squared inputs, ``g1``, ``g2`` [N/V] for linear ones. Per unit mass where `mass` is 1.
+            squared inputs, ``g1``, ``g2`` [N/V] for linear ones. Per unit mass where `mass_kg` is 1.
         """
         return self._characteristics(self.theta, q)
 

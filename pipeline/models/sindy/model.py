@@ -161,7 +161,7 @@ class SindyModel(ModelFile):
         dict
             ``F`` restoring force [N] at rest without voltage, ``d`` damping [N s/m] of slow motion and,
             for squared inputs, ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33); for linear inputs ``g1``, ``g2`` [N/V].
-            Per unit mass where `mass` is 1 because it is unknown.
+            Per unit mass where `mass_kg` is 1 because it is unknown.
         """
         d = self.dynamics
         x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, np.zeros_like(q), 1.0)

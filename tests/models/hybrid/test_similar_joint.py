@@ -61,3 +61,12 @@ def test_exchanged_sides_and_a_single_well_are_no_joint() -> None:
     still = Log(record.t, np.abs(record.q), record.qdot, record.qddot, record.v, record.valid)
     with pytest.raises(DataRefusedError, match="no two wells"):
         similar_joint([still], NOMINAL)
+
+
+def test_voltages_that_act_at_no_well_are_no_joint() -> None:
+    """Where rows determine no gain, rounding leaves a variance of zero or less than that, not an error of nothing."""
+    record = device(Similarity())
+    near = np.abs(np.abs(record.q) - np.median(np.abs(record.q))) < 0.6 * np.median(np.abs(record.q))
+    undriven = Log(record.t, record.q, record.qdot, record.qddot, record.v * ~near[:, None], record.valid)
+    with pytest.raises(DataRefusedError, match="no voltage drives"):
+        similar_joint([undriven], NOMINAL)
