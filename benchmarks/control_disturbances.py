@@ -16,8 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.control.design import Settings
-from pipeline.control.design import design as design_law
+from pipeline.control.design import Settings, design as design_law
 from pipeline.control.ensemble import Converters
 from pipeline.control.law import Law
 from pipeline.control.plant import ControlledJoint, wells_and_saddle

@@ -10,8 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 from control_disturbances import Row, Tested, main
 
-from pipeline.control.design import Settings
-from pipeline.control.design import design as design_law
+from pipeline.control.design import Settings, design as design_law
 from pipeline.control.pulses import design_pulse
 from pipeline.control.switching_map import lowest_voltage, pulses, switching_map
 from pipeline.errors import DebistError

@@ -33,11 +33,11 @@ from .in_memory import (
     log_in,
     refuse_other_units,
     score_table,
+    settings as settings_of,
     si_symbols,
     signals_of,
     voltages_of,
 )
-from .in_memory import settings as settings_of
 from .saved_model import export_model, load_saved, save_model, subject_of
 
 if TYPE_CHECKING:

@@ -106,11 +106,8 @@ def _late(fact: LogFacts, plant: Device) -> list[Finding]:
     most = LATE * fact.sample_interval
     if plant.angle or abs(fact.late) < most:
         return []
-    return [
-        Finding(
-            "late_answer", "fair", fact.signals.name, "q", {"late": Number(fact.late, "s"), "most": Number(most, "s")}
-        )
-    ]
+    numbers = {"late": Number(fact.late, "s"), "most": Number(most, "s")}
+    return [Finding("late_answer", "fair", fact.signals.name, "q", numbers)]
 
 
 def _scale(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -128,12 +125,9 @@ def _scale(fact: LogFacts, plant: Device) -> list[Finding]:
         "most": Number(allowed),
         "mass": Number(mass, "kg"),
     }
-    return [
-        Finding(
-            "coupling", "poor" if wrong else "good", fact.signals.name,
-            "drawn" if plant.known_mass is None else "stated", numbers, "scale" if wrong else None,
-        )
-    ]  # fmt: skip
+    subject = "drawn" if plant.known_mass is None else "stated"
+    severity: Severity = "poor" if wrong else "good"
+    return [Finding("coupling", severity, fact.signals.name, subject, numbers, "scale" if wrong else None)]
 
 
 def _couplings(fact: LogFacts) -> list[float]:
@@ -153,12 +147,8 @@ def _sides(fact: LogFacts) -> list[Finding]:
     ratio = couplings[0] / couplings[1]
     error = np.linalg.norm([force.error / force.value for force in fact.input_forces if force is not None])
     alike = abs(np.log(ratio)) <= np.log(SIDES) + SURE * error
-    return [
-        Finding(
-            "coupling_ratio", "good" if alike else "fair", fact.signals.name, "",
-            {"ratio": Number(ratio), "most": Number(SIDES)},
-        )
-    ]  # fmt: skip
+    numbers = {"ratio": Number(ratio), "most": Number(SIDES)}
+    return [Finding("coupling_ratio", "good" if alike else "fair", fact.signals.name, "", numbers)]
 
 
 def _correlated(fact: LogFacts, plant: Device) -> list[Finding]:
@@ -169,12 +159,8 @@ def _correlated(fact: LogFacts, plant: Device) -> list[Finding]:
     correlation = float(np.asarray(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T))[0, 1])
     if abs(correlation) < CORRELATED:
         return []
-    return [
-        Finding(
-            "correlated", "fair", fact.signals.name, "",
-            {"correlation": Number(correlation), "most": Number(CORRELATED)},
-        )
-    ]  # fmt: skip
+    numbers = {"correlation": Number(correlation), "most": Number(CORRELATED)}
+    return [Finding("correlated", "fair", fact.signals.name, "", numbers)]
 
 
 def _field(fact: LogFacts, plant: Device) -> Finding:

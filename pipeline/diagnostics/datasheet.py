@@ -179,13 +179,11 @@ class Datasheet:
         """
         forces: Mapping[str, float] = data.descriptions.get(self.main_model, {}).get("elements", {})
         whole = forces.get("restoring force")
+        unit = data.device.curve_units["F"]
         return [
-            {
-                "name": name, "force_rms": force, "unit": data.device.curve_units["F"],
-                "share": force / whole if whole else None,
-            }
+            {"name": name, "force_rms": force, "unit": unit, "share": force / whole if whole else None}
             for name, force in sorted(forces.items(), key=lambda item: -item[1])
-        ]  # fmt: skip
+        ]
 
     def to_json(self, data: RunData) -> dict[str, Any]:
         """The document that is written as ``datasheet.json``; SI units, null where unknown."""

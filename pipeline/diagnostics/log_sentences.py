@@ -198,10 +198,8 @@ def _input_action(finding: Finding) -> ShownRow:
 
 
 def _shared_recording(finding: Finding) -> ShownRow:
-    return ShownRow(
-        f"shared with {finding.subject}", shared_spans(finding), "none",
-        "what both hold counts twice in fits and scores: leave one of them out, or cut it",
-    )  # fmt: skip
+    advice = "what both hold counts twice in fits and scores: leave one of them out, or cut it"
+    return ShownRow(f"shared with {finding.subject}", shared_spans(finding), "none", advice)
 
 
 def shared_spans(finding: Finding) -> str:

@@ -7,8 +7,7 @@ from inspect import signature
 from typing import Annotated, Any, Literal, Protocol, TypeVar, cast, runtime_checkable
 
 import numpy as np
-from pydantic import Field
-from pydantic import dataclasses as stored
+from pydantic import Field, dataclasses as stored
 
 from ..errors import InputError
 from ..numerics.arrays import FloatArray, IntArray

@@ -59,7 +59,7 @@ class _Processes:
     def __init__(self, jobs: int) -> None:
         self.jobs = jobs
         self._context = process_context()
-        self._processes: list[Any] = []
+        self._processes: dict[Connection, Any] = {}
         self._idle: list[Connection] = []
         self._calls: dict[Connection, tuple[int, OnProgress]] = {}
 
@@ -75,7 +75,7 @@ class _Processes:
         with theirs, apart():
             process = self._context.Process(target=_serve, args=(theirs,))
             process.start()
-        self._processes.append(process)
+        self._processes[channel] = process
         return channel  # type: ignore[no-any-return]
 
     def finished(self) -> list[tuple[int, Callable[[], Any]]]:
@@ -105,12 +105,12 @@ class _Processes:
     def leave(self) -> None:
         """Let processes without a call end, which then keep what they have compiled, and end all if one has a call."""
         if self._calls:
-            for process in self._processes:
+            for process in self._processes.values():
                 process.terminate()
-        for channel in self._idle:
+        for channel in self._processes.keys() - self._calls.keys():
             with suppress(OSError):
                 channel.send(None)
-        for process in self._processes:
+        for process in self._processes.values():
             process.join()
 
 

@@ -11,8 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from control_joints import Running, designed, model
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from scipy.signal import lfilter
 
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, estimate, move, observe

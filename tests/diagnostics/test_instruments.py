@@ -10,9 +10,7 @@ from pipeline.device.parameters import NOMINAL
 from pipeline.diagnostics.instruments import SIGNIFICANCE, InstrumentTest, Reading
 from pipeline.diagnostics.series import RunFact, instrument_facts
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.parameters import DEVIATIONS as PARAMETERS
-from pipeline.models.hybrid.parameters import NAMES as DEVIATIONS
-from pipeline.models.hybrid.parameters import static_slope_ratio
+from pipeline.models.hybrid.parameters import DEVIATIONS as PARAMETERS, NAMES as DEVIATIONS, static_slope_ratio
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.excitation import command, random_excitation

@@ -8,8 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.export import fmu
-from pipeline.export import sources as texts
+from pipeline.export import fmu, sources as texts
 from pipeline.export.crate import environment_text
 from pipeline.export.subject import Subject, Variable, realise
 from pipeline.reporting.tables import disarmed, nrmse_table, render

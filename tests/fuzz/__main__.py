@@ -5,8 +5,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from hypothesis import HealthCheck, Phase, given, settings
-from hypothesis import seed as hypothesis_seed
+from hypothesis import HealthCheck, Phase, given, seed as hypothesis_seed, settings
 
 from pipeline.rig_logs.child import FORMATS
 from pipeline.system.isolation import preload

@@ -3,8 +3,7 @@
 import warnings
 
 import pytest
-from hypothesis import HealthCheck, Phase, given, settings
-from hypothesis import seed as hypothesis_seed
+from hypothesis import HealthCheck, Phase, given, seed as hypothesis_seed, settings
 
 from tests.fuzz.model_files import MODELS, changes, tally
 

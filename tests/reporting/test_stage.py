@@ -16,8 +16,7 @@ from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.store import layout, schemas
 from pipeline.store.manifest import Recipe
 from pipeline.store.run_folder import RunFolder
-from pipeline.workflow import stage_check as check
-from pipeline.workflow import stage_report as report
+from pipeline.workflow import stage_check as check, stage_report as report
 from pipeline.workflow.engine import bring_up_to_date
 from pipeline.workflow.report_data import load_datasheet
 from tests.faults.small_run import drawn_once

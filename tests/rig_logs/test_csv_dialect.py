@@ -4,12 +4,10 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, example, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, example, given, settings, strategies as st
 
 from pipeline.errors import InputError
-from pipeline.rig_logs import csv as csv_source
-from pipeline.rig_logs import read_recording
+from pipeline.rig_logs import csv as csv_source, read_recording
 from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.csv_dialect import find_dialect
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError

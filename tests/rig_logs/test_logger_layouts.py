@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from pipeline.rig_logs.source import UnreadableLogError
 from tests.rig_logs.small_logs import load, open_here

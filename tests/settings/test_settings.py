@@ -8,8 +8,7 @@ import pytest
 from pydantic import BaseModel
 
 from pipeline.errors import InputError
-from pipeline.settings import logs as settings_logs
-from pipeline.settings import prototype as settings
+from pipeline.settings import logs as settings_logs, prototype as settings
 from pipeline.settings.file import translated
 from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.store import layout

@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from pipeline.errors import DataRefusedError
 from pipeline.signals.timebase import advancing, default_gap_limit, examine, nominal_step, segments

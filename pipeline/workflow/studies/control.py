@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...control.controller import PERIOD, closed_on_model
-from ...control.design import Settings
-from ...control.design import design as design_law
+from ...control.design import Settings, design as design_law
 from ...control.ensemble import INTERVAL, Converters, Ensemble, ensemble_of
 from ...control.law import Law
 from ...control.margins import Margins, margins

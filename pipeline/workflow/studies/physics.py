@@ -10,8 +10,7 @@ from pydantic import Field
 from ...device.parameters import QUANTITIES, JointParameters, parameter_file
 from ...errors import InputError
 from ...models.analytical.bifurcation import SHOWN
-from ...models.analytical.calibration import Calibration
-from ...models.analytical.calibration import calibrate as fit
+from ...models.analytical.calibration import Calibration, calibrate as fit
 from ...models.analytical.reduced_order import Motions, pulse_sequence, simulate_both
 from ...models.analytical.statics import static_path
 from ...numerics.arrays import FloatArray

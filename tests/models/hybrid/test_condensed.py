@@ -7,8 +7,7 @@ from scipy.interpolate import CubicSpline
 
 from pipeline.codegen.numba_writer import kernel
 from pipeline.device.parameters import NOMINAL, TABLE1, JointParameters
-from pipeline.generated import analytical_joint as kernels
-from pipeline.generated import condensed_joint as generated
+from pipeline.generated import analytical_joint as kernels, condensed_joint as generated
 from pipeline.generated.condensed_joint import (
     AT_REST,
     FIRST_ELEMENT,
@@ -18,8 +17,8 @@ from pipeline.generated.condensed_joint import (
 )
 from pipeline.models.analytical import full_order
 from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS
 from pipeline.models.hybrid.kernels import (
+    CURVES as CORRECTIONS,
     INDEX,
     VALUES,
     corrections_at,

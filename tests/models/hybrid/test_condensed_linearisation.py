@@ -8,8 +8,7 @@ import pytest
 from pipeline.device.parameters import NOMINAL
 from pipeline.generated.condensed_joint import SLIPS, STATES, STOP_ELEMENTS, STOPS
 from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS
-from pipeline.models.hybrid.kernels import INDEX, VALUES, corrections_at, joint_rates, prepare
+from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS, INDEX, VALUES, corrections_at, joint_rates, prepare
 from pipeline.numerics.arrays import FloatArray
 from tests.models.hybrid.linearisation import Linearised
 

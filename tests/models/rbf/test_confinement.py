@@ -1,8 +1,7 @@
 """Extrapolation confines: a run of any parameters, state and input stays near the data, and rests there."""
 
 import numpy as np
-from hypothesis import example, given, settings
-from hypothesis import strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 from pipeline.models.rbf.dynamics import POLYNOMIALS
 from pipeline.models.rbf.model import RbfModel
