@@ -4,7 +4,6 @@ import re
 
 import numpy as np
 
-from ..fitting.information import coverage
 from ..numerics.arrays import FloatArray, sample_interval
 from ..scoring.wells import NoWells, Wells, snaps
 from ..signals.findings import Finding, Number
@@ -109,6 +108,8 @@ def _noise_check(data: RunData, span: float, noise: float) -> Check:
 
 def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
     """Centres over the training range [m or rad], and the training samples nearest to each, both (centres,)."""
+    from ..fitting.information import coverage
+
     q = np.concatenate([log.motion.q for log in data.role("train")])
     q = q[np.isfinite(q)]
     places = np.linspace(q.min(), q.max(), data.prototype.identify.basis_functions)

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from scipy.optimize import isotonic_regression, leastsq
 
 from ..device.device import Device
 from ..numerics.arrays import FloatArray, runs_of, sample_interval, samples_of
@@ -50,6 +49,8 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     q : FloatArray, shape (n,)
         Displacement, finite.
     """
+    from scipy.optimize import isotonic_regression, leastsq
+
     if q.size < LEAST_SAMPLES:
         return None
     time = t - t[0]

@@ -10,12 +10,12 @@ directions that no log shows the prior stays. Distances from the mean are cut at
 so a few odd members neither move the mean far nor widen the spread much.
 """
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import ndtr, stdtrit
 
 from ..numerics.arrays import FloatArray
 
@@ -142,7 +142,7 @@ def _variance_within(cut: float) -> float:
     """Variance of a standard normal number that is cut at ± `cut`."""
     if not np.isfinite(cut):
         return 1.0
-    inside = 2.0 * ndtr(cut) - 1.0
+    inside = math.erf(cut / math.sqrt(2.0))
     density = np.exp(-0.5 * cut**2) / np.sqrt(2.0 * np.pi)
     return float(inside - 2.0 * cut * density + cut**2 * (1.0 - inside))
 
@@ -192,6 +192,8 @@ def oddity(member: Information, others: NormalPopulation, count: int, entries: S
     entries : sequence of int
         Places in θ that may be odd.
     """
+    from scipy.special import stdtrit
+
     inverse = np.linalg.inv(others.covariance)
     turned = np.linalg.solve(member.precision + inverse, inverse).T  # P (Λ + P)⁻¹
     score = turned @ (member.vector - member.precision @ others.mean)

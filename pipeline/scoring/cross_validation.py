@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import Protocol, TypeVar
 
 import numpy as np
-import scipy.special
 
 from ..errors import DebistError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
@@ -161,11 +160,13 @@ def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     interval : Interval or None
         None with fewer than three folds.
     """
+    from scipy.special import stdtrit
+
     k = values.size
     mean = float(values.mean())
     if k < 3:
         return mean, None
-    reach = scipy.special.stdtrit(k - 1, (1.0 + LEVEL) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1))
+    reach = stdtrit(k - 1, (1.0 + LEVEL) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1))
     half = float(reach * values.std(ddof=1))
     return mean, Interval(mean - half, mean + half)
 

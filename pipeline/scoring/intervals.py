@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.special
 
 from ..device.device import Device
 from ..numerics.arrays import FloatArray, samples_of
@@ -204,9 +203,11 @@ def share_interval(right: int, events: int) -> Interval | None:
     Interval or None
         As shares; None without events.
     """
+    from scipy.special import betaincinv
+
     if events == 0:
         return None
-    low, high = scipy.special.betaincinv(right + 0.5, events - right + 0.5, _TAILS)
+    low, high = betaincinv(right + 0.5, events - right + 0.5, _TAILS)
     return Interval(0.0 if right == 0 else float(low), 1.0 if right == events else float(high))
 
 

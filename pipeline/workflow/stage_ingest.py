@@ -22,7 +22,6 @@ from ..system.worker_pool import OnProgress
 from .engine import Task
 from .logs import corrected_log, corrections
 from .si_log import part_of_log, read_si
-from .steps.differentiate import kinematics
 from .steps.ingest import examined, record_columns, resamplings
 
 ALGORITHM = "20"
@@ -149,6 +148,8 @@ def differentiate_tasks(prototype: Prototype) -> list[Task]:
 
 
 def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Mapping[str, Written]:
+    from .steps.differentiate import kinematics
+
     columns, notes = kinematics(
         run.read_table(layout.signals(role, log)), run.read_table(layout.record(role, log)), prototype
     )

@@ -3,7 +3,7 @@
 Beside each run stands what it leaves open: errors by horizon, pulses whose well is not sure, states never trained on.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
@@ -14,7 +14,6 @@ import numpy as np
 from ..device.device import Device, device
 from ..device.parameters import JointParameters, parameter_values
 from ..diagnostics.characteristics import believed_wells, stable_rests
-from ..models.analytical.statics import RotationMap, rotation_map
 from ..models.free_runs import free_run, tube_columns
 from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
@@ -77,6 +76,8 @@ def task(prototype: Prototype, parameters: JointParameters | None, stage: str, m
 def _predict(
     run: RunFolder, prototype: Prototype, parameters: JointParameters | None, name: str, source: str
 ) -> Mapping[str, Written]:
+    from ..models.analytical.statics import rotation_map
+
     plant = device(prototype)
     model = model_from_tree(name, run.read_tree(source, name))
     rotation = rotation_map(parameters)
@@ -143,6 +144,8 @@ def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
 def _score(
     run: RunFolder, prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]
 ) -> Mapping[str, Written]:
+    from ..models.analytical.statics import rotation_map
+
     rotation = rotation_map(parameters)
     names = [(role, log) for role, log, _ in layout.logs(prototype)]
     logs = [(role, log, log_of(run.read_table(layout.kinematics(role, log)))) for role, log in names]
@@ -173,7 +176,7 @@ def _wells(
 
 
 def _pairs(
-    measured: Log, calculated: Table, rotation: RotationMap | None
+    measured: Log, calculated: Table, rotation: Callable[[FloatArray], FloatArray] | None
 ) -> Mapping[str, tuple[FloatArray, FloatArray]]:
     pairs = {name: (getattr(measured, name), calculated[name]) for name in ("q", "qdot", "qddot")}
     if rotation is not None:

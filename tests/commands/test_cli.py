@@ -71,6 +71,12 @@ def test_help_imports_nothing_heavy() -> None:
     assert heavy.isdisjoint(modules)
 
 
+def test_a_plan_imports_neither_compiler_nor_scipy() -> None:
+    code = "import sys, pipeline.workflow.run; print(*sys.modules)"
+    modules = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert {"scipy", "numba", "casadi", "pysindy", "matplotlib"}.isdisjoint(modules)
+
+
 def _prototype(folder: Path, text: str) -> Path:
     path = folder / "P.toml"
     path.write_text(text, encoding="utf-8")

@@ -415,11 +415,7 @@ def _kept_path(parameters: JointParameters, reach: float, count: int) -> StaticP
     return static_path(parameters, np.linspace(-reach, reach, count), np.zeros(2))
 
 
-RotationMap = Callable[[FloatArray], FloatArray]
-"""φ [rad] of q [m]."""
-
-
-def rotation_map(parameters: JointParameters | None) -> RotationMap | None:
+def rotation_map(parameters: JointParameters | None) -> Callable[[FloatArray], FloatArray] | None:
     """φ of q on the static path, NaN where q is NaN; None for a device without a parameter set."""
     return None if parameters is None else partial(static_rotation, parameters=parameters)
 

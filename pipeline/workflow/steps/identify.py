@@ -12,9 +12,7 @@ from ...device.device import device
 from ...device.parameters import JointParameters
 from ...diagnostics.sentences import judge, sentences
 from ...errors import DataRefusedError
-from ...fitting.excitation import excitation_findings
 from ...fitting.population import NormalPopulation
-from ...models.analytical.statics import rotation_nodes
 from ...models.choose import Choice, choose, main_model
 from ...models.model_type import KnownCurves, StoredModel, Training, model_type
 from ...settings.models import AUTO, ENTRIES
@@ -59,6 +57,8 @@ def training(
     on_progress : callable
         Receives what a fit is doing.
     """
+    from ...models.analytical.statics import rotation_nodes
+
     plant = device(prototype)
     beside = prior_knowledge or PriorKnowledge()
     return Training(
@@ -237,6 +237,8 @@ def _network(given: Training, data: list[Log], prototype: Prototype) -> StoredMo
 
 def _findings(data: list[Log], prototype: Prototype) -> list[Finding]:
     """Findings against the training logs, taken together."""
+    from ...fitting.excitation import excitation_findings
+
     numbers = [log.segment for log in data]
     first = np.cumsum([0, *(segment.max() + 1 for segment in numbers[:-1])])
     segments = [np.where(segment < 0, -1, segment + k) for segment, k in zip(numbers, first, strict=True)]

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from ...device.device import Device
-from ...fitting.information import share_outside
 from ...models.base import DynamicModel, FreeRun, HasTubes, predictor
 from ...models.free_runs import DRAWS, Tubes, drawn_runs, free_run, tubes_of
 from ...numerics.arrays import FloatArray
@@ -106,6 +105,8 @@ def trust_notes(
         ``outcomes``: for each rest after a pulse its end ``at_s``, the probability ``right`` of the well at larger q,
         and whether it is ``ambiguous``; None for a model without an ensemble or a device without two wells.
     """
+    from ...fitting.information import share_outside
+
     return {
         "outside_training": share_outside(*_valid([log]), *_valid(trained)),
         "outcomes": _outcomes(log, wells, ensemble, plant=plant),
