@@ -71,9 +71,15 @@ class Signals:
 
 
 def settings(
-    *, inputs: int, angle: bool, action: str, mass: float | None, model: str, parameters: str | None,
+    *,
+    inputs: int,
+    angle: bool,
+    action: str,
+    mass: float | None,
+    model: str,
+    parameters: str | None,
     more: Mapping[str, Any],
-) -> Prototype:  # fmt: skip
+) -> Prototype:
     """Settings for signals in SI units; `more` adds to tables of a settings file, e.g. ``{"identify": {…}}``.
 
     Parameters

@@ -62,9 +62,13 @@ class Model:
     """
 
     def __init__(
-        self, core: DynamicModel, prototype: Prototype, notes: Mapping[str, Any] | None = None, *,
+        self,
+        core: DynamicModel,
+        prototype: Prototype,
+        notes: Mapping[str, Any] | None = None,
+        *,
         subject: Callable[[], Subject],
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.core = core
         self.name = core.name
         self.notes = dict(notes or {})
@@ -119,9 +123,14 @@ class Model:
 
     @one_thread
     def simulate(
-        self, t: "ArrayLike | pd.DataFrame", v: "ArrayLike | None" = None, q0: float | None = None,
-        qdot0: float = 0.0, *, tube: bool = False,
-    ) -> pd.DataFrame:  # fmt: skip
+        self,
+        t: "ArrayLike | pd.DataFrame",
+        v: "ArrayLike | None" = None,
+        q0: float | None = None,
+        qdot0: float = 0.0,
+        *,
+        tube: bool = False,
+    ) -> pd.DataFrame:
         """Free run from an initial state.
 
         Parameters
@@ -173,9 +182,12 @@ class Model:
 
     @one_thread
     def score(
-        self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
+        self,
+        t: "ArrayLike | pd.DataFrame",
+        q: "ArrayLike | None" = None,
+        v1: "ArrayLike | None" = None,
         v2: "ArrayLike | None" = None,
-    ) -> pd.DataFrame:  # fmt: skip
+    ) -> pd.DataFrame:
         """Errors of the free run over a measured log, from its first sample.
 
         Parameters
@@ -204,9 +216,14 @@ class Model:
 
     @one_thread
     def predict(
-        self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
-        v2: "ArrayLike | None" = None, *, ahead: int = 1,
-    ) -> pd.DataFrame:  # fmt: skip
+        self,
+        t: "ArrayLike | pd.DataFrame",
+        q: "ArrayLike | None" = None,
+        v1: "ArrayLike | None" = None,
+        v2: "ArrayLike | None" = None,
+        *,
+        ahead: int = 1,
+    ) -> pd.DataFrame:
         """Displacement `ahead` samples after each measured one, as a predictive controller needs it.
 
         Parameters
@@ -239,9 +256,14 @@ class Model:
         return frame(columns, *self._units)
 
     def plot(
-        self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
-        v2: "ArrayLike | None" = None, *, ax: "Axes | None" = None,
-    ) -> "Axes":  # fmt: skip
+        self,
+        t: "ArrayLike | pd.DataFrame",
+        q: "ArrayLike | None" = None,
+        v1: "ArrayLike | None" = None,
+        v2: "ArrayLike | None" = None,
+        *,
+        ax: "Axes | None" = None,
+    ) -> "Axes":
         """Measured and simulated displacement of a log with the fit in percent, as MATLAB's ``compare`` draws it.
 
         Parameters
@@ -400,9 +422,14 @@ def identify(
     if angle and unit == "m":
         raise InputError("q_m is a length, but angle=True; call the column q_rad, or leave angle out")
     prototype = settings_of(
-        inputs=count, angle=angle or unit == "rad", action=inputs, mass=mass, model=model,
-        parameters=None if parameters is None else str(parameters), more=settings or {},
-    )  # fmt: skip
+        inputs=count,
+        angle=angle or unit == "rad",
+        action=inputs,
+        mass=mass,
+        model=model,
+        parameters=None if parameters is None else str(parameters),
+        more=settings or {},
+    )
     core, notes, cleaned_logs = identify_signals(logs, prototype, model)
     length = sum(log.duration for log in cleaned_logs)
     notes["training"] = f"trained on {len(logs)} log{'s' * (len(logs) > 1)} of {length:.4g} s"

@@ -107,9 +107,14 @@ def check(place: str | Path) -> pd.DataFrame:
 
 @one_thread
 def differentiate(
-    t: "ArrayLike", q: "ArrayLike", *, method: Literal["tvregdiff", "savitzky-golay"] = "tvregdiff",
-    order: Literal[1, 2, 3, 4] = 3, alpha: float | None = None, epsilon: float | None = None,
-) -> pd.DataFrame:  # fmt: skip
+    t: "ArrayLike",
+    q: "ArrayLike",
+    *,
+    method: Literal["tvregdiff", "savitzky-golay"] = "tvregdiff",
+    order: Literal[1, 2, 3, 4] = 3,
+    alpha: float | None = None,
+    epsilon: float | None = None,
+) -> pd.DataFrame:
     """Velocity and acceleration of a displacement at uniform times, as a run differentiates it.
 
     Parameters
@@ -249,9 +254,7 @@ class Run:
         return Model(load_run_model(*source), self._prototype, subject=partial(subject, *source))
 
     @one_thread
-    def simulate(
-        self, model: str | None = None, log: str | None = None, *, tube: bool = False
-    ) -> pd.DataFrame:  # fmt: skip
+    def simulate(self, model: str | None = None, log: str | None = None, *, tube: bool = False) -> pd.DataFrame:
         """Free run of a model, by default the main one, under the measured voltages of a log, by default the last one.
 
         Parameters

@@ -66,10 +66,15 @@ def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
         raise InputError(f"the model {subject.name} cannot be saved; identify another one")
     bounds = subject.validity
     beside = {
-        "name": subject.name, "settings_json": json.dumps(prototype.model_dump(mode="json"), sort_keys=True),
-        "t": subject.t, "v": subject.v, "start": np.array(subject.start), "q": np.array(bounds.q),
-        "qdot": np.array(bounds.qdot), "inputs": np.array(bounds.v),
-    }  # fmt: skip
+        "name": subject.name,
+        "settings_json": json.dumps(prototype.model_dump(mode="json"), sort_keys=True),
+        "t": subject.t,
+        "v": subject.v,
+        "start": np.array(subject.start),
+        "q": np.array(bounds.q),
+        "qdot": np.array(bounds.qdot),
+        "inputs": np.array(bounds.v),
+    }
 
     files: dict[str, type[Any]] = {_CHECK: _File, subject.name: type(subject.model)}
     write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, columns_of(device(prototype), files))
@@ -106,9 +111,13 @@ def load_saved(path: Path) -> tuple[Subject, Prototype]:
     model = model_from_tree(held.name, model_tree)
     plant = device(prototype)
     bounds = Validity(
-        tuple(held.q), tuple(held.qdot), tuple(tuple(row) for row in held.inputs), prototype.ingest.sample_interval,
-        plant.displacement.symbol, tuple(unit.symbol for unit in plant.inputs),
-    )  # fmt: skip
+        tuple(held.q),
+        tuple(held.qdot),
+        tuple(tuple(row) for row in held.inputs),
+        prototype.ingest.sample_interval,
+        plant.displacement.symbol,
+        tuple(unit.symbol for unit in plant.inputs),
+    )
     start = float(held.start[0]), float(held.start[1])
     subject = Subject(
         prototype.name, held.name, model, bounds, tree_hash(model_tree), held.t, held.v, start, plant.curve_units

@@ -107,9 +107,15 @@ def _addresses(context: Any, builder: Any, names: Sequence[str], kinds: Any, arr
 
 
 def _function(
-    module: Any, graph: Graph, names: list[str], width: int, value: str | None, common: tuple[str, ...], real: Any,
+    module: Any,
+    graph: Graph,
+    names: list[str],
+    width: int,
+    value: str | None,
+    common: tuple[str, ...],
+    real: Any,
     flags: tuple[str, ...] = _FLAGS,
-) -> Any:  # fmt: skip
+) -> Any:
     """The function of a graph in a module: written once, and called from wherever the graph is used."""
     digest = hashlib.sha256(f"{graph.text} {names} {value} {common} {flags}".encode()).hexdigest()[:16]
     returned = ir.VoidType() if value is None else real
@@ -175,9 +181,14 @@ class _Writer:
     """Emits the operations of one graph."""
 
     def __init__(
-        self, builder: Any, pointers: dict[str, Any], width: int, flags: tuple[str, ...] = _FLAGS,
-        common: tuple[str, ...] = (), real: Any = _REAL,
-    ) -> None:  # fmt: skip
+        self,
+        builder: Any,
+        pointers: dict[str, Any],
+        width: int,
+        flags: tuple[str, ...] = _FLAGS,
+        common: tuple[str, ...] = (),
+        real: Any = _REAL,
+    ) -> None:
         self.builder = builder
         self.pointers = pointers
         self.width = width

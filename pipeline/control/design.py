@@ -477,19 +477,28 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
     rests = [rest_state(q, np.zeros(2), k, p, basis, weights, 0.0) for q in grid]
     first, per_metre, curves = tabulate(basis, weights, NODES)
     numbers = {
-        "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
+        "offset": plant.offset,
+        "wall": plant.wall,
+        "farthest": farthest,
         **{f"kept_{side}": left for side, left in zip(SIDES, decays, strict=True)},
         **{f"kept_mean_{x}": (1.0 - left) * lag / PERIOD for x, left, lag in zip(SIDES, decays, lags, strict=True)},
-        "arm": k[INDEX["friction_arm"]], "length": k[INDEX["l"]],
+        "arm": k[INDEX["friction_arm"]],
+        "length": k[INDEX["l"]],
         **{f"travel_{i}": k[INDEX[f"stop_travel_{i}"]] for i in set(STOP_ELEMENTS)},
-        "curve_first": first, "curve_per_metre": per_metre, "curve_last": len(curves) - 1.0,
+        "curve_first": first,
+        "curve_per_metre": per_metre,
+        "curve_last": len(curves) - 1.0,
         "rest_per_metre": 1.0 / (grid[1] - grid[0]),
-    }  # fmt: skip
+    }
     return Law(
         np.array([numbers.get(name, 0.0) for name in NUMBERS], dtype=np.float64),
-        p, prepare_slopes(k), np.ascontiguousarray(curves), np.array([(x[2], x[4], z[0]) for x, z in rests]),
-        np.zeros((TARGETS, 0)), np.zeros((4 * TARGETS, 0)),
-    )  # fmt: skip
+        p,
+        prepare_slopes(k),
+        np.ascontiguousarray(curves),
+        np.array([(x[2], x[4], z[0]) for x, z in rests]),
+        np.zeros((TARGETS, 0)),
+        np.zeros((4 * TARGETS, 0)),
+    )
 
 
 @compiled

@@ -124,11 +124,14 @@ class Ensemble:
         runs = run_joints(
             JointCoefficients(np.tile(self.constants, (pulses, 1)), np.tile(self.weights, (pulses, 1, 1)), self.basis),
             Driving(
-                squares.reshape(pulses * count, half, 2), np.arange(pulses * count), np.tile(self.offsets, pulses),
+                squares.reshape(pulses * count, half, 2),
+                np.arange(pulses * count),
+                np.tile(self.offsets, pulses),
                 np.array([start, 0.0, 0.0]),
             ),
-            Followed(np.zeros(0), np.zeros(samples)), Stepping(INTERVAL, self.steps, self.wall, self.lead),
-        )  # fmt: skip
+            Followed(np.zeros(0), np.zeros(samples)),
+            Stepping(INTERVAL, self.steps, self.wall, self.lead),
+        )
         return np.ascontiguousarray(runs[:, 1:, 0].reshape(pulses, count, samples - 1))
 
     def with_gain_error(self, deviation: float) -> "Ensemble":

@@ -125,8 +125,10 @@ class Law(NamedTuple):
     def holding_voltage(self, q: float) -> float:
         """The larger one of both voltages [V] that hold an unstable target at q [m]."""
         grid = np.linspace(*self.places, TARGETS)
-        at = {name: [np.interp(q, grid, self.targets[:, i]) for i in range(where.start, where.stop)]
-              for name, where in TARGET_COLUMNS.items()}  # fmt: skip
+        at = {
+            name: [np.interp(q, grid, self.targets[:, i]) for i in range(where.start, where.stop)]
+            for name, where in TARGET_COLUMNS.items()
+        }
         share = at["common"][0] + 0.5 * abs(at["holding"][0]) / np.mean(at["moments"])
         return float(self.number("highest") * np.sqrt(share))
 

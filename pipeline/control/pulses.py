@@ -65,9 +65,14 @@ class Pulse:
 
 
 def design_pulse(
-    joint: Ensemble, start: float, target: float, distance: float, highest: float, goal: Goal = "time",
+    joint: Ensemble,
+    start: float,
+    target: float,
+    distance: float,
+    highest: float,
+    goal: Goal = "time",
     on_progress: OnProgress = silent,
-) -> Pulse:  # fmt: skip
+) -> Pulse:
     """The pulse that brings the joint from rest at `start` to rest at `target` (readings, m).
 
     Differential evolution over the durations and efforts of three segments on the estimate, several times, from drawn
@@ -115,9 +120,19 @@ def design_pulse(
         """The pulses after some rounds."""
         limits: Any = _BOUNDS
         return differential_evolution(
-            cost, limits, (by,), init=pulses, maxiter=rounds, vectorized=True, polish=False, updating="deferred",
-            tol=0.0, mutation=(0.4, 0.9), recombination=0.8, rng=rng,
-        )  # fmt: skip
+            cost,
+            limits,
+            (by,),
+            init=pulses,
+            maxiter=rounds,
+            vectorized=True,
+            polish=False,
+            updating="deferred",
+            tol=0.0,
+            mutation=(0.4, 0.9),
+            recombination=0.8,
+            rng=rng,
+        )
 
     searches = []
     for _ in range(_SEARCHES):
@@ -144,9 +159,16 @@ def design_pulse(
     last = int(np.flatnonzero(v[0].any(axis=1))[-1]) + 2
     t = np.linspace(0.0, PERIOD * (v.shape[1] - 1), v.shape[1])
     return Pulse(
-        t[:last], v[0, :last], best.reshape(-1, 2), float(settling[0]), float(overshoot[0].max()), low,
-        high, float(right[1:].mean()) if len(q) > 1 else float(right[0]), q,
-    )  # fmt: skip
+        t[:last],
+        v[0, :last],
+        best.reshape(-1, 2),
+        float(settling[0]),
+        float(overshoot[0].max()),
+        low,
+        high,
+        float(right[1:].mean()) if len(q) > 1 else float(right[0]),
+        q,
+    )
 
 
 def commands(values: FloatArray, side: int, highest: float) -> FloatArray:

@@ -247,15 +247,19 @@ def starts(facts: Sequence[LogFacts]) -> list[Finding]:
         return []
     return [
         Finding(
-            "undriven_starts", "fair", fact.signals.name, "q",
+            "undriven_starts",
+            "fair",
+            fact.signals.name,
+            "q",
             {
-                "starts": Number(len(fact.starts)), "first": Number(fact.starts[0], "s"),
+                "starts": Number(len(fact.starts)),
+                "first": Number(fact.starts[0], "s"),
                 "inputs": Number(len(fact.input_forces)),
             },
         )
         for fact in facts
         if fact.starts
-    ]  # fmt: skip
+    ]
 
 
 def _ranges(fact: LogFacts, plant: Device) -> Iterator[Finding]:
@@ -399,11 +403,19 @@ def check_rows(findings: Sequence[Finding]) -> list[CheckRow]:
     """The findings of a check as rows."""
     return [
         CheckRow(
-            finding.log, shown.what, shown.found, shown.limit, STATES[finding.severity], finding.gate,
-            shown.advice if finding.severity in ("fair", "poor") else "", shown.more, _in_si(finding), finding.code,
+            finding.log,
+            shown.what,
+            shown.found,
+            shown.limit,
+            STATES[finding.severity],
+            finding.gate,
+            shown.advice if finding.severity in ("fair", "poor") else "",
+            shown.more,
+            _in_si(finding),
+            finding.code,
         )
         for finding, shown in zip(findings, map(log_sentences.row, findings), strict=True)
-    ]  # fmt: skip
+    ]
 
 
 def remarks(findings: Sequence[Finding]) -> list[str]:

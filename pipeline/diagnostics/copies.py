@@ -60,14 +60,19 @@ def shared_findings(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int,
     """Findings where logs of one role share a recording."""
     return [
         Finding(
-            "shared_recording", "fair", logs[k].name, logs[i].name,
+            "shared_recording",
+            "fair",
+            logs[k].name,
+            logs[i].name,
             {
-                "start": Number(there[0], "s"), "stop": Number(there[1], "s"),
-                "other_start": Number(here[0], "s"), "other_stop": Number(here[1], "s"),
+                "start": Number(there[0], "s"),
+                "stop": Number(there[1], "s"),
+                "other_start": Number(here[0], "s"),
+                "other_stop": Number(here[1], "s"),
             },
         )
         for i, k, (here, there) in shared
-    ]  # fmt: skip
+    ]
 
 
 def overlap(first: Sequence[tuple[int, float]], second: Sequence[tuple[int, float]]) -> Overlap | None:

@@ -29,8 +29,10 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     span, noise, rails = _signal_numbers(data)
     checks = [
         *(Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted),
-        *_remark_checks(data), _masked_check(data), _noise_check(data, span, noise),
-    ]  # fmt: skip
+        *_remark_checks(data),
+        _masked_check(data),
+        _noise_check(data, span, noise),
+    ]
     if data.prototype.ingest.rails == "keep" and rails > 0.0:  # the user has said what they are
         checks.append(of_finding("data", Finding("rails", "good", subject="kept", numbers={"value": Number(rails)})))
     else:

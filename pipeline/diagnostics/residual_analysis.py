@@ -91,9 +91,16 @@ def analyse_residual(
     bands: FloatArray = NORMAL_99 * np.sqrt(np.maximum(variances, 1.0 / n))
     frequency, density = _spectrum(residual, interval)
     return Residual(
-        interval * np.arange(-count, count + 1.0), own, NORMAL_99 / float(np.sqrt(n)), crossed, bands,
-        float(np.mean(np.abs(crossed[:, count:]) > bands[:, None])), frequency, density, _spectrum(q, interval)[1],
-    )  # fmt: skip
+        interval * np.arange(-count, count + 1.0),
+        own,
+        NORMAL_99 / float(np.sqrt(n)),
+        crossed,
+        bands,
+        float(np.mean(np.abs(crossed[:, count:]) > bands[:, None])),
+        frequency,
+        density,
+        _spectrum(q, interval)[1],
+    )
 
 
 def _correlation(x: FloatArray, y: FloatArray, count: int) -> FloatArray:

@@ -54,15 +54,24 @@ def constant(value: float) -> Code:
 
 def numbers(values: Iterable[float], end: str = "") -> Code:
     """Numbers to the last bit, apart by commas, in lines that end with `end`."""
-    lines = textwrap.wrap(", ".join(number(value) for value in values), 110, initial_indent="    ",
-                          subsequent_indent="    ")  # fmt: skip
+    lines = textwrap.wrap(
+        ", ".join(number(value) for value in values), 110, initial_indent="    ", subsequent_indent="    "
+    )
     return Code(f"{end}\n".join(lines))
 
 
 def reals(values: Iterable[float]) -> Code:
     """The same in C, in the precision that the file is compiled for."""
-    return Code("\n".join(textwrap.wrap(", ".join(f"R({number(value)})" for value in values), 114,
-                                       initial_indent="    ", subsequent_indent="    ")))  # fmt: skip
+    return Code(
+        "\n".join(
+            textwrap.wrap(
+                ", ".join(f"R({number(value)})" for value in values),
+                114,
+                initial_indent="    ",
+                subsequent_indent="    ",
+            )
+        )
+    )
 
 
 def render(name: str, fields: dict[str, Any]) -> str:

@@ -86,9 +86,15 @@ class Descent:
     """
 
     def __init__(
-        self, problem: Any, prior: Prior, gain: float, noise_inflation: float, theta: FloatArray, damping: float,
+        self,
+        problem: Any,
+        prior: Prior,
+        gain: float,
+        noise_inflation: float,
+        theta: FloatArray,
+        damping: float,
         residual: FloatArray,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.problem = problem
         self.prior = prior
         self.gain = gain

@@ -118,9 +118,14 @@ class Callbacks:
 
 
 def fit_homotopy(
-    problem: ObservedProblem, theta: FloatArray, prior: Prior, schedule: Schedule, *,
-    callbacks: Callbacks | None = None, descent: type[Descent] = Descent,
-) -> HomotopyFit:  # fmt: skip
+    problem: ObservedProblem,
+    theta: FloatArray,
+    prior: Prior,
+    schedule: Schedule,
+    *,
+    callbacks: Callbacks | None = None,
+    descent: type[Descent] = Descent,
+) -> HomotopyFit:
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
 
     The noise level s is `Schedule.noise_inflation` times the RMS of the residual itself, lowered as that falls.

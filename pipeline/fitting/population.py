@@ -83,9 +83,13 @@ class Oddity:
 
 
 def estimate_population(
-    members: Sequence[Information], prior: NormalPopulation, shrinkage: Shrinkage | None = None, *,
-    start: NormalPopulation | None = None, rounds: int = ROUNDS,
-) -> NormalPopulation:  # fmt: skip
+    members: Sequence[Information],
+    prior: NormalPopulation,
+    shrinkage: Shrinkage | None = None,
+    *,
+    start: NormalPopulation | None = None,
+    rounds: int = ROUNDS,
+) -> NormalPopulation:
     """The population of which these are members.
 
     Parameters

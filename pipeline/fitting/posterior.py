@@ -157,9 +157,13 @@ def outcome_draws(
 
 
 def first_order_curves(
-    curves: Callable[[FloatArray], dict[str, FloatArray]], mean: FloatArray, spread: FloatArray, count: int, seed: int,
+    curves: Callable[[FloatArray], dict[str, FloatArray]],
+    mean: FloatArray,
+    spread: FloatArray,
+    count: int,
+    seed: int,
     nonnegative: Collection[str] = (),
-) -> dict[str, FloatArray]:  # fmt: skip
+) -> dict[str, FloatArray]:
     """Curves of draws from the covariance S Sᵀ about `mean`, θ acting to first order; each of shape (count, n).
 
     θ itself, drawn so, leaves the curved valley in which the data hold it: curves of the hybrid model were three times

@@ -86,10 +86,14 @@ def trend(t: FloatArray, y: FloatArray, errors: FloatArray, alarm: float) -> Tre
     # The place of a step is one more number to choose (BIC).
     stepped = chance < alarm and misfits[best] / scatter.min() + np.log(n) < misfits[0] / scatter.min()
     return replace(
-        line, kind="step" if stepped else line.kind, step=float(moved[best] / lengths[best]),
-        step_error=float(half[best]), at=float(t[places[best - 1]]), after=float(t[near[0] - 1]),
+        line,
+        kind="step" if stepped else line.kind,
+        step=float(moved[best] / lengths[best]),
+        step_error=float(half[best]),
+        at=float(t[places[best - 1]]),
+        after=float(t[near[0] - 1]),
         before=float(t[near[-1]]),
-    )  # fmt: skip
+    )
 
 
 def _chance(directions: FloatArray, constant: FloatArray, gain: float) -> float:

@@ -68,9 +68,15 @@ def _change(exponents: IntArray, coefficients: FloatArray, x: FloatArray) -> flo
 
 @compiled
 def _run(
-    exponents: IntArray, coefficients: FloatArray, scales: FloatArray, bounds: FloatArray, u: FloatArray,
-    q: FloatArray, delta: FloatArray, begin: int,
-) -> int:  # fmt: skip
+    exponents: IntArray,
+    coefficients: FloatArray,
+    scales: FloatArray,
+    bounds: FloatArray,
+    u: FloatArray,
+    q: FloatArray,
+    delta: FloatArray,
+    begin: int,
+) -> int:
     """Fill q behind row `begin`, which follows the increments `delta`; return the first row out of bounds, or N."""
     older = len(delta)
     x = np.empty(len(scales))

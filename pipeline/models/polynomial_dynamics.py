@@ -152,11 +152,19 @@ def _system(d: PolynomialDynamics, v: FloatArray, refined: int, parts: int) -> P
     """The dynamics under voltages v (N, K)."""
     variables = np.tile(np.arange(d.exponents.shape[1]), len(d.exponents))
     return PolynomialJoint(
-        np.repeat(variables, d.exponents.ravel()), np.cumsum(d.exponents.sum(axis=1)), d.coefficients, d.scales,
+        np.repeat(variables, d.exponents.ravel()),
+        np.cumsum(d.exponents.sum(axis=1)),
+        d.coefficients,
+        d.scales,
         np.array([lag.source for lag in d.lags], dtype=np.int64),
-        np.array([lag.time for lag in d.lags], dtype=np.float64), d.squared,
-        bool(np.any(d.exponents[:, SINE : COSINE + 1])), v, refined, parts, np.zeros(d.exponents.shape[1]),
-    )  # fmt: skip
+        np.array([lag.time for lag in d.lags], dtype=np.float64),
+        d.squared,
+        bool(np.any(d.exponents[:, SINE : COSINE + 1])),
+        v,
+        refined,
+        parts,
+        np.zeros(d.exponents.shape[1]),
+    )
 
 
 MOST_STEPS = 20

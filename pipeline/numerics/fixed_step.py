@@ -243,9 +243,14 @@ def between_samples(node: int, parts: int, samples: int) -> tuple[int, int, floa
 
 
 def bounded_run(
-    integrate: Callable[..., int], system: NamedTuple, x: FloatArray, samples: int, steps: int, interval: float,
+    integrate: Callable[..., int],
+    system: NamedTuple,
+    x: FloatArray,
+    samples: int,
+    steps: int,
+    interval: float,
     bounds: tuple[float, float],
-) -> tuple[FloatArray, int]:  # fmt: skip
+) -> tuple[FloatArray, int]:
     """q, q̇, q̈ of a system from x at the samples, (N, 3), NaN from where q leaves the bounds; and valid samples.
 
     Parameters

@@ -142,10 +142,15 @@ class Work(NamedTuple):
 def working(stages: int, columns: int) -> Work:
     """Room for the steps of a run."""
     return Work(
-        np.empty((stages, STATES * columns)), np.empty(STATES * columns), np.empty(STATES * columns),
-        np.zeros(RITZ * columns), np.empty((RITZ, RITZ)), np.empty(SLOPES), np.empty((RITZ, RITZ)),
+        np.empty((stages, STATES * columns)),
+        np.empty(STATES * columns),
+        np.empty(STATES * columns),
+        np.zeros(RITZ * columns),
+        np.empty((RITZ, RITZ)),
+        np.empty(SLOPES),
+        np.empty((RITZ, RITZ)),
         np.empty(RITZ, np.int64),
-    )  # fmt: skip
+    )
 
 
 @compiled(inline="always")

@@ -116,9 +116,14 @@ def effective_parameters(t: FloatArray, lam: FloatArray, delta: float, order: in
 
 @compiled
 def _determined(
-    t: FloatArray, lam: FloatArray, delta: float, covariance: FloatArray, gains: FloatArray, adjoint: FloatArray,
+    t: FloatArray,
+    lam: FloatArray,
+    delta: float,
+    covariance: FloatArray,
+    gains: FloatArray,
+    adjoint: FloatArray,
     product: FloatArray,
-) -> float:  # fmt: skip
+) -> float:
     n = t.size
     order = len(product) - 1
     size = order + 1
@@ -321,9 +326,14 @@ def newton_step(at: Iterate, step: NewtonStep, delta: float, order: int, first_v
 
 @compiled
 def _step(
-    at: Iterate, step: NewtonStep, delta: float, first_variance: float, start: FloatArray, cov: FloatArray,
+    at: Iterate,
+    step: NewtonStep,
+    delta: float,
+    first_variance: float,
+    start: FloatArray,
+    cov: FloatArray,
     room: FloatArray,
-) -> tuple[float, float]:  # fmt: skip
+) -> tuple[float, float]:
     b, y, _, q, _, _ = at
     dy, dt, dp, _ = step
     size = len(start)

@@ -158,6 +158,11 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     panel = rows_panel(names, bars, "limit", np.array([-1.0, 1.0]), points)
     caption = f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}"
     return Figure(
-        "instruments", "Instruments of the logs", caption, "error of the reading over its limit", "1", (panel,),
+        "instruments",
+        "Instruments of the logs",
+        caption,
+        "error of the reading over its limit",
+        "1",
+        (panel,),
         half=True,
-    )  # fmt: skip
+    )

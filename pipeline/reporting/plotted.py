@@ -194,9 +194,16 @@ def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, lab
         colour, dashes = _MARK_COLOURS[MARKS.get(name, Style("mark")).kind]
         segments = [np.array([[at * fx, 0.0], [at * fx, 1.0]]) for at in positions]
         on.add_collection(
-            LineCollection(segments, colors=colour, linestyles=[dashes], linewidths=0.4, zorder=0.6,
-                           transform=on.get_xaxis_transform()), autolim=False,
-        )  # fmt: skip
+            LineCollection(
+                segments,
+                colors=colour,
+                linestyles=[dashes],
+                linewidths=0.4,
+                zorder=0.6,
+                transform=on.get_xaxis_transform(),
+            ),
+            autolim=False,
+        )
     _content(on, panel, models, fx, fy)
 
 
@@ -211,17 +218,28 @@ def _content(on: Axes, panel: Panel, models: Sequence[str], fx: float, fy: float
         kind = line_kind(line)
         where = slot(line.role, models)
         on.plot(
-            thin.x * fx, thin.y * fy, color=slot_colour(where), linewidth=WIDTHS[kind],
-            dashes=_dashes(where, line.dash, WIDTHS[kind]), zorder=2, solid_joinstyle="round",
-        )  # fmt: skip
+            thin.x * fx,
+            thin.y * fy,
+            color=slot_colour(where),
+            linewidth=WIDTHS[kind],
+            dashes=_dashes(where, line.dash, WIDTHS[kind]),
+            zorder=2,
+            solid_joinstyle="round",
+        )
     for points in panel.points:
         colour = slot_colour(slot(points.role, models))
         fill = {"dot": colour, "ring": "#ffffff"}.get(points.marker, "none")
         edge = "#ffffff" if points.marker == "dot" else colour
         on.plot(
-            points.x * fx, points.y * fy, linestyle="none", marker=_MARKERS[points.marker],
-            markerfacecolor=fill, markeredgecolor=edge, zorder=3, clip_on=False,
-        )  # fmt: skip
+            points.x * fx,
+            points.y * fy,
+            linestyle="none",
+            marker=_MARKERS[points.marker],
+            markerfacecolor=fill,
+            markeredgecolor=edge,
+            zorder=3,
+            clip_on=False,
+        )
 
 
 def _dashes(where: str, dash: Dash, width: float) -> Any:
@@ -291,8 +309,7 @@ def _sample(style: Style) -> Artist:
         return Patch(facecolor=colour, alpha=BAND_OPACITY)
     if style.kind in _MARKERS:
         fill = {"dot": colour, "ring": "#ffffff"}.get(style.kind, "none")
-        return Line2D([], [], linestyle="none", marker=_MARKERS[style.kind], color=colour,
-                      markerfacecolor=fill)  # fmt: skip
+        return Line2D([], [], linestyle="none", marker=_MARKERS[style.kind], color=colour, markerfacecolor=fill)
     width = WIDTHS[style.kind]
     return Line2D([], [], color=colour, linewidth=width, dashes=_dashes(style.slot, style.dash, width))
 

@@ -81,10 +81,16 @@ def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
     chosen = np.isclose(study.alphas, recipe)
     order = np.argsort(chosen, kind="stable")  # the chosen one over the others
     velocities = tuple(
-        Line(f"α = {study.alphas[i]:g} mm·s", "v2" if chosen[i] else _OTHERS[k % len(_OTHERS)], t, study.qdot[i],
-             "solid", wide=bool(chosen[i]))
+        Line(
+            f"α = {study.alphas[i]:g} mm·s",
+            "v2" if chosen[i] else _OTHERS[k % len(_OTHERS)],
+            t,
+            study.qdot[i],
+            "solid",
+            wide=bool(chosen[i]),
+        )
         for k, i in enumerate(order)
-    )  # fmt: skip
+    )
     panels = [Panel("q̇", "m/s", velocities, x=("t", "s"))]
     for name, unit, values in (("misfit", "m", study.misfit), ("roughness", "m/s²", study.roughness)):
         ring = Points("the recipe", "v2", study.alphas[chosen], values[chosen], "ring")
@@ -189,12 +195,14 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
         lines = tuple(
             Line(
                 "nothing forgotten" if value >= 1.0 else f"λ = {value:g}",
-                roles[i % 3], columns["t"][rows], PERCENT * columns["curve_error"][rows],
+                roles[i % 3],
+                columns["t"][rows],
+                PERCENT * columns["curve_error"][rows],
                 dash="dashed" if i == 1 else "role",
             )
             for i, value in enumerate(sorted(np.unique(columns["forgetting"]), reverse=True))
             for rows in [(columns["forgetting"] == value) & (columns["drift"] == drift)]
-        )  # fmt: skip
+        )
         name = "constant F" if drift == 0.0 else f"F + {PERCENT * drift:g} %"
         panels.append(Panel(name, "%", lines, log=True))
     caption = (
@@ -214,11 +222,16 @@ def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
     def points(key: str) -> tuple[Points, ...]:
         """The errors fold by fold."""
         return tuple(
-            Points(model, model, columns["fold"][rows] + 1 + (i - (len(models) - 1) / 2) * step, errors[key][rows],
-                   markers[i % 3])
+            Points(
+                model,
+                model,
+                columns["fold"][rows] + 1 + (i - (len(models) - 1) / 2) * step,
+                errors[key][rows],
+                markers[i % 3],
+            )
             for i, model in enumerate(models)
             for rows in [columns["model"] == model]
-        )  # fmt: skip
+        )
 
     def means(key: str) -> tuple[Line, ...]:
         """Their means."""

@@ -70,8 +70,11 @@ def series_page(series: Series) -> str:
     charts = [chart(_figure(fact, series.unit), ("all",)) for fact in series.facts]
     context = {
         "names": [f"{name} ({series.unit} {at:g})" for name, at in zip(series.names, series.at, strict=True)],
-        "columns": COLUMNS, "rows": series_rows(series), "conclusion": conclusion(series), "charts": charts,
-    }  # fmt: skip
+        "columns": COLUMNS,
+        "rows": series_rows(series),
+        "conclusion": conclusion(series),
+        "charts": charts,
+    }
     return render("series.html.j2", (), context)
 
 
@@ -81,10 +84,12 @@ def _figure(fact: SeriesFact, unit: str) -> Figure:
     bars = error_bars("95 % interval", fact.values, NORMAL_95 * fact.errors, at, upright=True)
     wide = NORMAL_95 * fact.smooth_errors
     panel = Panel(
-        "value", fact.unit, (bars, *_drawn_change(fact)),
+        "value",
+        fact.unit,
+        (bars, *_drawn_change(fact)),
         (Band("from all runs", "all", at, fact.smooth - wide, fact.smooth + wide),),
         (Points("run", "measured", at, fact.values),),
-    )  # fmt: skip
+    )
     name = "time" if unit == "day" else "run"
     return Figure(fact.key, fact.title, change(fact, unit), name, "d" if unit == "day" else "1", (panel,), half=True)
 

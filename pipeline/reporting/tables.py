@@ -59,9 +59,10 @@ def _columns(table: str, rows: Sequence[ScoreRow] | None = None) -> tuple[Column
     """The columns of a table; with its rows, without those that not every device has and no row has a value of."""
     columns = (column for column in SCORE_COLUMNS if column.cell and column.cell.table == table)
     return tuple(
-        column for column in columns
+        column
+        for column in columns
         if rows is None or not notes_of([column]) or any(row.get(column.key) is not None for row in rows)
-    )  # fmt: skip
+    )
 
 
 @dataclass(frozen=True)

@@ -124,9 +124,14 @@ def laser_reading(q: float, row: int, around: Surroundings) -> float:
 
 @compiled
 def close_loop(
-    p: RigParameters, start: FloatArray, around: Surroundings, target: FloatArray, address: int, out: FloatArray,
+    p: RigParameters,
+    start: FloatArray,
+    around: Surroundings,
+    target: FloatArray,
+    address: int,
+    out: FloatArray,
     refused: IntArray,
-) -> int:  # fmt: skip
+) -> int:
     """Run the loop from rest and fill `out`.
 
     Parameters

@@ -209,9 +209,18 @@ def at_rest(p: RigParameters, start: FloatArray) -> _State:
     branches = p.branch_modulus.shape
     elements = p.slip_force.size
     state = _State(
-        start.copy(), np.zeros(n), np.zeros(branches), np.zeros(2), np.zeros(elements), np.zeros(1), np.zeros(2),
-        np.zeros((p.plastic_share.size, n)), np.zeros(n), np.zeros(1), np.zeros(2),
-    )  # fmt: skip
+        start.copy(),
+        np.zeros(n),
+        np.zeros(branches),
+        np.zeros(2),
+        np.zeros(elements),
+        np.zeros(1),
+        np.zeros(2),
+        np.zeros((p.plastic_share.size, n)),
+        np.zeros(n),
+        np.zeros(1),
+        np.zeros(2),
+    )
     pose = np.zeros(3)
     jacobian = np.zeros((3, n))
     tip(state.x, p, pose, jacobian)
@@ -225,10 +234,19 @@ def at_rest(p: RigParameters, start: FloatArray) -> _State:
 def workspace(p: RigParameters, n: int) -> _Work:
     """Arrays for the steps of a joint with `n` coordinates."""
     return _Work(
-        np.zeros(n), np.zeros(3), np.zeros((3, n)), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(n), np.zeros(n),
-        np.zeros((n, n)), np.zeros(p.branch_modulus.shape), np.zeros(p.slip_force.size),
+        np.zeros(n),
+        np.zeros(3),
+        np.zeros((3, n)),
+        np.zeros(3),
+        np.zeros(3),
+        np.zeros(3),
+        np.zeros(n),
+        np.zeros(n),
+        np.zeros((n, n)),
+        np.zeros(p.branch_modulus.shape),
+        np.zeros(p.slip_force.size),
         np.zeros((p.plastic_share.size, n)),
-    )  # fmt: skip
+    )
 
 
 @inner

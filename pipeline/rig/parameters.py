@@ -92,14 +92,19 @@ def drawing(joint: JointParameters, *, links: int = 5) -> RigParameters:
         hinge_stiffness=hinge,
         hinge_loss=hinge * loss / bending,
         hinge_cubic=0.0,
-        arm=side.a * pair, drop=(side.b - side.a0) * pair, anchor_x=side.e_z * pair, anchor_y=side.e_x * pair,
+        arm=side.a * pair,
+        drop=(side.b - side.a0) * pair,
+        anchor_x=side.e_z * pair,
+        anchor_y=side.e_x * pair,
         free_length=side.l0 * pair,
         volume=side.volume * pair,
         modulus=side.Y * pair,
-        rubber=NEO_HOOKEAN, rubber_shape=np.zeros(2),
+        rubber=NEO_HOOKEAN,
+        rubber_shape=np.zeros(2),
         capacitance=side.capacitance * pair,
         capacitance_exponent=1.0,
-        kelvin_voigt=side.eta_v, strain=THICKNESS,
+        kelvin_voigt=side.eta_v,
+        strain=THICKNESS,
         branch_modulus=np.full((2, 1), side.Y_MW),
         branch_time=np.array([side.eta_MW / side.Y_MW]),
         friction=MAXWELL_SLIP,
@@ -107,9 +112,11 @@ def drawing(joint: JointParameters, *, links: int = 5) -> RigParameters:
         slip_stiffness=np.zeros(1),
         slip_force=np.ones(1),
         friction_shape=np.zeros(4),
-        plastic_share=np.zeros(1), plastic_yield=np.ones(1),
-        softening=0.0, softening_time=1.0,
-    )  # fmt: skip
+        plastic_share=np.zeros(1),
+        plastic_yield=np.ones(1),
+        softening=0.0,
+        softening_time=1.0,
+    )
 
 
 def nominal(*, links: int = 5) -> RigParameters:

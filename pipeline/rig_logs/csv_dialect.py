@@ -444,7 +444,8 @@ def _check_rows_below_header(table: SampleTable, above: Sequence[Sequence[str]],
             marks = marks_between_thousands(others[0]) if others else ""
             where = f", where {others[0]!r} is no number," if others else ""
             raise UnreadableLogError(
-                f"line {i + 1}: {others[0]!r} has {marks}" if marks
+                f"line {i + 1}: {others[0]!r} has {marks}"
+                if marks
                 else f"row {i} (counted from 0){where} stands above the data with the number {numbers[0]!r} in it: "
                 "repair or delete that row"
-            )  # fmt: skip
+            )

@@ -163,9 +163,18 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
             )
         )
     return Inspection(
-        path, recording.format, path.stat().st_size, own_time, tuple(bases), tuple(channels), roles, apart, rates,
-        tuple(notes), recording.heading,
-    )  # fmt: skip
+        path,
+        recording.format,
+        path.stat().st_size,
+        own_time,
+        tuple(bases),
+        tuple(channels),
+        roles,
+        apart,
+        rates,
+        tuple(notes),
+        recording.heading,
+    )
 
 
 def _examined(

@@ -227,10 +227,14 @@ def horizon_errors(
     return [
         _error(
             np.array([paths[start][ahead] - q[start + ahead] for start in chosen.tolist()]),
-            chosen, ahead, interval, span, plant=plant,
+            chosen,
+            ahead,
+            interval,
+            span,
+            plant=plant,
         )
         for ahead, chosen in zip(aheads, starts, strict=True)
-    ]  # fmt: skip
+    ]
 
 
 def predicted(predict: Predict, path: MeasuredPath, ahead: int) -> FloatArray:

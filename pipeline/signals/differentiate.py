@@ -306,8 +306,10 @@ def differentiate(
     if samples.size <= order + 2 or np.ptp(samples) == 0.0:
         return _kinematics(
             SmoothingParameter(0.0, 0.0, 0.0, settled=True),
-            samples, finite_difference(samples, dt, 1), finite_difference(samples, dt, 2),
-        )  # fmt: skip
+            samples,
+            finite_difference(samples, dt, 1),
+            finite_difference(samples, dt, 2),
+        )
     if method != "tvregdiff":
         return _savitzky_golay(samples, dt, smoothing_parameter(samples, dt, 2))
     if alpha is None or epsilon is None:

@@ -301,9 +301,14 @@ def _switches() -> Iterator[FactColumn]:
     for membrane in ("v1", "v2"):
         for side, out_of in (("right", "left"), ("left", "right")):
             yield FactColumn(
-                f"switch_{membrane}_to_{side}", f"lowest steady {membrane} that switches to the {side}", "{v}", help_,
-                row=row, side=out_of, fleet=f"switching {membrane}, to {side}",  # type: ignore[arg-type]
-            )  # fmt: skip
+                f"switch_{membrane}_to_{side}",
+                f"lowest steady {membrane} that switches to the {side}",
+                "{v}",
+                help_,
+                row=row,
+                side=out_of,
+                fleet=f"switching {membrane}, to {side}",  # type: ignore[arg-type]
+            )
 
 
 _RING = "of a small free oscillation without input"

@@ -67,9 +67,14 @@ def schema_of(schema: Schema, device: Device, *, phi: bool = False, tubes: bool 
 
 
 def resolve(
-    schema: Schema, *, displacement: str, inputs: tuple[str, ...], phi: bool = False, velocity: bool = False,
+    schema: Schema,
+    *,
+    displacement: str,
+    inputs: tuple[str, ...],
+    phi: bool = False,
+    velocity: bool = False,
     tubes: bool = False,
-) -> Schema:  # fmt: skip
+) -> Schema:
     """The schema for a device: its units filled in; second input, φ, measured velocity, tubes left out if absent.
 
     Parameters

@@ -80,9 +80,15 @@ class Worker(Isolated):
     """
 
     def __init__(
-        self, program: Program, name: str, prototype: Path, output: Path, options: Sequence[str] = (), *,
+        self,
+        program: Program,
+        name: str,
+        prototype: Path,
+        output: Path,
+        options: Sequence[str] = (),
+        *,
         time_limit: float = math.inf,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.name = name
         self._prototype = prototype
         self._output = output

@@ -282,9 +282,12 @@ def _si(recording: Recording, log_column: LogColumn, unit: SiUnit, name: str, no
 
 
 def _bases(
-    recording: Recording, channels: Mapping[str, Channel], prototype: Prototype, clocks: Mapping[str, str],
+    recording: Recording,
+    channels: Mapping[str, Channel],
+    prototype: Prototype,
+    clocks: Mapping[str, str],
     notes: list[str],
-) -> list[FloatArray]:  # fmt: skip
+) -> list[FloatArray]:
     """The time base of each channel [s]: its own, that of all, or what the log has; equal ones are one object.
 
     Parameters

@@ -51,10 +51,8 @@ def verified(run: RunFolder) -> Verified:
     names = sorted(run.manifest.artifacts)
     problems = [
         {"artifact": name, "stage": stage, "problem": problem}
-        for name, stage, problem in (
-            *_artifacts(run, names), *_stage_manifests(run), *_written_files(run.root)
-        )
-    ]  # fmt: skip
+        for name, stage, problem in (*_artifacts(run, names), *_stage_manifests(run), *_written_files(run.root))
+    ]
     others = sorted(_others(run))
     leftover = [path for path in others if _is_leftover(path)]
     if leftover and is_held(run.root):

@@ -59,8 +59,9 @@ def _hybrid() -> None:
         run_joints(
             JointCoefficients(np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis),
             Driving(u, np.zeros(joints, dtype=np.int64), np.zeros(joints), np.zeros(3)),
-            Followed(np.zeros(u.shape[1]), np.zeros((u.shape[1] - 1) // 2 + 1)), stepping,
-        )  # fmt: skip
+            Followed(np.zeros(u.shape[1]), np.zeros((u.shape[1] - 1) // 2 + 1)),
+            stepping,
+        )
     driven = Driven(u[0], np.zeros((4, u.shape[1], 2)), np.zeros(0), np.zeros(0), np.zeros(3))
     sensitivities(JointCoefficients(k, weights, basis), np.abs(k), np.ones(len(weights)), 0.0, driven, stepping)
     static_curves(np.zeros(2), k, basis, weights)
@@ -76,9 +77,14 @@ def _without_parameter_set() -> None:
     still = PolynomialDynamics(np.zeros((1, 7), dtype=np.int64), np.zeros((2, 1)), np.ones(7), (), True, -1.0, 1.0)
     free_run(still, v, _DT, 0.0, 0.0)
     narx = NarxModel(
-        structure=np.array([1, 1, 1, 2]), exponents=np.zeros((1, 4), dtype=np.int64), coefficients=np.zeros(1),
-        scales=np.ones(4), interval_s=_DT, inputs="squared", bounds=np.array([-1.0, 1.0]),
-    )  # fmt: skip
+        structure=np.array([1, 1, 1, 2]),
+        exponents=np.zeros((1, 4), dtype=np.int64),
+        coefficients=np.zeros(1),
+        scales=np.ones(4),
+        interval_s=_DT,
+        inputs="squared",
+        bounds=np.array([-1.0, 1.0]),
+    )
     narx.run(v, 0.0, 0.0)
 
 

@@ -176,10 +176,16 @@ def search(
         return simulated.jacobian(x)
 
     return least_squares(
-        simulated.residuals, np.clip(x0, problem.lower + INSIDE, problem.upper - INSIDE), jacobian,
-        (problem.lower, problem.upper), loss="soft_l1", f_scale=LOSS_SCALE, ftol=tolerance, xtol=SMALLEST_STEP,
+        simulated.residuals,
+        np.clip(x0, problem.lower + INSIDE, problem.upper - INSIDE),
+        jacobian,
+        (problem.lower, problem.upper),
+        loss="soft_l1",
+        f_scale=LOSS_SCALE,
+        ftol=tolerance,
+        xtol=SMALLEST_STEP,
         max_nfev=limit,
-    )  # fmt: skip
+    )
 
 
 PAPER_NAMES = ("Y", "eta_v", "eta_MW", "Y_MW", "E", "rho", "eta")

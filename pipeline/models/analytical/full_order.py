@@ -209,10 +209,19 @@ def simulate(
     qm_ddot = rates[:, RITZ:FIRST_Z]
     levers = parameters.levers
     return FullOrderMotion(
-        t, qm, qm_dot, qm_ddot, states[:, FIRST_Z:], qm @ levers, qm_dot @ levers, qm_ddot @ levers,
+        t,
+        qm,
+        qm_dot,
+        qm_ddot,
+        states[:, FIRST_Z:],
+        qm @ levers,
+        qm_dot @ levers,
+        qm_ddot @ levers,
         np.arctan(qm @ parameters.slopes),
-        None if valid == count else float(t[min(valid, count - 1)]), int(steps[0]), int(steps[1]),
-    )  # fmt: skip
+        None if valid == count else float(t[min(valid, count - 1)]),
+        int(steps[0]),
+        int(steps[1]),
+    )
 
 
 MOST_TRIES = 20_000
@@ -365,10 +374,23 @@ def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, r
     """
     t, v, force = drive
     motion = _Motion(
-        p, v, force, x0.copy(), np.empty(STATES), np.empty(STATES), np.zeros(1, np.int64), np.zeros(1), np.zeros(3),
-        np.zeros(STATES), np.empty(2), np.empty(1), np.empty(STATES), np.empty((RITZ, RITZ)), np.empty((RITZ, RITZ)),
+        p,
+        v,
+        force,
+        x0.copy(),
+        np.empty(STATES),
+        np.empty(STATES),
+        np.zeros(1, np.int64),
+        np.zeros(1),
+        np.zeros(3),
+        np.zeros(STATES),
+        np.empty(2),
+        np.empty(1),
+        np.empty(STATES),
+        np.empty((RITZ, RITZ)),
+        np.empty((RITZ, RITZ)),
         np.empty(RITZ, np.int64),
-    )  # fmt: skip
+    )
     return _integrate(t, motion, working(len(RODAS4.nodes), 1), scale, reach, solution)
 
 

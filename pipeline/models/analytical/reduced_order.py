@@ -299,10 +299,22 @@ def simulate_reduced(
     e = np.full((t.size, 2), np.nan)
     out = np.full((t.size, 3, 1), np.nan)
     system = ReducedSystem(
-        inputs, 2 * steps, np.zeros(1, dtype=np.int64), reduced.q[0], reduced.q[1] - reduced.q[0], reduced.coefficients,
-        reduced.creep_gain, reduced.creep_rate, np.array([parameters.F_c, parameters.s_c]), np.array([q0, 0.0]), e,
-        np.zeros(1), np.zeros(1), np.zeros(2), np.zeros(3),
-    )  # fmt: skip
+        inputs,
+        2 * steps,
+        np.zeros(1, dtype=np.int64),
+        reduced.q[0],
+        reduced.q[1] - reduced.q[0],
+        reduced.coefficients,
+        reduced.creep_gain,
+        reduced.creep_rate,
+        np.array([parameters.F_c, parameters.s_c]),
+        np.array([q0, 0.0]),
+        e,
+        np.zeros(1),
+        np.zeros(1),
+        np.zeros(2),
+        np.zeros(3),
+    )
     x = np.array([q0, qdot0, 0.0, 0.0])
     valid = _integrate(system, x, out, workspace(x), steps, interval / steps, reduced.q[0], reduced.q[-1])
     return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], e, run_status(t, valid)[1])

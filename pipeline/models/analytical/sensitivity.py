@@ -28,9 +28,14 @@ _motions = kernel(MOTION, BATCH, common=("x", "v_squared", "force"))
 
 
 def state_sensitivities(
-    t: FloatArray, v: FloatArray, states: FloatArray, rates: FloatArray, points: FloatArray, steps: FloatArray,
+    t: FloatArray,
+    v: FloatArray,
+    states: FloatArray,
+    rates: FloatArray,
+    points: FloatArray,
+    steps: FloatArray,
     start: FloatArray,
-) -> FloatArray:  # fmt: skip
+) -> FloatArray:
     """Derivatives of a solution with respect to P unknowns.
 
     Parameters

@@ -391,10 +391,19 @@ def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) ->
     # Inertia is additive over the held shape and the tip's own stiffness (Haynsworth 1968).
     held = negative == (scalars[:, 1] < 0.0)
     return StaticPath(
-        q=tips[:, 0], qm=qm, tangent=tangent, force=scalars[:, 0], stiffness=scalars[:, 1], energy=scalars[:, 2],
-        phi=tips[:, 1], stretch=tips[:, 3:], capacitance=farads, capacitance_slope=slopes,
-        stable=negative == 0, held=held,
-    )  # fmt: skip
+        q=tips[:, 0],
+        qm=qm,
+        tangent=tangent,
+        force=scalars[:, 0],
+        stiffness=scalars[:, 1],
+        energy=scalars[:, 2],
+        phi=tips[:, 1],
+        stretch=tips[:, 3:],
+        capacitance=farads,
+        capacitance_slope=slopes,
+        stable=negative == 0,
+        held=held,
+    )
 
 
 def unactuated_path(parameters: JointParameters, reach: float = 0.03, count: int = 241) -> StaticPath:

@@ -193,9 +193,14 @@ class Path(NamedTuple):
 
 @compiled
 def propagate(
-    path: Path, coefficients: JointCoefficients, stepping: Stepping, columns: Columns,
-    starts: SingleArray, stops: SingleArray, displacements: FloatArray,
-) -> None:  # fmt: skip
+    path: Path,
+    coefficients: JointCoefficients,
+    stepping: Stepping,
+    columns: Columns,
+    starts: SingleArray,
+    stops: SingleArray,
+    displacements: FloatArray,
+) -> None:
     """Derivatives of the reading at the samples by all columns, `displacements` (N, columns), from those at the start.
 
     Parameters
@@ -277,9 +282,12 @@ def _zeros(count: int) -> SingleArray:
 
 @compiled(inline="always")
 def _advance(
-    between: tuple[int, int], points: FloatArray, stepping: Stepping,
-    acting: tuple[SingleArray, SingleArray, SingleArray], moving: tuple[SingleArray, SingleArray, FloatArray],
-) -> None:  # fmt: skip
+    between: tuple[int, int],
+    points: FloatArray,
+    stepping: Stepping,
+    acting: tuple[SingleArray, SingleArray, SingleArray],
+    moving: tuple[SingleArray, SingleArray, FloatArray],
+) -> None:
     """All columns from one step to another, at most two later; starts and stops move, displacements are filled."""
     first, stop = between
     a, w, drive = acting
@@ -305,9 +313,15 @@ def _advance(
 
 @compiled(inline="always")
 def _act_by_play(
-    run: tuple[FloatArray, FloatArray], first: int, slot: int, k: FloatArray, z: SingleArray, w: SingleArray,
-    drive: SingleArray, own: NDArray[np.int64],
-) -> None:  # fmt: skip
+    run: tuple[FloatArray, FloatArray],
+    first: int,
+    slot: int,
+    k: FloatArray,
+    z: SingleArray,
+    w: SingleArray,
+    drive: SingleArray,
+    own: NDArray[np.int64],
+) -> None:
     """Weights of a slot, its stop operators, and how travels, arm and length act on these themselves."""
     points, slips = run
     half = slot // _STEP_SLOTS
@@ -338,9 +352,14 @@ def _act_by_play(
 
 @compiled(inline="always")
 def _corrections(
-    q: float, basis: FloatArray, weights: FloatArray, stage_lane: int, c: SingleArray, c_q: SingleArray,
+    q: float,
+    basis: FloatArray,
+    weights: FloatArray,
+    stage_lane: int,
+    c: SingleArray,
+    c_q: SingleArray,
     bells: FloatArray,
-) -> None:  # fmt: skip
+) -> None:
     """The corrections at q, their slopes along q, and the bells with theirs, `bells` (STAGES, 2, M)."""
     for i in range(VALUES):
         c[i * STAGES + stage_lane] = c_q[i * STAGES + stage_lane] = 0.0
@@ -357,9 +376,15 @@ def _corrections(
 
 @compiled(inline="always")
 def _act_by_instruments(
-    inputs: FloatArray, pull: tuple[float, float, float, float], reading: tuple[float, float], stage_lane: int,
-    places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
-) -> None:  # fmt: skip
+    inputs: FloatArray,
+    pull: tuple[float, float, float, float],
+    reading: tuple[float, float],
+    stage_lane: int,
+    places: NDArray[np.int64],
+    a: SingleArray,
+    b: SingleArray,
+    drive: SingleArray,
+) -> None:
     """Add the observer's terms to ∂f/∂x, and the derivatives of the rates by the instruments.
 
     `inputs` (4, 2) are those of the squared voltages; `pull` is the observer's, on each rate for 1 m of the `reading`.

@@ -81,9 +81,15 @@ class DrivingVoltages:
 
 @compiled
 def _spline_squares(
-    c: FloatArray, spacing: float, count: int, width: float, delay: float, charging: float, probe: FloatArray,
+    c: FloatArray,
+    spacing: float,
+    count: int,
+    width: float,
+    delay: float,
+    charging: float,
+    probe: FloatArray,
     limit: float,
-) -> FloatArray:  # fmt: skip
+) -> FloatArray:
     """Squares of voltages behind their electrodes at i·width, shape (count, K).
 
     Measured are cubic splines, `delay` earlier, without `probe` and held at ± `limit`; `c` (4, N − 1, K) holds their

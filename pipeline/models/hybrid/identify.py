@@ -284,9 +284,13 @@ class _Search:
         """The joint fitted at the poles in turn."""
         problem = CondensedProblem(joint, self.records)
         return fit_homotopy(
-            problem, start, self.prior(len(start)), Schedule(poles, steps, last, noise_inflation=NOISE_INFLATION),
-            callbacks=Callbacks(begin=problem.hold_lost), descent=ParallelDescent,
-        )  # fmt: skip
+            problem,
+            start,
+            self.prior(len(start)),
+            Schedule(poles, steps, last, noise_inflation=NOISE_INFLATION),
+            callbacks=Callbacks(begin=problem.hold_lost),
+            descent=ParallelDescent,
+        )
 
     def anew(self, plain: CondensedJoint) -> _Fitted:
         """The equations alone, fitted to the logs from the set."""
@@ -370,9 +374,13 @@ def _fit(training: Training) -> HybridModel:
     if training.parameters is not None:
         own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
         return identify_hybrid(
-            training.records, training.parameters, similarity=own, corrections=corrections, siblings=training.siblings,
+            training.records,
+            training.parameters,
+            similarity=own,
+            corrections=corrections,
+            siblings=training.siblings,
             rotation=training.rotation,
-        )  # fmt: skip
+        )
     if plant.squared and plant.displacement.symbol == "rad" and plant.input_symbols == ("V", "V"):
         raise DataRefusedError(ANGLE_ALONE)
     if not (plant.squared and plant.displacement.symbol == "m" and len(plant.inputs) == 2):

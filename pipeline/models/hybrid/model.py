@@ -113,9 +113,14 @@ class HybridModel:
 
     @classmethod
     def of(
-        cls, joint: CondensedJoint, theta: FloatArray, spread: FloatArray, band_spread: FloatArray,
-        curve_spread: FloatArray | None = None, **more: Any,
-    ) -> "HybridModel":  # fmt: skip
+        cls,
+        joint: CondensedJoint,
+        theta: FloatArray,
+        spread: FloatArray,
+        band_spread: FloatArray,
+        curve_spread: FloatArray | None = None,
+        **more: Any,
+    ) -> "HybridModel":
         """The model of a joint.
 
         Parameters
@@ -135,17 +140,32 @@ class HybridModel:
         """
         curves = band_spread if curve_spread is None else curve_spread
         return cls(
-            joint.parameters, joint.basis, joint.centres, joint.largest_voltage, joint.slope_ratio, joint.similarity,
-            theta, spread, band_spread, curves, joint.rotation, **more,
-        )  # fmt: skip
+            joint.parameters,
+            joint.basis,
+            joint.centres,
+            joint.largest_voltage,
+            joint.slope_ratio,
+            joint.similarity,
+            theta,
+            spread,
+            band_spread,
+            curves,
+            joint.rotation,
+            **more,
+        )
 
     @cached_property
     def joint(self) -> CondensedJoint:
         """Parameter set and RBF basis."""
         return CondensedJoint(
-            self.parameters, self.basis, self.centres, self.largest_voltage_V, self.slope_ratio, self.similarity,
+            self.parameters,
+            self.basis,
+            self.centres,
+            self.largest_voltage_V,
+            self.slope_ratio,
+            self.similarity,
             self.rotation,
-        )  # fmt: skip
+        )
 
     @property
     def mass_kg(self) -> float:
@@ -317,10 +337,15 @@ class HybridModel:
             """Runs of some of them, as the log shows their displacement."""
             begin = start if start.ndim == 1 else start[rows]
             read = simulate(
-                self.joint, thetas[rows], lambda seen: driving.squared(steps, seen, self.joint.largest_voltage), begin,
-                Followed(np.zeros(0), np.zeros(len(t))), self.joint.stepping(dt, steps), every_step=every_step,
+                self.joint,
+                thetas[rows],
+                lambda seen: driving.squared(steps, seen, self.joint.largest_voltage),
+                begin,
+                Followed(np.zeros(0), np.zeros(len(t))),
+                self.joint.stepping(dt, steps),
+                every_step=every_step,
                 built=(built[0][rows], built[1][rows]),
-            )  # fmt: skip
+            )
             return np.stack(angle.shown(*np.moveaxis(read, -1, 0)), axis=-1) if angle else read
 
         if not driving.refined:

@@ -252,19 +252,31 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     mass = p.m + SHAPES[0][0] * beam
     weight = p.m * p.g * np.exp(d["log weight"])
     return _rises(d, (by_q, by_tau, by_beta), p.l) | {
-        "l": p.l, "bending": stiffness, "bending_loss": loss, "steepening": 1.0 + d["steepening"],
-        "stiffening": d["stiffening"], "curvature": p.kappa0 * p.l + d["curvature"],
-        "slope_by_q": by_q, "slope_by_tau": by_tau, "slope_by_beta": by_beta, "rotation": 1.0 + d["rotation"],
-        "mass": mass, "cross": SHAPES[0][1] * beam * p.l,
+        "l": p.l,
+        "bending": stiffness,
+        "bending_loss": loss,
+        "steepening": 1.0 + d["steepening"],
+        "stiffening": d["stiffening"],
+        "curvature": p.kappa0 * p.l + d["curvature"],
+        "slope_by_q": by_q,
+        "slope_by_tau": by_tau,
+        "slope_by_beta": by_beta,
+        "rotation": 1.0 + d["rotation"],
+        "mass": mass,
+        "cross": SHAPES[0][1] * beam * p.l,
         "inertia": least + SHAPES[1][1] * beam * p.l**2,
         "gyration": mass * d["radius"] ** 2,
         "interior_inertia": SHAPES[2][2] * beam * p.l**2 + BENDS[2][2] * loss / _FASTEST,
-        "weight": weight, "offset": d["offset"],
-        "side_force": weight * np.sin(d["tilt"]), "relaxation_0": relaxation,
+        "weight": weight,
+        "offset": d["offset"],
+        "side_force": weight * np.sin(d["tilt"]),
+        "relaxation_0": relaxation,
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
         "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
-        "strain_slope": d["strain slope"], "viscosity": d["viscosity"], "friction_arm": d["friction arm"],
-    }  # fmt: skip
+        "strain_slope": d["strain slope"],
+        "viscosity": d["viscosity"],
+        "friction_arm": d["friction arm"],
+    }
 
 
 def _rises(d: dict[str, Any], own_slope: tuple[Any, Any, Any], l: float) -> dict[str, Any]:

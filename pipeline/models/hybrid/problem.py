@@ -342,9 +342,12 @@ class _Log:
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
         q, columns, by_weights = sensitivities(
             JointCoefficients(joint.constants(theta), joint.weights(theta), joint.basis),
-            np.abs(constants).max(axis=1), widths, seen.offset, driven,
+            np.abs(constants).max(axis=1),
+            widths,
+            seen.offset,
+            driven,
             joint.stepping(self.dt, steps),
-        )  # fmt: skip
+        )
         at = self.compared(gain)
         active = np.any(constants, axis=1)
         chain = 1e3 * np.concatenate([constants[active], instruments])
@@ -401,10 +404,16 @@ def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
 
 
 def simulate(
-    joint: CondensedJoint, thetas: FloatArray, inputs: Callable[[condensed_parameters.Instruments], FloatArray],
-    start: FloatArray, followed: Followed, stepping: Stepping, *, every_step: bool = False,
+    joint: CondensedJoint,
+    thetas: FloatArray,
+    inputs: Callable[[condensed_parameters.Instruments], FloatArray],
+    start: FloatArray,
+    followed: Followed,
+    stepping: Stepping,
+    *,
+    every_step: bool = False,
     built: tuple[FloatArray, FloatArray] | None = None,
-) -> FloatArray:  # fmt: skip
+) -> FloatArray:
     """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`.
 
     Parameters

@@ -294,11 +294,26 @@ def run_joints(
         x, z = _at_rest(coefficients, prepared, driving, stepping, chosen)
         shown_states = np.empty((shown, 3, width))
         system = Joints(
-            (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), np.zeros(VALUES), z,
-            np.zeros(3 * width), np.zeros(2 * width), np.zeros(3), driving.squares, driving.variant[chosen],
-            basis, weights[chosen], driving.offset[chosen], followed.reading, poles,
-            stepping.wall, stepping.lead, stepping.reading, *NO_STAGES,
-        )  # fmt: skip
+            (0,) * width,
+            _rows(prepared[chosen]),
+            np.zeros(VALUES * width),
+            np.zeros(VALUES),
+            z,
+            np.zeros(3 * width),
+            np.zeros(2 * width),
+            np.zeros(3),
+            driving.squares,
+            driving.variant[chosen],
+            basis,
+            weights[chosen],
+            driving.offset[chosen],
+            followed.reading,
+            poles,
+            stepping.wall,
+            stepping.lead,
+            stepping.reading,
+            *NO_STAGES,
+        )
         integrate_joints(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
         filled = min(width, count - first)
         out[first : first + filled] = shown_states.transpose(2, 0, 1)[:filled]
@@ -344,11 +359,26 @@ def continued_runs(
         nodes = slice(parts * first, parts * (first + count) + 1)
         out = np.empty((count + 1, 3, 1))
         system = Joints(
-            (0,), prepared[0], np.zeros(VALUES), np.zeros(VALUES), z,
-            np.zeros(3), np.zeros(2), np.zeros(3), driving.squares[:, nodes], only, coefficients.basis,
-            coefficients.weights, driving.offset, followed.reading[nodes] if held else none,
-            poles[nodes] if held else none, stepping.wall, stepping.lead, stepping.reading, *NO_STAGES,
-        )  # fmt: skip
+            (0,),
+            prepared[0],
+            np.zeros(VALUES),
+            np.zeros(VALUES),
+            z,
+            np.zeros(3),
+            np.zeros(2),
+            np.zeros(3),
+            driving.squares[:, nodes],
+            only,
+            coefficients.basis,
+            coefficients.weights,
+            driving.offset,
+            followed.reading[nodes] if held else none,
+            poles[nodes] if held else none,
+            stepping.wall,
+            stepping.lead,
+            stepping.reading,
+            *NO_STAGES,
+        )
         integrate_joints(system, x, out, work, stepping.substeps, stepping.dt / stepping.substeps, -np.inf, np.inf)
         return np.asarray(out[:, 0, 0] + driving.offset)
 
@@ -378,9 +408,15 @@ def _at_rest(
     for j, i in enumerate(chosen):
         reading, rate, age = starts[i]
         x[j], z[j] = rest_at_reading(
-            reading - driving.offset[i], stepping.reading, driving.squares[driving.variant[i], 0],
-            coefficients.constants[i], prepared[i], coefficients.basis, coefficients.weights[i], age,
-        )  # fmt: skip
+            reading - driving.offset[i],
+            stepping.reading,
+            driving.squares[driving.variant[i], 0],
+            coefficients.constants[i],
+            prepared[i],
+            coefficients.basis,
+            coefficients.weights[i],
+            age,
+        )
         x[j, 1] = rate
         x[j, 3] = stepping.reading[1] * stepping.lead**2 * rate
     return _rows(x), _rows(z)

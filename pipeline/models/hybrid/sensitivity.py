@@ -92,10 +92,27 @@ def sensitivities(
     points = np.empty((steps + 1, len(SHARES), STATES))
     slips = np.empty((steps + 1, STOPS))
     system = Joints(
-        (0,), prepare(k[None])[0], np.zeros(VALUES), np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3),
-        driven.squares[None], np.zeros(1, dtype=np.int64), basis, weights[None], np.array([offset]), driven.observed,
-        driven.pole, wall, lead, reading, points, slips,
-    )  # fmt: skip
+        (0,),
+        prepare(k[None])[0],
+        np.zeros(VALUES),
+        np.zeros(VALUES),
+        z,
+        np.zeros(3),
+        np.zeros(2),
+        np.zeros(3),
+        driven.squares[None],
+        np.zeros(1, dtype=np.int64),
+        basis,
+        weights[None],
+        np.array([offset]),
+        driven.observed,
+        driven.pole,
+        wall,
+        lead,
+        reading,
+        points,
+        slips,
+    )
     integrate_joints(system, x, np.empty((steps + 1, 3, 1)), workspace(x), 1, dt / substeps, -np.inf, np.inf)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
     path = Path(points, slips, driven.squares, driven.by_instruments, driven.pole)

@@ -192,11 +192,14 @@ def _quantities(population: NormalPopulation, prior: NormalPopulation) -> tuple[
     spread, before = (np.sqrt(np.diag(each.covariance)) for each in (population, prior))
     rows = [
         LearntQuantity(
-            title(i), float(population.mean[i] * entry.prior_std), float(spread[i] * entry.prior_std),
-            "logarithm" if entry.logarithm else entry.unit, float(spread[i] / before[i]),
+            title(i),
+            float(population.mean[i] * entry.prior_std),
+            float(spread[i] * entry.prior_std),
+            "logarithm" if entry.logarithm else entry.unit,
+            float(spread[i] / before[i]),
         )
         for i, entry in enumerate(DEVIATIONS)
-    ]  # fmt: skip
+    ]
     return tuple(sorted(rows, key=lambda row: row.share))
 
 

@@ -157,9 +157,15 @@ def rest_state(
 
 @compiled
 def rest_at_reading(
-    reading: float, by: tuple[float, float], u: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray,
-    weights: FloatArray, age: float,
-) -> tuple[FloatArray, FloatArray]:  # fmt: skip
+    reading: float,
+    by: tuple[float, float],
+    u: FloatArray,
+    k: FloatArray,
+    p: FloatArray,
+    basis: FloatArray,
+    weights: FloatArray,
+    age: float,
+) -> tuple[FloatArray, FloatArray]:
     """State and stop operators as after a long rest at a reading, by the secant method.
 
     Parameters

@@ -149,9 +149,17 @@ class LaggedEquation:
             Room for inputs and curves.
         """
         return LaggedJoint(
-            v, self.squared, parts, None if reach is None else reach**2, np.ascontiguousarray(self.centres),
-            np.ascontiguousarray(self.weights), 1.0 / self.width, float(self.lag), u, values,
-        )  # fmt: skip
+            v,
+            self.squared,
+            parts,
+            None if reach is None else reach**2,
+            np.ascontiguousarray(self.centres),
+            np.ascontiguousarray(self.weights),
+            1.0 / self.width,
+            float(self.lag),
+            u,
+            values,
+        )
 
 
 def lagged_rates(equation: LaggedEquation, x: Sequence[Any], u: Sequence[Any]) -> list[Any]:

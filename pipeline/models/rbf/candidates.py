@@ -337,9 +337,11 @@ def _slow_drive(change: _Change, resting: Sequence[dict[str, Any]]) -> Offer:
     offered = change.to(
         *(
             FRICTION[name] | {"force": force} | late | drive
-            for name in OFFERED[:2] for force in FORCES[:2] for drive in (*resting, DRIVE["delay"])
+            for name in OFFERED[:2]
+            for force in FORCES[:2]
+            for drive in (*resting, DRIVE["delay"])
         )
-    )  # fmt: skip
+    )
     return lambda best: [] if best.structure.force == "offset" else offered(best)
 
 

@@ -312,9 +312,14 @@ def _bent_pull(system, n, u):
 
 @shared
 def slide(
-    slip: FloatArray, way: float, there: FloatArray, here: FloatArray, c: Coefficients, wrt: SensitivityParameters,
+    slip: FloatArray,
+    way: float,
+    there: FloatArray,
+    here: FloatArray,
+    c: Coefficients,
+    wrt: SensitivityParameters,
     moved: FloatArray,
-) -> None:  # fmt: skip
+) -> None:
     """Dahl states and their sensitivities (D, 1 + P) after a monotonous travel.
 
     Parameters
@@ -391,7 +396,26 @@ def _traced(c: Coefficients, slip: Sequence[Any]) -> ObservedJoint:
     values, changes, by_curve = (np.empty(curves, dtype=object) for _ in range(3))
     nothing = np.empty(0)
     return ObservedJoint(
-        c, no_sensitivities(), nothing, nothing, False, nothing, nothing, 1, nothing, nothing, sliding, sliding,
-        basis, slopes, curvatures, values, changes, by_curve, np.empty(13, dtype=object),
-        np.empty((4, len(c.rates)), dtype=object), nothing, nothing,
-    )  # fmt: skip
+        c,
+        no_sensitivities(),
+        nothing,
+        nothing,
+        False,
+        nothing,
+        nothing,
+        1,
+        nothing,
+        nothing,
+        sliding,
+        sliding,
+        basis,
+        slopes,
+        curvatures,
+        values,
+        changes,
+        by_curve,
+        np.empty(13, dtype=object),
+        np.empty((4, len(c.rates)), dtype=object),
+        nothing,
+        nothing,
+    )

@@ -86,8 +86,10 @@ def search_by_evidence(
             if setting.effort.exhausted():
                 break
             tried[option.label] = _trial(logs, setting, option, best)
-        best = max([best, *(trial for trial in tried.values() if trial.evidence > best.evidence + np.log(ODDS))],
-                   key=lambda trial: trial.evidence)  # fmt: skip
+        best = max(
+            [best, *(trial for trial in tried.values() if trial.evidence > best.evidence + np.log(ODDS))],
+            key=lambda trial: trial.evidence,
+        )
     return best, tried
 
 
@@ -100,8 +102,11 @@ def _trial(records: Sequence[Log], setting: Setting, option: Candidate, near: Tr
         GAINS[:1], last_iterations=LAST_ITERATIONS, tolerance=TOLERANCE, noise_inflation=option.noise_inflation
     )
     fit = fit_homotopy(
-        JointProblem(p, records, effort=setting.effort), start, prior, schedule,
+        JointProblem(p, records, effort=setting.effort),
+        start,
+        prior,
+        schedule,
         callbacks=Callbacks(on_progress=setting.progress(option.label, p.scales.half)),
-    )  # fmt: skip
+    )
     evidence = log_evidence(fit, prior, Candidate.noise_inflation**2) if fit.levels else -np.inf
     return Trial(option, (p, fit.theta, prior), fit, evidence)

@@ -178,9 +178,13 @@ def _fit_joint(
 
 
 def _fit_to_all(
-    records: Sequence[Log], setting: Setting, option: Candidate, begun: Begun, levels: Sequence[float] = GAINS,
+    records: Sequence[Log],
+    setting: Setting,
+    option: Candidate,
+    begun: Begun,
+    levels: Sequence[float] = GAINS,
     tolerance: float = Schedule.tolerance,
-) -> _Fitted:  # fmt: skip
+) -> _Fitted:
     """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
     p, start, prior = begun
     report = setting.progress(option.label, p.scales.half)
@@ -189,12 +193,14 @@ def _fit_to_all(
     def descend(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
         """θ after a homotopy over the observer gains [frequency scale], within a share of the effort."""
         return fit_homotopy(
-            problem, theta, prior,
+            problem,
+            theta,
+            prior,
             Schedule(gains, ITERATIONS, LAST_ITERATIONS, tolerance, option.noise_inflation),
             callbacks=Callbacks(
                 enough=lambda: setting.effort.exhausted(share), on_progress=report, is_chaotic=problem.is_chaotic
             ),
-        )  # fmt: skip
+        )
 
     def within(logs: Sequence[Log], theta: FloatArray, jacobians: int) -> JointProblem:
         """The logs, or so much of them that a time limit holds so many Jacobians."""

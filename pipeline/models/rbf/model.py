@@ -137,11 +137,14 @@ class RbfModel:
         s = self.parameters.scales
         parts = [
             self._followed(
-                log.t, log.drive if self.fine_voltages else log.v, bridged((log.q - s.middle) / s.half, log.valid),
-                log.valid.astype(np.float64), float(log.qdot[0]) / s.half,
+                log.t,
+                log.drive if self.fine_voltages else log.v,
+                bridged((log.q - s.middle) / s.half, log.valid),
+                log.valid.astype(np.float64),
+                float(log.qdot[0]) / s.half,
             )
             for log in logs
-        ]  # fmt: skip
+        ]
         states, inputs = (np.concatenate(each) for each in zip(*parts, strict=True))
         known = np.isfinite(states).all(axis=1)
         forces = acting_forces(self.parameters, self.theta, states[known], inputs[known])

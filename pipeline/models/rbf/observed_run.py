@@ -271,9 +271,14 @@ def _rested(
 
 
 def observed_run(
-    c: Coefficients, drive: Drive, coupling: Coupling, start: ArrayLike, interval: float, steps: int,
+    c: Coefficients,
+    drive: Drive,
+    coupling: Coupling,
+    start: ArrayLike,
+    interval: float,
+    steps: int,
     wrt: SensitivityParameters,
-) -> tuple[FloatArray, FloatArray, int]:  # fmt: skip
+) -> tuple[FloatArray, FloatArray, int]:
     """Integrate the joint over a record, coupled to the measurement by an observer.
 
     Parameters
@@ -323,11 +328,29 @@ def observed_run(
     basis, slopes = np.zeros((2, c.curves.shape[1]))
     values, changes, by_curve = np.zeros((3, len(c.curves)))
     system = ObservedJoint(
-        c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, path,
-        gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps,
-        np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, np.zeros(len(c.centres)), values,
-        changes, by_curve, np.zeros(13), np.zeros((4, elements)), states, sensitivity,
-    )  # fmt: skip
+        c,
+        wrt,
+        np.ascontiguousarray(u),
+        np.ascontiguousarray(du),
+        held,
+        path,
+        gain * np.minimum(observe, np.append(observe[1:], observe[-1])),
+        2 * steps,
+        np.zeros(2),
+        np.zeros(1 + parameters),
+        slip,
+        slip.copy(),
+        basis,
+        slopes,
+        np.zeros(len(c.centres)),
+        values,
+        changes,
+        by_curve,
+        np.zeros(13),
+        np.zeros((4, elements)),
+        states,
+        sensitivity,
+    )
     out = np.full((count, 3, 1), np.nan)
     # The wall keeps x, so that only what is no number ends a run.
     valid = _integrate(system, x, out, workspace(x), steps, interval / steps, -_LARGEST, _LARGEST)

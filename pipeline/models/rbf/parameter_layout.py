@@ -176,10 +176,21 @@ class ParameterLayout:
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
         end_stops = np.concatenate((part["stops"][:2], np.exp(part["stops"][2:])))  # places; stiffness, resistance
         c = Coefficients(
-            curves, np.exp(part["rate"]), np.exp(part["slip_force"]), slip_length, inertia,
-            self.centres, self.bend, low, high, self.arm, float(np.exp(part["drag"]).sum()), end_stops,
-            np.zeros((2, curves.shape[1])), np.zeros(2),
-        )  # fmt: skip
+            curves,
+            np.exp(part["rate"]),
+            np.exp(part["slip_force"]),
+            slip_length,
+            inertia,
+            self.centres,
+            self.bend,
+            low,
+            high,
+            self.arm,
+            float(np.exp(part["drag"]).sum()),
+            end_stops,
+            np.zeros((2, curves.shape[1])),
+            np.zeros(2),
+        )
         ends = basis_rows(np.array([low, high]), c)
         return c._replace(ends=ends, at_ends=ends @ curves[FORCE])
 

@@ -323,9 +323,19 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
     split = len(measured) if free_after is None else int(free_after * len(measured))
     travel, weight = _travel(p, record, every)
     return _Log(
-        measured, observe, float(record.qdot[0] / s.half), every * record.interval, split, travel, weight, inputs, past,
-        every, record.interval, {},
-    )  # fmt: skip
+        measured,
+        observe,
+        float(record.qdot[0] / s.half),
+        every * record.interval,
+        split,
+        travel,
+        weight,
+        inputs,
+        past,
+        every,
+        record.interval,
+        {},
+    )
 
 
 def _travel(p: ParameterLayout, record: Log, every: int) -> tuple[FloatArray | None, float]:

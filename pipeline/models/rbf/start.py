@@ -166,9 +166,15 @@ def looks_overdamped(records: Sequence[Log], action: InputAction) -> bool:
     def explained(*, overdamped: bool) -> float:
         """Share of what is fitted that a cubic spring, a damper and constant gains explain."""
         plain = JointStructure(
-            rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True,
-            constant_gain=True, overdamped=overdamped,
-        )  # fmt: skip
+            rates=(),
+            shape_elements=0,
+            slips=0,
+            arc=False,
+            force="polynomial",
+            constant_damping=True,
+            constant_gain=True,
+            overdamped=overdamped,
+        )
         p = ParameterLayout(plain, data_scales(records, centred=False), action, (0,) * records[0].v.shape[1])
         motion, target = _motion(records, p)
         u = _driven(records, p, np.zeros(p.count))

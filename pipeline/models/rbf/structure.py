@@ -144,9 +144,15 @@ def spline_through(inputs: FloatArray) -> CubicSpline:
 
 
 def drive_at_nodes(
-    v: FloatArray, interval: float, steps: int, hold: Hold, delay: float = 0.0, spline: CubicSpline | None = None, *,
+    v: FloatArray,
+    interval: float,
+    steps: int,
+    hold: Hold,
+    delay: float = 0.0,
+    spline: CubicSpline | None = None,
+    *,
     squared: bool = False,
-) -> FloatArray:  # fmt: skip
+) -> FloatArray:
     """Inputs at every half step.
 
     Parameters

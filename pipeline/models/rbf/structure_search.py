@@ -128,11 +128,14 @@ class Setting:
             structure = replace(structure, force="curve", constant_gain=False, bent_input=False, dead_zone=False)
             structure = replace(structure, stops=structure.stops and self.measured.force is None)
         p, start = starting_joint(
-            records, structure, self.inputs, centred=option.centred,
+            records,
+            structure,
+            self.inputs,
+            centred=option.centred,
             known_signs=self.measured.signs if self.measured else None,
             reach=self.measured.reach if self.measured else (np.inf, -np.inf),
             timing={name: like[1][like[0].slices[name]] for name in TIMES} if like else None,
-        )  # fmt: skip
+        )
         prior = population().prior(p) if option.population else joint_prior(p, start, option.symmetry)
         return (p, *pin_curves(p, start, prior, self.measured)) if self.measured else (p, start, prior)
 
@@ -375,9 +378,14 @@ def _idle(fits: Sequence[Fit], interval: float) -> tuple[str, ...]:
 
 
 def _quick_fit(
-    p: ParameterLayout, records: Sequence[Log], start: FloatArray, prior: Prior, setting: Setting, option: Candidate,
+    p: ParameterLayout,
+    records: Sequence[Log],
+    start: FloatArray,
+    prior: Prior,
+    setting: Setting,
+    option: Candidate,
     near: Fit | None,
-) -> HomotopyFit:  # fmt: skip
+) -> HomotopyFit:
     """A fit that is good enough to compare: from one near by in few levels, or else from the start in all."""
     problem = JointProblem(p, records, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
 
@@ -387,11 +395,14 @@ def _quick_fit(
         """A quick homotopy from θ over the observer gains [frequency scale] that are strong enough."""
         strong = [gain for gain in gains if gain >= setting.coupled]
         return fit_homotopy(
-            problem, theta, prior, Schedule(strong, steps, 2 * steps, 1e-3, option.noise_inflation),
+            problem,
+            theta,
+            prior,
+            Schedule(strong, steps, 2 * steps, 1e-3, option.noise_inflation),
             callbacks=Callbacks(
                 on_progress=setting.progress(option.label, p.scales.half), is_chaotic=problem.is_chaotic
             ),
-        )  # fmt: skip
+        )
 
     if near is not None and p.count > MANY and _alike(p, near[0]):
         fit = fitted(_adopted(p, start, *near), NEAR_GAINS)

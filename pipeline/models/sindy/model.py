@@ -119,9 +119,13 @@ class SindyModel(ModelFile):
         """The right-hand side."""
         lags = tuple(map(Lag, self.lag_source.tolist(), self.lag_s.tolist()))
         return PolynomialDynamics(
-            self.exponents, self.coefficients, self.scales[: self.scales.size - len(lags)], lags,
-            self.inputs == "squared", *self.bounds.tolist(),
-        )  # fmt: skip
+            self.exponents,
+            self.coefficients,
+            self.scales[: self.scales.size - len(lags)],
+            lags,
+            self.inputs == "squared",
+            *self.bounds.tolist(),
+        )
 
     @property
     def input_count(self) -> int:

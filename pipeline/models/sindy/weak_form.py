@@ -282,9 +282,16 @@ def prepare_problem(trajectories: Sequence[Log], plant: Device) -> Problem:
     weak = [_weak_block(trajectories, block, empty, half_width, angle) for block in blocks]
     usable = [i for i, (exponents, _, _) in enumerate(weak) if len(exponents)]
     return Problem(
-        trajectories, [blocks[i] for i in usable], [weak[i][1] for i in usable], [weak[i][2] for i in usable],
-        weak[usable[0]][0], empty, high - low, time_scale, half_width,
-    )  # fmt: skip
+        trajectories,
+        [blocks[i] for i in usable],
+        [weak[i][1] for i in usable],
+        [weak[i][2] for i in usable],
+        weak[usable[0]][0],
+        empty,
+        high - low,
+        time_scale,
+        half_width,
+    )
 
 
 def _half_width(trajectories: Sequence[Log], blocks: Sequence[HeldOutBlock], time_scale: float) -> float:

@@ -64,9 +64,12 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
         trusted = _trusted(signals, prototype, raw_step)
         warnings = [*signals.notes, *_warnings(signals, prototype, trusted)]
         usable = survey(
-            (signals.q[0], trusted.samples), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal,
+            (signals.q[0], trusted.samples),
+            signals.beside,
+            gaps=settings.gaps,
+            time_reversal=settings.time_reversal,
             cuts=trusted.dropouts.cuts[:, 0],
-        )  # fmt: skip
+        )
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     quality = trusted.quality

@@ -117,9 +117,11 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
         for number, point in enumerate(document["equilibria"], start=1):
             matrices = {name: np.array(point[name]) for name in ("A", "B", "C", "D", "B_squared")}
             structs[f"equilibrium_{number}"] = matrices | {
-                "x0": np.array(point["x0"])[:, None], "v0": np.array(point["v_V"])[:, None], "q0": point["q_m"],
+                "x0": np.array(point["x0"])[:, None],
+                "v0": np.array(point["v_V"])[:, None],
+                "q0": point["q_m"],
                 "stable": float(point["stable"]),
-            }  # fmt: skip
+            }
             header = ",".join([*point["states"], "v1 [V]", "v2 [V]", "v1^2 [V^2]", "v2^2 [V^2]"])
             rows = np.hstack([matrices["A"], matrices["B"], matrices["B_squared"]])
             lines = [

@@ -160,9 +160,14 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
     names = [name for name in FIGURES if name != "fig-15" or prototype.logs.validation]
     outputs = (layout.PAPER, *(layout.paper_figure(name, ending) for name in names for ending in ENDINGS))
     return Task(
-        "paper", "figures and page", ALGORITHM, {"prototype": prototype.model_dump(mode="json")}, inputs, outputs,
+        "paper",
+        "figures and page",
+        ALGORITHM,
+        {"prototype": prototype.model_dump(mode="json")},
+        inputs,
+        outputs,
         lambda run: _work(run, prototype, parameters),
-    )  # fmt: skip
+    )
 
 
 def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> Mapping[str, Written]:
