@@ -306,8 +306,8 @@ def _switches() -> Iterator[FactColumn]:
                 "{v}",
                 help_,
                 row=row,
-                side=out_of,
-                fleet=f"switching {membrane}, to {side}",  # type: ignore[arg-type]
+                side=out_of,  # type: ignore[arg-type]
+                fleet=f"switching {membrane}, to {side}",
             )
 
 
