@@ -176,10 +176,11 @@ def reached(law: Law, start: FloatArray, end: float, v: FloatArray) -> FloatArra
     largest = np.zeros(CORRECTED)
     none = np.zeros(2)
     half = 0.5 * (start[0] + end)
-    s[:STATES] = start
+    copy_into(s[:STATES], start)
     for _ in range(LONGEST):
         move(s, v if (s[0] - half) * (end - half) < 0.0 else none, law)
-        largest = np.maximum(largest, np.abs(s[:CORRECTED]))
+        for i in range(CORRECTED):
+            largest[i] = max(largest[i], abs(s[i]))
         if (s[0] - end) * (end - half) > 0.0:
             break
     return largest
