@@ -69,7 +69,8 @@ def data_scales(
     speed, acceleration = (
         rms(np.concatenate([getattr(r, name)[r.valid] for r in records])) / half for name in ("qdot", "qddot")
     )
-    return JointScales(middle, half, volts, acceleration, speed)
+    slopes = np.concatenate([np.gradient(np.where(r.valid, r.qdot, np.nan), r.interval) for r in records])
+    return JointScales(middle, half, volts, acceleration, speed, rms(slopes[np.isfinite(slopes)]) / half)
 
 
 def starting_joint(

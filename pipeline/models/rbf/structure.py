@@ -113,6 +113,9 @@ class JointScales:
     """RMS acceleration over half the range of q."""
     speed: Annotated[Real, Field(ge=0.0), Unit("1/s")] = 0.0
     """RMS velocity over half the range of q."""
+    slope: Annotated[Real, Field(ge=0.0), Unit("1/s²")] = 0.0
+    """RMS slope of the velocity between samples, over half the range of q. Unlike the acceleration it holds no noise that
+    is faster than the samples."""
 
     @property
     def frequency(self) -> float:
@@ -121,11 +124,11 @@ class JointScales:
 
     @property
     def pace(self) -> float:
-        """RMS acceleration over RMS velocity [rad/s], at least the frequency scale.
+        """RMS slope of the velocity over RMS velocity [rad/s], at least the frequency scale.
 
         A vibration has its own angular frequency by it, however long the joint rests between.
         """
-        return max(self.frequency, self.stiffness / self.speed if self.speed > 0.0 else 0.0)
+        return max(self.frequency, self.slope / self.speed if self.speed > 0.0 else 0.0)
 
     @property
     def overdamped(self) -> "JointScales":

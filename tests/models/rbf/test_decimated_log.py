@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.models.rbf.prior import joint_prior
 from pipeline.models.rbf.problem import JointProblem
-from pipeline.models.rbf.structure import JointScales
+from pipeline.models.rbf.start import data_scales
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
 from pipeline.signals.log import Log
@@ -42,14 +42,23 @@ def test_the_truth_leaves_little_of_what_the_filter_changed(gain):
     assert rms(left) < 0.25 * rms(log.q - run.q[rows]) / p.scales.half
 
 
-def test_a_vibration_has_its_own_frequency_as_pace_however_long_it_rests():
-    frequency, t = 30.0, np.linspace(0.0, 10.0, 20_001)
-    x = np.where(t < 1.0, np.sin(frequency * t), 0.0)
-    speed, acceleration = np.gradient(x, t), np.gradient(np.gradient(x, t), t)
-    moving = t < 0.9
-    scales = JointScales(0.0, 1.0, 1.0, rms(acceleration * moving), rms(speed * moving))
-    assert scales.pace == pytest.approx(frequency, rel=0.02)
-    assert scales.frequency < 0.75 * frequency
+def vibration(noise: float) -> Log:
+    """A vibration of 30 rad/s that decays within a second of ten; its accelerations are noisy."""
+    t = 0.01 * np.arange(1001.0)
+    x, qdot, qddot = (
+        np.real(rate * np.exp((30.0j - 1.0) * t)) for rate in (-1j, -1j * (30j - 1), -1j * (30j - 1) ** 2)
+    )
+    return Log(t, x, qdot, qddot + noise * np.random.default_rng(1).standard_normal(t.size), np.ones((t.size, 1)))
+
+
+@pytest.mark.parametrize("noise", [0.0, 1000.0])
+def test_a_vibration_has_its_own_frequency_as_pace_however_long_it_rests_and_noise_none(noise):
+    scales = data_scales([vibration(noise)], centred=True)
+    assert scales.pace == pytest.approx(max(30.0, scales.frequency), rel=0.03)
+
+
+def test_of_a_joint_that_rests_the_frequency_scale_is_too_slow():
+    assert data_scales([vibration(0.0)], centred=True).frequency < 0.75 * 30.0
 
 
 def test_one_side_may_be_stronger_than_the_other():
