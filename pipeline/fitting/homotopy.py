@@ -152,7 +152,14 @@ def fit_homotopy(
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
     calls = callbacks or Callbacks()
-    fit = HomotopyFit(theta, np.zeros(0), np.zeros((len(theta), len(theta))), FLOOR, (), False)
+    fit = HomotopyFit(
+        theta=theta,
+        residual=np.zeros(0),
+        hessian=np.zeros((len(theta), len(theta))),
+        noise=FLOOR,
+        levels=(),
+        reached_last=False,
+    )
     damping = START
     pending = list(schedule.gains)
 
@@ -182,7 +189,13 @@ def fit_homotopy(
             level.linearise()
         levels = (*fit.levels, Level(float(gain), level.iterations, rms(level.residual), done))
         fit = HomotopyFit(
-            level.theta, level.residual, level.hessian, level.noise, levels, not (pending or chaotic), chaotic
+            theta=level.theta,
+            residual=level.residual,
+            hessian=level.hessian,
+            noise=level.noise,
+            levels=levels,
+            reached_last=not (pending or chaotic),
+            chaotic=chaotic,
         )
         damping = level.damping
     return fit

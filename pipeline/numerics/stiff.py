@@ -68,7 +68,7 @@ def _rosenbrock(gamma: float, a: FloatArray, c: FloatArray) -> Method:
     by_time = np.zeros(stages)
     for i in range(stages):
         by_time[i] = gamma * (1.0 + c[i, :i] @ by_time[:i])
-    return Method(gamma, np.ones(stages), a, c, a @ by_time[:-1], by_time)
+    return Method(gamma=gamma, start=np.ones(stages), a=a, c=c, nodes=a @ by_time[:-1], by_time=by_time)
 
 
 RODAS4 = _rosenbrock(
@@ -106,7 +106,14 @@ def _alexander() -> Method:
     a = np.zeros((3, 3))
     for i in range(3):
         a[i] = b[i] - b[i, :i] @ a[:i]
-    return Method(gamma, 1.0 - a.sum(axis=1), a, np.zeros((3, 0)), np.array([gamma, middle, 1.0]), np.zeros(3))
+    return Method(
+        gamma=gamma,
+        start=1.0 - a.sum(axis=1),
+        a=a,
+        c=np.zeros((3, 0)),
+        nodes=np.array([gamma, middle, 1.0]),
+        by_time=np.zeros(3),
+    )
 
 
 SDIRK3 = _alexander()
@@ -142,14 +149,14 @@ class Work(NamedTuple):
 def working(stages: int, columns: int) -> Work:
     """Room for the steps of a run."""
     return Work(
-        np.empty((stages, STATES * columns)),
-        np.empty(STATES * columns),
-        np.empty(STATES * columns),
-        np.zeros(RITZ * columns),
-        np.empty((RITZ, RITZ)),
-        np.empty(SLOPES),
-        np.empty((RITZ, RITZ)),
-        np.empty(RITZ, np.int64),
+        y=np.empty((stages, STATES * columns)),
+        at=np.empty(STATES * columns),
+        right=np.empty(STATES * columns),
+        forces=np.zeros(RITZ * columns),
+        mass=np.empty((RITZ, RITZ)),
+        slopes=np.empty(SLOPES),
+        factors=np.empty((RITZ, RITZ)),
+        pivots=np.empty(RITZ, np.int64),
     )
 
 

@@ -358,7 +358,7 @@ def _blocks(time: FloatArray, origin: float, interval: float, points: int) -> It
         starts = starts[: held + 1]
         count = int(starts[-1])
         shares = _shares(around[: before + count + 1], before, count, low + count == time.size)
-        yield _Bins(first, first + held, low, starts, stamps[:count], shares)
+        yield _Bins(first=first, last=first + held, low=low, starts=starts, stamps=stamps[:count], shares=shares)
         first, low, most = first + held, low + count, _BLOCK
 
 

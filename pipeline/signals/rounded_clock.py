@@ -69,7 +69,7 @@ def uniform_clock(time: FloatArray) -> UniformClock | None:
     except DataRefusedError:  # it never advances
         return None
     for lossy, (half, fuzz) in _resolutions(stamps, limit).items():
-        count = _counts(stamps, usable, limit) if lossy else _rows(usable)
+        count = _counts(stamps, limit) if lossy else _rows(usable)
         lines = _lines(stamps, count, half, fuzz, _parts(stamps, limit))
         if lines:
             longest = max(lines, key=lambda line: line.rows.stop - line.rows.start)
@@ -137,7 +137,7 @@ def _rows(usable: BoolArray) -> IntArray:
     return column(int(np.count_nonzero(usable)), parts, np.int64)
 
 
-def _counts(stamps: FloatArray, usable: BoolArray, limit: float) -> IntArray:
+def _counts(stamps: FloatArray, limit: float) -> IntArray:
     """Number of each stamp where single rows are missing or written twice: each step by the usual ones in it."""
     total = 0.0
     count = 0
