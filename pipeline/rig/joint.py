@@ -109,7 +109,7 @@ def saddle(p: RigParameters) -> FloatArray:
     Raises
     ------
     InputError
-        None does.
+        No start leads to such a point.
     """
     from scipy.optimize import root
 
