@@ -39,7 +39,7 @@ def slopes(model: HybridModel, t: FloatArray, v: FloatArray, start: float) -> Fl
     run = model.simulate(t, v, start, 0.0)
     if run.status != "ok":
         return None
-    record = Log(t, run.q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
+    record = Log(t=t, q=run.q, qdot=run.qdot, qddot=run.qddot, v=v, valid=np.ones(len(t), dtype=bool))
     return CondensedProblem(model.joint, [model.joint.reading(record)]).jacobian(model.theta, 0.0)[1]
 
 
