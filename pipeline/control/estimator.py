@@ -10,7 +10,8 @@ Jacobian at the estimate: about the saddle a beam's slope may be unstable at a g
 the correction changes. Maxwell strains and creep follow from the motion alone: their own dynamics forget every error.
 
 The functions are traced into graphs (`pipeline.codegen.graph`): lists of numbers in, dictionaries of lists out. `now`
-is the controller's state by parts (`law.PLACES`), `n` its `NUMBERS` by name: in the graphs the arrays `s` and `e`.
+is the controller's state by parts (`law.PLACES`), `n` its `NUMBERS` by name: in the graphs the arrays `s` and `e`. A
+table is a parameter that makes it an input of the graph; `fetch` reads it by its name.
 """
 
 from collections.abc import Callable
@@ -250,7 +251,7 @@ def _pushed(x: Values, prepared: Values) -> tuple[dict[int, Any], dict[int, Any]
 
 
 def rates(now: State, y: Values, u: Values, prepared: Values, n: Numbers, curves: Values) -> Outputs:
-    """Rates of the state y under squared voltages and the unknown moment; s is the state where the step began.
+    """Rates of the state y under squared voltages and the unknown moment.
 
     Parameters
     ----------

@@ -46,8 +46,18 @@ SLOPES = R_S + RITZ * 2
 class Method(NamedTuple):
     """Coefficients of a method of s stages.
 
-    γ, `start` (s,), `a` and `c` (s, s − 1), `nodes` (s,) as shares of the step, `by_time` (s,): the share of h ∂f/∂t
-    in the right-hand side of each stage.
+    Attributes
+    ----------
+    gamma : float
+        γ.
+    start : FloatArray, shape (s,)
+        Share of the step's first state in the state at each stage.
+    a, c : FloatArray, shape (s, s − 1), or (s, 0) where the method has none
+        Weights of the stages before.
+    nodes : FloatArray, shape (s,)
+        Places of the stages, as shares of the step.
+    by_time : FloatArray, shape (s,)
+        Share of h ∂f/∂t in the right-hand side of each stage.
     """
 
     gamma: float
@@ -172,7 +182,7 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
     method : Method
         `RODAS4` or `SDIRK3`.
     stage_of : callable
-        Fills the right-hand side of a stage, see below.
+        Fills the right-hand side of a stage, see above.
     system : NamedTuple
         The system.
     x : FloatArray, shape (STATES · P,)

@@ -279,8 +279,7 @@ def differentiate(
     dt : float
         Sampling interval [s].
     method : {"tvregdiff", "savitzky-golay"}
-        Total-variation regularised (default), SciPy's Savitzky-Golay filter of degree 5, or PyNumDiff's
-        Rauch-Tung-Striebel smoother with constant acceleration.
+        Total-variation regularised (default), or SciPy's Savitzky-Golay filter of degree 5.
     order : {1, 2, 3, 4}, default 3
         Derivative m whose variation `tvregdiff` penalises.  1 is the published method: the acceleration is found
         by applying it again, with the same numbers for both parameters.  2 lets the acceleration jump.
