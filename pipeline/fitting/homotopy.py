@@ -1,9 +1,9 @@
 """Estimation of a free run by homotopy over an observer: from an easy problem to the wanted one.
 
 A free run's error is a bad cost far from its minimum: one wrong decision at the separatrix, and the joint lies in
-the other well until the next pulse. Coupled to the measurement by an observer with the gain λ, the simulation is
-always in the right well and its error, about (force error)/λ², is nearly linear in the parameters. λ falls in steps to
-zero, each level starting from the minimiser of the one before. Hidden states run through the whole record, so unlike
+the other well until the next pulse. An observer with the gain λ couples the simulation to the measurement and keeps it
+in the right well. Its error, about (force error)/λ², is nearly linear in the parameters. λ falls in steps to zero, each
+level starting from the minimiser of the one before. Hidden states run through the whole record, so unlike
 multiple shooting there are no window states to estimate.
 """
 

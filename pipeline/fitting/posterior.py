@@ -166,8 +166,8 @@ def first_order_curves(
 ) -> dict[str, FloatArray]:
     """Curves of draws from the covariance S Sᵀ about `mean`, θ acting to first order; each of shape (count, n).
 
-    θ itself, drawn so, leaves the curved valley in which the data hold it: curves of the hybrid model were three times
-    as wide, and those of data-driven joints of their own class up to twenty times, about a middle that was off the
+    θ itself, drawn so, leaves the curved valley in which the data hold it. Curves of the hybrid model were then three
+    times as wide, those of data-driven joints of their own class up to twenty times, and their middle was off the
     truth. Curves whose names are `nonnegative` are cut at zero. Cost: the curves of as many parameter vectors as S has
     rows that are not zero, and one.
 

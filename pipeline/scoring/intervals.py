@@ -190,7 +190,7 @@ def share_interval(right: int, events: int) -> Interval | None:
 
     Resampling 14 pulses that are all right gives 14 of 14 every time, an interval without width. The Bayesian bootstrap
     (Rubin 1981, doi:10.1214/aos/1176345338) with half an event of either outcome added is the interval of Jeffreys,
-    Beta(right + ½, wrong + ½), which covers well from a few events on (Brown, Cai & DasGupta 2001,
+    Beta(right + ½, wrong + ½). That covers well from a few events on (Brown, Cai & DasGupta 2001,
     doi:10.1214/ss/1009213286). As there, it reaches 0 where nothing was right and 1 where everything was.
 
     Parameters

@@ -194,9 +194,9 @@ def jump_weights(t: FloatArray, delta: float, order: int) -> FloatArray:
     """Weights that lift the penalty where the differences `t` of the last solution are large.
 
     Solving again with the weight ``delta/sqrt(T_i² + delta²)``, T_i the largest modulus of the differences up to
-    `order` places from i, reweights the variation (Candès, Wakin & Boyd 2008): the fixed point minimises
-    ``½ log(t² + delta²)`` instead of the modulus, whose price for a jump hardly grows with its height, so that jumps
-    keep their height and the rest can be smoothed more.  Neighbours share the largest weight loss because a jump of a
+    `order` places from i, reweights the variation (Candès, Wakin & Boyd 2008). The fixed point minimises
+    ``½ log(t² + delta²)`` instead of the modulus. Its price for a jump hardly grows with the height, so jumps keep
+    their height and the rest can be smoothed more.  Neighbours share the largest weight loss because a jump of a
     lower derivative makes as many large differences of alternating sign.
 
     Parameters

@@ -2,8 +2,8 @@
 
 The stamps of a uniform clock that were rounded to a lattice of step R lie a whole number of R apart, and their steps
 take two neighbouring multiples of R. So R follows from the stamps, block by block, since the lattice of floating
-numbers widens with them. The clock is uniform if one line a + b k passes every stamp within R/2. Of all such lines the
-one is taken that keeps farthest from these limits: a linear programme over the stamps that bind.
+numbers widens with them. The clock is uniform if one line a + b k passes every stamp within R/2. The line that
+keeps farthest from these limits is taken: a linear programme over the stamps that bind.
 """
 
 import math

@@ -1,8 +1,8 @@
 """Value of one more log of an identified joint: the variance of free runs after it, to first order.
 
-The posterior of θ has the covariance S Sᵀ. A log whose free run has the derivatives J by θ shows H = JᵀJ / (s² τ), with
-the RMS s of the fit's residual and its autocorrelation time τ. A programme with the derivatives G then has the variance
-diag(G S (1 + Sᵀ H S)⁻¹ Sᵀ Gᵀ), which needs no measurement (I-optimal design; Fedorov 1972).
+The posterior of θ has the covariance S Sᵀ. The fit's residual has the RMS s and the autocorrelation time τ. A log whose
+free run has the derivatives J by θ carries the information H = JᵀJ / (s² τ). A free run with the derivatives G then has
+the variance diag(G S (1 + Sᵀ H S)⁻¹ Sᵀ Gᵀ), which needs no measurement (I-optimal design; Fedorov 1972).
 """
 
 from dataclasses import dataclass

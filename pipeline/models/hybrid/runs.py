@@ -82,8 +82,8 @@ def observer(error: float, pole: float, lead: float) -> tuple[float, float, floa
     """Terms of an observer in the rates of q, q̇, τ and τ̇ when q is `error` [m] behind the reading.
 
     It pulls along the slow motion of the beam, (q, τ) together: q̇ += 2L e, q̈ += L² e, L being its `pole` [1/s], and the
-    same times dτ/dq = `lead` [1/m] for τ. Pulling at q alone leaves the pair of q and τ with a growing mode near the
-    separatrix (rates up to 3 1/s), so that even the true joint drifts off its own measurement. It is linear in `error`.
+    same times dτ/dq = `lead` [1/m] for τ. An observer that pulls at q alone has a growing mode of q and τ near the
+    separatrix, with rates up to 3 1/s: even the true joint drifts off its own measurement. It is linear in `error`.
     """
     velocity = 2.0 * pole * error
     acceleration = pole * pole * error

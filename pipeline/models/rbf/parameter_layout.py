@@ -264,9 +264,9 @@ class ParameterLayout:
 
         Notes
         -----
-        They pass delay and lag, solved exactly, and are bent and squared after that, because it is the drive (the
-        propeller's speed, the electrodes' charge) that lags and its square that pulls. Where the effect lags, as heat
-        does, they are bent and squared first.
+        They pass delay and lag, solved exactly, and are bent and squared after that: the drive lags, as a propeller's
+        speed or the electrodes' charge does, and its square pulls. Where the effect lags, as heat does, they are bent
+        and squared first.
         """
         drive = drive_at_nodes(v, interval, steps, self.structure.hold, self.delay(theta), squared=self.squares_first)
         return self.acting(drive / self.scales.volts, interval / steps / 2.0, theta)
