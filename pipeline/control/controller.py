@@ -33,7 +33,8 @@ GRAPHS = {
 }
 """Graphs of the controller; tables of any length are given the length 0."""
 
-_OFFSET = NUMBERS.index("offset")
+OFFSET = NUMBERS.index("offset")
+"""Place of the laser's offset among the numbers of a law."""
 TABLES = ("prepared", "slopes", "curves", "rests", "targets", "braking")
 """Arrays of a law beside its numbers `e`."""
 _MOVE = (
@@ -127,9 +128,9 @@ def observe(s: FloatArray, reading: float, v: FloatArray, law: Law) -> None:
 def estimate(s: FloatArray, law: Law) -> FloatArray:
     """Estimate for the time of the next reading, shape (estimator.ESTIMATED,).
 
-    The laser's reading [m] and its rate [m/s], slope and interior shape [1] with their rates [1/s], Maxwell strains
-    [1], creep [m], stop operators [1], voltages behind the converters [V], and the moment on the slope that the model
-    does not explain [N·m].
+    First the joint's state: the laser's reading [m] and its rate [m/s], slope and interior shape [1] with their rates
+    [1/s], Maxwell strains [1] and creep [m]. Then stop operators [1], voltages behind the converters [V], the moment on
+    the slope that the model does not explain [N·m], and the place of the status in `estimator.STATUS`.
     """
     estimated = np.empty(ESTIMATED)
     _estimate((s, estimated, law.numbers))
@@ -171,7 +172,7 @@ def closed_on_model(law: Law, joint: Law, start: float, target: FloatArray) -> t
     begin_control(start, joint, plant)
     begin_control(start, law, s)
     for i in range(target.size):
-        q[i] = plant[0] + joint.numbers[_OFFSET]
+        q[i] = plant[0] + joint.numbers[OFFSET]
         control(s, q[i], target[i], law, v[i])
         move(plant, v[i], joint)
     return q, v

@@ -107,7 +107,9 @@ def charged(
     apart = np.array([0.5, -0.5])
     for common in np.arange(COMMON, 1.0, COMMON).tolist():
         growth = float(np.linalg.eigvals(jacobian(*equilibrium, plant.constants)[0]).real.max())
-        answer = None if growth < (SLOW if share else 0.0) else held(plant, x, common * highest**2 * np.ones(2), apart)
+        if growth < (SLOW if share else 0.0):
+            break
+        answer = held(plant, x, common * highest**2 * np.ones(2), apart)
         if answer is None:
             break
         x, difference = answer
@@ -146,8 +148,9 @@ def regulator(
     along = 0.5 * (b[:, 0] / per_square[0] - b[:, 1] / per_square[1])
     n = STATES
     whole = np.zeros((n + 2, n + 2))
-    whole[:n, :n], whole[:n, n] = a, along
-    whole[n, n], whole[n, n + 1] = -1.0 / lag, 1.0 / lag
+    whole[:n, :n] = a
+    whole[:n, n] = along
+    whole[n, n:] = -1.0 / lag, 1.0 / lag
     step = expm(PERIOD * whole)
     weight = np.zeros(FEEDBACK)
     weight[:CORRECTED] = 1.0 / reach**2
@@ -201,12 +204,11 @@ def braking_curves(
 ) -> tuple[FloatArray, FloatArray]:
     """Speeds [m/s] of the mass centre at which a brake begins, and during it, to stop at each place.
 
-    Both have the shape (len(places), REACHES), for distances up to that of the wells. Slow motions have the `slope` τ/q
-    [1/m]; `fastest` [m/s] is the largest speed of a snap.
+    Both have the shape (len(places), REACHES), for distances up to that of the wells.
 
-    Found by simulation: motions towards the places, slow and fast ones, are braked at every instant. The instant at
-    which one stops at a place is a point of that place's first curve. The second is the brake of the first motion that
-    stops there, which is the one from rest under full voltage, after its first periods.
+    Motions towards the places, slow and fast ones, are simulated and braked at every instant. The instant at which one
+    stops at a place is a point of that place's first curve. The second curve is the brake of the first motion that
+    stops there, after its first periods: that motion is the one from rest under full voltage.
 
     Parameters
     ----------
@@ -242,8 +244,10 @@ def braking_curves(
         push = np.zeros(2)
         s = np.zeros(CONTROLLER_STATE)
         push[side] = highest * np.sqrt(level)
-        s[:STATES], s[PLACES["volts"]] = x0, push
-        s[1], s[3] = towards * fastest * speed, towards * fastest * speed * slope
+        s[:STATES] = x0
+        s[PLACES["volts"]] = push
+        s[1] = towards * fastest * speed
+        s[3] = towards * fastest * speed * slope
         motion, turns = pushed(law, s, push, brake, towards)
         for i, place in enumerate(places):
             beyond = towards * (turns - place)
@@ -342,7 +346,8 @@ def braked(law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards
     slew = law.numbers[_SLEW]
     lever = law.numbers[_LEVER]
     for _ in range(LONGEST):
-        motion[count, 0], motion[count, 1] = end[0], end[1] + lever * end[3]
+        motion[count, 0] = end[0]
+        motion[count, 1] = end[1] + lever * end[3]
         count += 1
         if towards * end[1] <= 0.0:
             break
@@ -403,29 +408,19 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     Raises
     ------
     InputError
-        The joint is not bistable, or the voltage limit is no voltage of the trained range, or moves it in no well by
+        The joint is not bistable, the voltage limit lies outside the trained range, or it moves the joint in no well by
         the standard deviation of a reading.
 
     Notes
     -----
     Cost: 0.5 s.
     """
-    if not 0.0 < settings.highest <= plant.highest * (1.0 + 1e-9):
-        raise InputError(
-            f"a largest voltage of {settings.highest:g} V lies outside the trained range 0 to {plant.highest:.0f} V"
-        )
-    wells = wells_and_saddle(plant)
+    wells = movable_wells(plant, settings.highest)
     left, saddle, right = (float(well.x[0]) for well in wells)
     between = TARGETS - 1 - 2 * BEYOND
     places: FloatArray = left + (right - left) / between * np.arange(-BEYOND, between + BEYOND + 1.0)
     lags = acting_lags(plant, settings)
     distance = right - left
-    moved = max(np.abs(well.c @ np.linalg.solve(well.a, well.b_squared)).max() for well in (wells[0], wells[2]))
-    if moved * settings.highest**2 < READING * distance:
-        raise InputError(
-            f"a largest voltage of {settings.highest:g} V does not move the joint by the noise of a reading, "
-            f"{1e6 * READING * distance:.2g} µm; allow a larger one"
-        )
     mass = inertia(wells[1].x, plant.constants.p)
     slew = min(settings.highest, np.inf if settings.slew is None else PERIOD * settings.slew)
     law = condensed_joint_law(plant, lags)
@@ -434,11 +429,9 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
         reached(law, wells[2].x, left, np.array([0.0, plant.highest])),
     )
     fastest = float(reach[1])
-    a_snap = distance / float(reach[1])
+    snap_time = distance / fastest
     targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0, WEIGHT * reach)
     moment = float(np.mean(moments_per_square(plant, wells[1].x, np.zeros(2)))) * plant.highest**2
-    scale = np.append(reach, moment)
-    unknown = np.append(READING * distance, scale[1:])
     numbers = dict(zip(NUMBERS, law.numbers.tolist(), strict=True)) | {
         "highest": settings.highest,
         "first": places[0],
@@ -450,23 +443,61 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
         "pumped_left": float(slow[1] > settings.highest),
         "near": NEAR * distance,
         "lever": mass[0, 1] / mass[0, 0],
-        "settles": SETTLES * a_snap / PERIOD + settings.highest / slew - 1.0,
+        "settles": SETTLES * snap_time / PERIOD + settings.highest / slew - 1.0,
         "slew": slew,
         "allowed": min(settings.highest, np.inf if settings.average is None else settings.average),
-        "fade": PERIOD / a_snap,
+        "fade": PERIOD / snap_time,
         "slow": BAND * fastest,
         "band": BAND * distance,
         "same": BAND * distance / (places[1] - places[0]),
+        **filter_numbers(distance, reach, moment),
+    }
+    slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]
+    law = law._replace(numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64), targets=targets)
+    (begins_left, lasts_left), (begins_right, lasts_right) = (
+        braking_curves(law, wells, slope, places, side, settings.highest, fastest) for side in (0, 1)
+    )
+    return law._replace(braking=np.concatenate([begins_left, begins_right, lasts_left, lasts_right]))
+
+
+def movable_wells(plant: ControlledJoint, highest: float) -> list[LinearModel]:
+    """Left well, saddle and right well of a joint that voltages up to `highest` [V] can move; raises as `design`."""
+    if not 0.0 < highest <= plant.highest * (1.0 + 1e-9):
+        raise InputError(
+            f"a largest voltage of {highest:g} V lies outside the trained range 0 to {plant.highest:.0f} V"
+        )
+    left, saddle, right = wells_and_saddle(plant)
+    noise = READING * (float(right.x[0]) - float(left.x[0]))
+    moved = max(np.abs(well.c @ np.linalg.solve(well.a, well.b_squared)).max() for well in (left, right))
+    if moved * highest**2 < noise:
+        raise InputError(
+            f"a largest voltage of {highest:g} V does not move the joint by the noise of a reading, "
+            f"{1e6 * noise:.2g} µm; allow a larger one"
+        )
+    return [left, saddle, right]
+
+
+def filter_numbers(distance: float, reach: FloatArray, moment: float) -> dict[str, float]:
+    """Numbers of the estimator's filter by name.
+
+    Parameters
+    ----------
+    distance : float
+        Of the wells [m].
+    reach : FloatArray, shape (CORRECTED,)
+        Largest magnitudes of the leading states in a snap.
+    moment : float
+        Largest moment [N·m].
+    """
+    scale = np.append(reach, moment)
+    unknown = np.append(READING * distance, scale[1:])
+    return {
         "reading_variance": (READING * distance) ** 2,
         "push": (PUSH * moment / distance) ** 2,
         "walk": (WALK * moment) ** 2,
         **{f"unknown_{i}": value**2 for i, value in enumerate(unknown)},
         **{f"bound_{i}": BOUND * value for i, value in enumerate(scale)},
     }
-    slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]
-    law = law._replace(numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64), targets=targets)
-    braking = [braking_curves(law, wells, slope, places, side, settings.highest, fastest) for side in (0, 1)]
-    return law._replace(braking=np.concatenate([curves for pair in zip(*braking, strict=True) for curves in pair]))
 
 
 def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> Law:
@@ -492,13 +523,13 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
         "rest_per_metre": 1.0 / (grid[1] - grid[0]),
     }
     return Law(
-        np.array([numbers.get(name, 0.0) for name in NUMBERS], dtype=np.float64),
-        p,
-        prepare_slopes(k),
-        np.ascontiguousarray(curves),
-        np.array([(x[2], x[4], z[0]) for x, z in rests]),
-        np.zeros((TARGETS, 0)),
-        np.zeros((4 * TARGETS, 0)),
+        numbers=np.array([numbers.get(name, 0.0) for name in NUMBERS], dtype=np.float64),
+        prepared=p,
+        slopes=prepare_slopes(k),
+        curves=np.ascontiguousarray(curves),
+        rests=np.array([(x[2], x[4], z[0]) for x, z in rests]),
+        targets=np.zeros((TARGETS, 0)),
+        braking=np.zeros((4 * TARGETS, 0)),
     )
 
 

@@ -108,13 +108,11 @@ class Ensemble:
         commands = np.pad(commands, ((0, 0), (round(INTERVAL / PERIOD), 0), (0, 0)))
         half = 2 * self.steps * round(commands.shape[1] * PERIOD / INTERVAL) + 1
         width = INTERVAL / (2 * self.steps)
-        squares = [
-            gain**2
-            * _mean_squares(
-                _behind(_behind(np.repeat(commands, _FINE, axis=1), lags), [charging] * 2), half, width, delay
-            )
-            for gain, lags, charging, delay in zip(self.gains, self.lags, self.charging, self.delays, strict=True)
-        ]
+        squares = []
+        for gain, lags, charging, delay in zip(self.gains, self.lags, self.charging, self.delays, strict=True):
+            electrodes = _behind(np.repeat(commands, _FINE, axis=1), lags)
+            membranes = _behind(electrodes, [charging] * 2)
+            squares.append(gain**2 * _mean_squares(membranes, half, width, delay))
         return np.stack(squares, axis=1)
 
     def simulate(self, squares: FloatArray, start: float) -> FloatArray:

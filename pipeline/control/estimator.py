@@ -1,16 +1,17 @@
 """State estimator: an extended Kalman filter on the identified joint, fed by the laser once in a period.
 
 The estimate holds the joint's state x, its stop operators z (exact in a step), the voltages of both converters, which
-lag behind their commands, and a moment d on the slope for everything outside the model (external
-forces, friction of another kind, a drifting barrier). The voltages act as such a moment, so that they can balance it. d
-changes as a random walk, so that the estimate of q has no steady error.
+lag behind their commands, and a moment d on the slope. d stands for everything outside the model: external forces,
+friction of another kind, a drifting barrier. The voltages act as such a moment, so that they can balance it. d changes
+as a random walk, so that the estimate of q has no steady error.
 
-Corrected are displacement, slope, interior shape, their rates and d; their covariance P moves with the exact Jacobian
-at the estimate, because about the saddle a beam's slope may be unstable at a given displacement, and then the sign of
+Readings correct displacement, slope, interior shape, their rates and d. Their covariance P moves with the exact
+Jacobian at the estimate: about the saddle a beam's slope may be unstable at a given displacement, and then the sign of
 the correction changes. Maxwell strains and creep follow from the motion alone: their own dynamics forget every error.
 
 The functions are traced into graphs (`pipeline.codegen.graph`): lists of numbers in, dictionaries of lists out. `now`
-is the controller's state by parts (`law.PLACES`), `n` its `NUMBERS` by name: in the graphs the arrays `s` and `e`.
+is the controller's state by parts (`law.PLACES`), `n` its `NUMBERS` by name: in the graphs the arrays `s` and `e`. A
+table is a parameter that makes it an input of the graph; `fetch` reads it by its name.
 """
 
 from collections.abc import Callable
@@ -57,7 +58,7 @@ the voltages go to zero; the target was not reached, so the voltages are zero un
 
 
 def of_parts(function: Callable[..., Outputs]) -> Callable[..., Outputs]:
-    """The function of arrays `s` and `e` for one of the state's parts `now` and of the numbers `n` by name."""
+    """Let a function of the state's parts `now` and of the numbers `n` by name take the arrays `s` and `e` instead."""
 
     def traced(**arrays: Values) -> Outputs:
         """The function with state and numbers taken apart."""
@@ -158,9 +159,9 @@ def _reading(signals: Values, n: dict[str, Any]) -> tuple[Any, Any]:
 
 def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
     """Estimate and covariance after a reading q [m]."""
-    whole = q - now["x"][0]
-    outside = function("lt", n["band"], function("abs", whole))
-    miss = choose(outside, 0.0, whole)
+    innovation = q - now["x"][0]
+    outside = function("lt", n["band"], function("abs", innovation))
+    miss = choose(outside, 0.0, innovation)
     column = [now["spread"][_packed(i, 0)] for i in range(FILTER)]
     share = [value / (column[0] + n["reading_variance"]) for value in column]
     bounds = [n[f"bound_{i}"] for i in range(FILTER)]
@@ -250,7 +251,7 @@ def _pushed(x: Values, prepared: Values) -> tuple[dict[int, Any], dict[int, Any]
 
 
 def rates(now: State, y: Values, u: Values, prepared: Values, n: Numbers, curves: Values) -> Outputs:
-    """Rates of the state y under squared voltages and the unknown moment; s is the state where the step began.
+    """Rates of the state y under squared voltages and the unknown moment.
 
     Parameters
     ----------
@@ -328,7 +329,7 @@ def spread(now: State, um: Values, slopes: Values, prepared: Values, n: Numbers,
     """
     a, push = _jacobian(now, um, slopes, prepared, n)
     size = range(FILTER)
-    step = [[a[i][j] / 3.0 if _there(a[i][j]) else 0.0 for j in size] for i in size]
+    step = [[a[i][j] / 3.0 if _nonzero(a[i][j]) else 0.0 for j in size] for i in size]
     for share in (0.5, 1.0):
         product = _product(a, step)
         step = [[share * (a[i][j] + product[i][j]) for j in size] for i in size]
@@ -336,21 +337,24 @@ def spread(now: State, um: Values, slopes: Values, prepared: Values, n: Numbers,
         step[i][i] = step[i][i] + 1.0
     p = [[now["spread"][_packed(i, j)] for j in size] for i in size]
     half = _product(step, p)
-    covariance = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
+    covariance = [
+        sum(half[i][m] * step[j][m] for m in size if _nonzero(step[j][m])) for i in size for j in range(i + 1)
+    ]
     for i, j in ((i, j) for i in push for j in push if i >= j):
         covariance[_packed(i, j)] = covariance[_packed(i, j)] + PERIOD * n["push"] * push[i] * push[j]
     covariance[-1] = covariance[-1] + PERIOD * n["walk"]
     return {"s": joined(now | {"spread": covariance})}
 
 
-def _there(value: Any) -> bool:
+def _nonzero(value: Any) -> bool:
+    """True if an entry of a matrix is traced, or a constant that is not zero."""
     return isinstance(value, Value) or value != 0.0
 
 
 def _product(left: list[Values], right: list[Values]) -> list[Values]:
     size = range(FILTER)
     return [
-        [sum(left[i][m] * right[m][j] for m in size if _there(left[i][m]) and _there(right[m][j])) for j in size]
+        [sum(left[i][m] * right[m][j] for m in size if _nonzero(left[i][m]) and _nonzero(right[m][j])) for j in size]
         for i in size
     ]
 

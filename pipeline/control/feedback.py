@@ -3,13 +3,13 @@
 Two membranes that only attract act as one moment of either sign on the beam's slope: one side at a time, its squared
 voltage as large as the moment needs. With the target at q* and the distance s = q* − q
 
-* far from the target the joint is pushed towards it with the full moment, until its mass centre is as fast as a
-  simulated joint that a brake, begun now, still stops at the target. Then it is braked with a share of the full moment,
-  and the speed's error against the simulated brake is taken away by the rest (after M. L. Workman's proximate
+* far from the target the joint is pushed towards it with the full moment. The push lasts until the mass centre is as
+  fast as a simulated joint that a brake, begun now, still stops at the target. Then it is braked with a share of the
+  full moment, and the rest takes the speed's error against the simulated brake away (after M. L. Workman's proximate
   time-optimal servomechanism, dissertation, Stanford 1987). The braking moment at first accelerates the tip, but not
   the mass centre, so the mass centre's speed is judged;
-* where the largest voltage does not suffice to push the joint over its barrier, it is pushed towards the
-  barrier and away from it in turn, along its own velocity: every half swing then adds energy;
+* where the largest voltage cannot push the joint over its barrier, it is pushed along its own velocity, towards the
+  barrier and away from it in turn: every half swing then adds energy;
 * near a target that is held a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains
   of the target, acts about it. What the estimator calls an unknown moment is balanced. At an unstable target both sides
   are charged: they pull less at the beam together, so that it leaves the target more slowly, and both act linearly;
@@ -128,7 +128,7 @@ def _both(every: Any, *others: Any) -> Any:
 
 
 def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any, Any, Any]:
-    """Share of the largest moment far from the target, −1 to 1; the pump's phase and time, periods of braking."""
+    """Push far from the target as a share of the largest moment, −1 to 1; phase, dwell and brakes of the new state."""
     q = now["x"][0]
     speed = now["x"][1]
     target = now["target"][0]
@@ -221,8 +221,10 @@ def decide(now: State, n: Numbers, targets: Values, braking: Values) -> Outputs:
     left, right = tabulated("moments", (x[0] - n["first"]) * n["per_step"])
     pull_left, pull_right = (volts * volts for volts in now["volts"])
     acting = (left * pull_left - right * pull_right) / (n["highest"] * n["highest"])
-    (common,), (hold,) = tabulated("common", place), tabulated("holding", place)
-    (stiffness, *_), largest = tabulated("gains", place), 0.5 * (left + right)
+    (common,) = tabulated("common", place)
+    (hold,) = tabulated("holding", place)
+    stiffness, *_ = tabulated("gains", place)
+    largest = 0.5 * (left + right)
     level = now["level"][0]
     mean = now["mean"][0]
     still = choose(well, 0.0, hold - now["moment"][0] + level)
@@ -235,7 +237,8 @@ def decide(now: State, n: Numbers, targets: Values, braking: Values) -> Outputs:
     free = _both(rests, slow, small)
     share = choose(free, 0.0, clip(share, -1.0, 1.0))
     push, phase, dwell, brakes = far(now, n, place)
-    push, common = choose(regulates, share, push), choose(holds, common, 0.0)
+    push = choose(regulates, share, push)
+    common = choose(holds, common, 0.0)
     lost = function("lt", 0.5, now["lost"][0])
     tried = now["tried"][0]
     tried = choose(lost, tried, tried + (choose(regulates, 0.0, 1.0) - tried) * (PERIOD / MEMORY))

@@ -97,7 +97,7 @@ class Law(NamedTuple):
         Corrections of the joint as quintics (`pipeline.models.hybrid.kernels`).
     rests : FloatArray, shape (RESTS, 3)
         Slope, interior shape and stop operators of a joint at rest without voltage, from −`farthest` to `farthest`.
-    targets : FloatArray, shape (TARGETS, len(TARGET_COLUMNS))
+    targets : FloatArray, shape (TARGETS, columns)
         See `TARGET_COLUMNS`.
     braking : FloatArray, shape (4 TARGETS, REACHES)
         Speeds [m/s] at distances from a target, coming from the left (first `TARGETS` rows) and from the right, at

@@ -14,7 +14,7 @@ from scipy.linalg import expm
 from ..generated.condensed_joint import SHAPE, STATES, STOPS
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled
-from .controller import begin_control, control, move
+from .controller import OFFSET, begin_control, control, move
 from .estimator import MEMORY, PERIOD, direction, travel
 from .feedback import INTEGRAL
 from .law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, SIDES, Law
@@ -105,13 +105,10 @@ def hold(law: Law, s: FloatArray, joint: FloatArray, target: float, periods: int
         Their number.
     """
     v = np.zeros(2)
-    offset = law.numbers[_OFFSET]
+    offset = law.numbers[OFFSET]
     for _ in range(periods):
         control(s, joint[0] + offset, target, law, v)
         move(joint, v, law)
-
-
-_OFFSET = NUMBERS.index("offset")
 
 
 def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float) -> Matrices:

@@ -90,14 +90,14 @@ def plant_of(model: "HybridModel", rests: tuple[float, float] | None = None) -> 
     k = condensed.in_use(theta)
     constants = Constants(k, prepare(k[None])[0], condensed.basis, condensed.weights(theta))
     return ControlledJoint(
-        constants,
-        float(instruments.offset),
-        float(instruments.delay),
-        float(instruments.charging),
-        np.asarray(instruments.probe, dtype=np.float64),
-        condensed.largest_voltage,
-        0.5 * condensed.length,
-        rests,
+        constants=constants,
+        offset=float(instruments.offset),
+        delay=float(instruments.delay),
+        charging=float(instruments.charging),
+        probe=np.asarray(instruments.probe, dtype=np.float64),
+        highest=condensed.largest_voltage,
+        wall=0.5 * condensed.length,
+        rests=rests,
     )
 
 
@@ -275,7 +275,14 @@ def linearise(plant: ControlledJoint, x: FloatArray, v: FloatArray) -> LinearMod
     k[[INDEX[name] for name in DRY_LEVELS]] = 0.0
     a, b_squared = jacobian(x, v**2, plant.constants._replace(k=k, p=prepare(k[None])[0]))
     return LinearModel(
-        plant.reading(float(x[0])), v, x, a, 2.0 * b_squared * v, np.eye(1, STATES), np.zeros((1, 2)), b_squared
+        q=plant.reading(float(x[0])),
+        v=v,
+        x=x,
+        a=a,
+        b=2.0 * b_squared * v,
+        c=np.eye(1, STATES),
+        d=np.zeros((1, 2)),
+        b_squared=b_squared,
     )
 
 

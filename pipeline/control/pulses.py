@@ -159,15 +159,15 @@ def design_pulse(
     last = int(np.flatnonzero(v[0].any(axis=1))[-1]) + 2
     t = np.linspace(0.0, PERIOD * (v.shape[1] - 1), v.shape[1])
     return Pulse(
-        t[:last],
-        v[0, :last],
-        best.reshape(-1, 2),
-        float(settling[0]),
-        float(overshoot[0].max()),
-        low,
-        high,
-        float(right[1:].mean()) if len(q) > 1 else float(right[0]),
-        q,
+        t=t[:last],
+        v=v[0, :last],
+        segments=best.reshape(-1, 2),
+        settling_s=float(settling[0]),
+        overshoot_m=float(overshoot[0].max()),
+        settling_low_s=low,
+        settling_high_s=high,
+        probability=float(right[1:].mean()) if len(q) > 1 else float(right[0]),
+        q=q,
     )
 
 

@@ -70,15 +70,14 @@ def switching_map(
     """
     voltages = np.linspace(LEAST_VOLTAGE, 1.0, CELLS) * joint.highest
     durations = np.geomspace(SHORTEST, LONGEST, CELLS)
-    left, saddle, right = wells
-    start, side = (left, 0) if to == "right" else (right, 1)
+    side = 0 if to == "right" else 1
     draws = joint.subset(slice(1, None)) if len(joint.gains) > 1 else joint
     count = len(draws.gains)
     total = np.empty((CELLS, CELLS))
     for i, duration in enumerate(durations):
         on_progress(f"to the {to}", i / CELLS)
-        ends = draws.run(pulses(voltages, np.full(CELLS, duration), side), start)[:, :, -1]
-        total[:, i] = np.count_nonzero((ends > saddle) == (to == "right"), axis=1)
+        squares = draws.squares(pulses(voltages, np.full(CELLS, duration), side))
+        total[:, i] = np.count_nonzero(_switched(draws, squares, wells, to), axis=1)
     share = total / count
     middle = (share + NORMAL_90**2 / (2 * count)) / (1 + NORMAL_90**2 / count)
     half = NORMAL_90 / (1 + NORMAL_90**2 / count) * np.sqrt(share * (1 - share) / count + NORMAL_90**2 / (4 * count**2))
@@ -186,7 +185,16 @@ def lowest_voltage(
     of_lags = float(converters.spread * np.linalg.norm(slopes[-2:]))
     half = NORMAL_90 * float(np.linalg.norm([of_parameters, of_lags, converters.probe]))
     low, high = lowest * np.exp([-half, half])
-    return LowestVoltage(duration, lowest, float(low), float(high), until, of_parameters, of_lags, converters.probe)
+    return LowestVoltage(
+        duration=duration,
+        voltage=lowest,
+        low=float(low),
+        high=float(high),
+        until=until,
+        of_parameters=of_parameters,
+        of_lags=of_lags,
+        of_probe=converters.probe,
+    )
 
 
 def with_voltage_error(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemble:

@@ -149,7 +149,9 @@ def forces(s: CondensedSymbols, friction: Expression) -> Forces:
     turning = x[3]
     l = k("l")
     loss = k("bending_loss")
-    (g_q, g_t, g_b), (u_y, along_u), phi = beam_gradient(s), shortening(s), frame_angle(s)
+    g_q, g_t, g_b = beam_gradient(s)
+    u_y, along_u = shortening(s)
+    phi = frame_angle(s)
     speed = p / l
     u_dot = ca.dot(along_u, s.speeds)
     sides = [_membrane(s, side, phi, u_y, (p, turning, u_dot)) for side in range(2)]

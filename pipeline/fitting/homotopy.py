@@ -1,9 +1,9 @@
 """Estimation of a free run by homotopy over an observer: from an easy problem to the wanted one.
 
 A free run's error is a bad cost far from its minimum: one wrong decision at the separatrix, and the joint lies in
-the other well until the next pulse. Coupled to the measurement by an observer with the gain λ, the simulation is
-always in the right well and its error, about (force error)/λ², is nearly linear in the parameters. λ falls in steps to
-zero, each level starting from the minimiser of the one before. Hidden states run through the whole record, so unlike
+the other well until the next pulse. An observer with the gain λ couples the simulation to the measurement and keeps it
+in the right well. Its error, about (force error)/λ², is nearly linear in the parameters. λ falls in steps to zero, each
+level starting from the minimiser of the one before. Hidden states run through the whole record, so unlike
 multiple shooting there are no window states to estimate.
 """
 
@@ -152,7 +152,14 @@ def fit_homotopy(
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
     calls = callbacks or Callbacks()
-    fit = HomotopyFit(theta, np.zeros(0), np.zeros((len(theta), len(theta))), FLOOR, (), False)
+    fit = HomotopyFit(
+        theta=theta,
+        residual=np.zeros(0),
+        hessian=np.zeros((len(theta), len(theta))),
+        noise=FLOOR,
+        levels=(),
+        reached_last=False,
+    )
     damping = START
     pending = list(schedule.gains)
 
@@ -182,7 +189,13 @@ def fit_homotopy(
             level.linearise()
         levels = (*fit.levels, Level(float(gain), level.iterations, rms(level.residual), done))
         fit = HomotopyFit(
-            level.theta, level.residual, level.hessian, level.noise, levels, not (pending or chaotic), chaotic
+            theta=level.theta,
+            residual=level.residual,
+            hessian=level.hessian,
+            noise=level.noise,
+            levels=levels,
+            reached_last=not (pending or chaotic),
+            chaotic=chaotic,
         )
         damping = level.damping
     return fit

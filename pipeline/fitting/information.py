@@ -111,9 +111,8 @@ class ScaledRegressor:
 
 def log_information(information: FloatArray) -> float:
     """D-criterion: log det(XᵀX + floor) per weight, in nats, of motions with the same `ScaledRegressor`."""
-    p = len(information)
-    _, value = np.linalg.slogdet(information + FLOOR * np.eye(p))
-    return float(value) / p
+    _, value = np.linalg.slogdet(information + FLOOR * np.eye(len(information)))
+    return float(value) / len(information)
 
 
 @dataclass(frozen=True)

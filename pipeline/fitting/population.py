@@ -181,9 +181,10 @@ def log_evidence(member: Information, population: NormalPopulation) -> float:
 def oddity(member: Information, others: NormalPopulation, count: int, entries: Sequence[int]) -> Oddity:
     """Oddest of these `entries` of θ in one member beside `count` others.
 
-    The score of one entry of θ, moved alone, over its standard deviation, which Student's t with count − 1 degrees of
-    freedom bounds for all these entries together (Bonferroni). With Λ and h of the member and the population
-    N(μ, P⁻¹) the score is u = P (Λ + P)⁻¹ (h − Λ μ), and its covariance is G = P − P (Λ + P)⁻¹ P.
+    It is judged by the score of one entry of θ, moved alone, over its standard deviation. Student's t with count − 1
+    degrees of freedom bounds that ratio for all these entries together (Bonferroni). Λ and h are the information of the
+    member, N(μ, P⁻¹) is the population. The score is u = P (Λ + P)⁻¹ (h − Λ μ), its covariance
+    G = P − P (Λ + P)⁻¹ P.
 
     Parameters
     ----------

@@ -53,8 +53,8 @@ def surely_smaller(errors: FloatArray, reference: FloatArray) -> bool:
     """True if the mean square of `errors` is significantly smaller than that of `reference`.
 
     The test of Diebold and Mariano (1995, doi:10.1080/07350015.1995.10524599): the mean difference of the squares over
-    its standard error, in which N samples count as N/τ for their autocorrelation time τ, as neighbours err together,
-    against Student's t with N/τ − 1 degrees of freedom, as that may be few (Harvey, Leybourne and Newbold 1997,
+    its standard error. Neighbours err together, so N samples with the autocorrelation time τ count as N/τ. As these may
+    be few, the ratio is compared with Student's t of N/τ − 1 degrees of freedom (Harvey, Leybourne and Newbold 1997,
     doi:10.1016/S0169-2070(96)00719-4).
 
     Parameters
@@ -88,8 +88,7 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     """
     tau = whiteness(fit.residual).integrated_correlation_time
     variance = max(float(np.mean(fit.residual**2)), 1e-12)
-    a = prior.matrix
-    precision = a.T @ a
+    precision = prior.matrix.T @ prior.matrix
     if np.isfinite(fit.hessian).all():  # else the sensitivities exploded, and the prior is all that is known
         precision = precision + fit.hessian / (variance * tau)
     scale = 1.0 / np.sqrt(np.diag(precision))
@@ -110,7 +109,8 @@ def log_evidence(fit: HomotopyFit, prior: Prior, correlation: float) -> float:
     correlation : float
         Samples that carry the information of an independent one.
     """
-    variance, (_, believed) = float(np.mean(fit.residual**2)), np.linalg.slogdet(prior.matrix.T @ prior.matrix)
+    variance = float(np.mean(fit.residual**2))
+    _, believed = np.linalg.slogdet(prior.matrix.T @ prior.matrix)
     precision = prior.matrix.T @ prior.matrix + fit.hessian / (variance * correlation)
     fitted = len(fit.residual) / correlation * np.log(variance) + np.sum(prior.residual(fit.theta) ** 2)
     return 0.5 * float(believed - np.linalg.slogdet(precision)[1] - fitted)
@@ -166,8 +166,8 @@ def first_order_curves(
 ) -> dict[str, FloatArray]:
     """Curves of draws from the covariance S Sᵀ about `mean`, θ acting to first order; each of shape (count, n).
 
-    θ itself, drawn so, leaves the curved valley in which the data hold it: curves of the hybrid model were three times
-    as wide, and those of data-driven joints of their own class up to twenty times, about a middle that was off the
+    θ itself, drawn so, leaves the curved valley in which the data hold it. Curves of the hybrid model were then three
+    times as wide, those of data-driven joints of their own class up to twenty times, and their middle was off the
     truth. Curves whose names are `nonnegative` are cut at zero. Cost: the curves of as many parameter vectors as S has
     rows that are not zero, and one.
 

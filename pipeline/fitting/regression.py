@@ -184,4 +184,11 @@ def pseudo_inverse_fit(factor: FloatArray, rows: int) -> LinearFit:
     with np.errstate(divide="ignore"):
         condition = float(singular[0] / singular[-1]) if singular[-1] > 0.0 else np.inf
     rms = float(np.linalg.norm(residual) / np.sqrt(rows))
-    return LinearFit(weights, rank, condition, rms, rows, rows_v[:rank].T / singular[:rank] / scale[:, None])
+    return LinearFit(
+        weights=weights,
+        rank=rank,
+        condition=condition,
+        residual_rms=rms,
+        samples=rows,
+        spread=rows_v[:rank].T / singular[:rank] / scale[:, None],
+    )

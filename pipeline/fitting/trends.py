@@ -1,8 +1,8 @@
 """Slow change of a quantity over repeated measurements of one device: none, a straight line, or one step.
 
 Weighted least squares with the standard errors of the measurements, raised where the scatter about the better model is
-larger (Birge 1932, doi:10.1103/PhysRev.40.207). Line and steps each move a constant along one direction, so the largest
-gain of all of them has a null distribution that is simulated once for the times and errors at hand.
+larger (Birge 1932, doi:10.1103/PhysRev.40.207). Line and steps each move a constant along one direction. The null
+distribution of the largest gain among them is simulated for the times and errors at hand.
 """
 
 from dataclasses import dataclass, replace

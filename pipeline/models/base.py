@@ -29,7 +29,7 @@ class FreeRun:
         Displacement, velocity and acceleration [m, m/s, m/s²] ([rad …] for an angle).
         After `diverged_at_s` they are NaN.
     status : {"ok", "diverged"}
-        True if the whole record was simulated within the model's bounds.
+        "ok" if the whole record was simulated within the model's bounds.
     diverged_at_s : float or None
         Time [s] at which the state left the bounds or stopped being finite.
     """

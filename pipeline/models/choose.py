@@ -2,8 +2,8 @@
 
 The joint's equations are a candidate for every device with two squared inputs and two wells. They are fitted to the
 first three quarters of the training logs and judged in free run over the rest. Where they predict that as no network
-does, none is fitted; else one is judged on the same, and replaces them where it is surely nearer, and no farther from
-what both were fitted to, at last from all of the logs.
+does, none is fitted. Else a network is judged on the same data. It replaces the equations where it is surely nearer to
+the rest and no farther from what both were fitted to, and finally no farther from all of the logs.
 """
 
 from collections.abc import Callable, Mapping, Sequence

@@ -99,7 +99,8 @@ def tubes(free: FloatArray, ensemble: FloatArray, scale: TubeScale) -> Tubes:
     several = np.mean(away, axis=0) > OPEN
     others = np.where(away & several, ensemble, np.nan)
     lowest, highest = (np.full(free.shape, np.nan) for _ in range(2))
-    lowest[several], highest[several] = np.nanmin(others[:, several], axis=0), np.nanmax(others[:, several], axis=0)
+    lowest[several] = np.nanmin(others[:, several], axis=0)
+    highest[several] = np.nanmax(others[:, several], axis=0)
     return Tubes(free - width, free + width, lowest - width, highest + width)
 
 
@@ -126,8 +127,8 @@ def free_run(log: Log, model: DynamicModel) -> FreeRun:
         made = model.simulate(*start_of(part, model))
         q[rows], qdot[rows], qddot[rows] = made.q, made.qdot, made.qddot
         if made.status != "ok":
-            return FreeRun(log.t, q, qdot, qddot, made.status, made.diverged_at_s)
-    return FreeRun(log.t, q, qdot, qddot, "ok", None)
+            return FreeRun(t=log.t, q=q, qdot=qdot, qddot=qddot, status=made.status, diverged_at_s=made.diverged_at_s)
+    return FreeRun(t=log.t, q=q, qdot=qdot, qddot=qddot, status="ok", diverged_at_s=None)
 
 
 def drawn_runs(log: Log, model: DynamicModel) -> FloatArray | None:
@@ -188,7 +189,6 @@ def followed_velocity(log: Log, v: FloatArray, model: DynamicModel) -> float:
     """
     part = slice(0, EDGE + 1)
     q = log.q[part]
-    start = float(log.qdot[0])
     seen = np.isfinite(q)
     nudge = 1e-3 * float(np.nanstd(log.qdot))
 
@@ -196,12 +196,12 @@ def followed_velocity(log: Log, v: FloatArray, model: DynamicModel) -> float:
         """Error of q at the first samples of a run that begins with this velocity."""
         return (model.simulate(log.t[part], v[part], float(q[0]), velocity).q - q)[seen]
 
-    best = start
-    least = error(start)
+    best = float(log.qdot[0])
+    least = error(best)
     for _ in range(2):
         slope = (error(best + nudge) - least) / nudge
         steep = float(slope @ slope)
-        if not steep > 0.0:  # a model whose start does not depend on the velocity, or samples that say nothing of it
+        if not steep > 0.0:  # the run at these samples does not depend on the velocity
             break
         trial = best - float(slope @ least) / steep
         moved = error(trial) if np.isfinite(trial) else np.full_like(least, np.inf)

@@ -203,17 +203,16 @@ class NarxModel(ModelFile):
         """
         q = np.full(len(v), np.nan)
         first = float(qdot0) * self.interval_s
-        terms = (self.exponents, self.coefficients)
         begin = 0 if seen is None else len(seen) - 1
         u = self._lagged(v)
         ages = np.arange(self.structure[1])
         q[begin] = q0
         x = np.concatenate([[q0], np.full(ages.size, first), u[begin]]) / self.scales
-        delta = np.array(first - (ages + 0.5) * _change(*terms, x), dtype=np.float64)
+        delta = np.array(first - (ages + 0.5) * _change(self.exponents, self.coefficients, x), dtype=np.float64)
         if seen is not None:
             past = np.diff(seen)[::-1][: ages.size]
             delta[: past.size] = past
-        return q, int(_run(*terms, self.scales, self.bounds, u, q, delta, begin))
+        return q, int(_run(self.exponents, self.coefficients, self.scales, self.bounds, u, q, delta, begin))
 
     def _lagged(self, v: FloatArray) -> FloatArray:
         """Inputs as they act at each step, shape (N, K·M); lags that reach beyond the record repeat its ends."""

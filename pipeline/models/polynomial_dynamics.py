@@ -152,18 +152,18 @@ def _system(d: PolynomialDynamics, v: FloatArray, refined: int, parts: int) -> P
     """The dynamics under voltages v (N, K)."""
     variables = np.tile(np.arange(d.exponents.shape[1]), len(d.exponents))
     return PolynomialJoint(
-        np.repeat(variables, d.exponents.ravel()),
-        np.cumsum(d.exponents.sum(axis=1)),
-        d.coefficients,
-        d.scales,
-        np.array([lag.source for lag in d.lags], dtype=np.int64),
-        np.array([lag.time for lag in d.lags], dtype=np.float64),
-        d.squared,
-        bool(np.any(d.exponents[:, SINE : COSINE + 1])),
-        v,
-        refined,
-        parts,
-        np.zeros(d.exponents.shape[1]),
+        factors=np.repeat(variables, d.exponents.ravel()),
+        ends=np.cumsum(d.exponents.sum(axis=1)),
+        coefficients=d.coefficients,
+        scales=d.scales,
+        sources=np.array([lag.source for lag in d.lags], dtype=np.int64),
+        lag_times=np.array([lag.time for lag in d.lags], dtype=np.float64),
+        squared=d.squared,
+        trigonometric=bool(np.any(d.exponents[:, SINE : COSINE + 1])),
+        v=v,
+        refined=refined,
+        parts=parts,
+        scaled=np.zeros(d.exponents.shape[1]),
     )
 
 

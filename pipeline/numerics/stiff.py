@@ -46,8 +46,18 @@ SLOPES = R_S + RITZ * 2
 class Method(NamedTuple):
     """Coefficients of a method of s stages.
 
-    γ, `start` (s,), `a` and `c` (s, s − 1), `nodes` (s,) as shares of the step, `by_time` (s,): the share of h ∂f/∂t
-    in the right-hand side of each stage.
+    Attributes
+    ----------
+    gamma : float
+        γ.
+    start : FloatArray, shape (s,)
+        Share of the step's first state in the state at each stage.
+    a, c : FloatArray, shape (s, s − 1), or (s, 0) where the method has none
+        Weights of the stages before.
+    nodes : FloatArray, shape (s,)
+        Places of the stages, as shares of the step.
+    by_time : FloatArray, shape (s,)
+        Share of h ∂f/∂t in the right-hand side of each stage.
     """
 
     gamma: float
@@ -68,7 +78,7 @@ def _rosenbrock(gamma: float, a: FloatArray, c: FloatArray) -> Method:
     by_time = np.zeros(stages)
     for i in range(stages):
         by_time[i] = gamma * (1.0 + c[i, :i] @ by_time[:i])
-    return Method(gamma, np.ones(stages), a, c, a @ by_time[:-1], by_time)
+    return Method(gamma=gamma, start=np.ones(stages), a=a, c=c, nodes=a @ by_time[:-1], by_time=by_time)
 
 
 RODAS4 = _rosenbrock(
@@ -106,7 +116,14 @@ def _alexander() -> Method:
     a = np.zeros((3, 3))
     for i in range(3):
         a[i] = b[i] - b[i, :i] @ a[:i]
-    return Method(gamma, 1.0 - a.sum(axis=1), a, np.zeros((3, 0)), np.array([gamma, middle, 1.0]), np.zeros(3))
+    return Method(
+        gamma=gamma,
+        start=1.0 - a.sum(axis=1),
+        a=a,
+        c=np.zeros((3, 0)),
+        nodes=np.array([gamma, middle, 1.0]),
+        by_time=np.zeros(3),
+    )
 
 
 SDIRK3 = _alexander()
@@ -142,14 +159,14 @@ class Work(NamedTuple):
 def working(stages: int, columns: int) -> Work:
     """Room for the steps of a run."""
     return Work(
-        np.empty((stages, STATES * columns)),
-        np.empty(STATES * columns),
-        np.empty(STATES * columns),
-        np.zeros(RITZ * columns),
-        np.empty((RITZ, RITZ)),
-        np.empty(SLOPES),
-        np.empty((RITZ, RITZ)),
-        np.empty(RITZ, np.int64),
+        y=np.empty((stages, STATES * columns)),
+        at=np.empty(STATES * columns),
+        right=np.empty(STATES * columns),
+        forces=np.zeros(RITZ * columns),
+        mass=np.empty((RITZ, RITZ)),
+        slopes=np.empty(SLOPES),
+        factors=np.empty((RITZ, RITZ)),
+        pivots=np.empty(RITZ, np.int64),
     )
 
 
@@ -165,7 +182,7 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
     method : Method
         `RODAS4` or `SDIRK3`.
     stage_of : callable
-        Fills the right-hand side of a stage, see below.
+        Fills the right-hand side of a stage, see above.
     system : NamedTuple
         The system.
     x : FloatArray, shape (STATES · P,)

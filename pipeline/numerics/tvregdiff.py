@@ -116,10 +116,12 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     halved until the objective is at most the one before plus the gap, which falls; the dual one stays in |p| < 1.
     """
     if problem.differences == 0:
-        return Minimiser(problem.b, np.zeros_like(problem.b), 0.0, 0.0, 0, "converged")
+        return Minimiser(
+            y=problem.b, t=np.zeros_like(problem.b), objective=0.0, gap=0.0, iterations=0, status="converged"
+        )
     n = problem.b.size
     y, t, q, p, dy, dt, dp = np.zeros((7, n))
-    at = Iterate(problem.b, y, t, q, p, problem.lam_of_terms())  # the feasible constant signal
+    at = Iterate(b=problem.b, y=y, t=t, q=q, p=p, lam=problem.lam_of_terms())  # the feasible constant signal
     step = NewtonStep(dy, dt, dp, np.empty((n, problem.order + 2)))
     delta = max(problem.delta, _roughness(problem))
     value = objective(at, step, 0.0, delta)
@@ -150,7 +152,14 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
             value = objective(at, step, 0.0, delta)
     constant = problem.delta * float(at.lam[n - problem.differences :].sum())
     least = objective(at, step, 0.0, problem.delta) + constant
-    return Minimiser(at.y, at.t, least, advance(at, step, 0.0, 0.0, problem.delta), iteration, status)
+    return Minimiser(
+        y=at.y,
+        t=at.t,
+        objective=least,
+        gap=advance(at, step, 0.0, 0.0, problem.delta),
+        iterations=iteration,
+        status=status,
+    )
 
 
 def _roughness(problem: VariationProblem) -> float:

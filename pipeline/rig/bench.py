@@ -245,7 +245,9 @@ def random_bench(rng: np.random.Generator, *, rate: float = RATE, charging: floa
         return Probe(noise=float(rng.uniform(3.0, 7.0)), gain=1.0 + float(rng.normal(0.0, 3e-3)))
 
     laser = Laser(noise=float(rng.uniform(0.5e-6, 2e-6)), hum=float(rng.uniform(0.01e-6, 0.2e-6)))
-    return Bench(rate, (converter(), converter()), laser, (probe(), probe()), charging)
+    return Bench(
+        rate=rate, converters=(converter(), converter()), laser=laser, probes=(probe(), probe()), charging=charging
+    )
 
 
 def record(p: RigParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np.random.Generator) -> BenchRecord:

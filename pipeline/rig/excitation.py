@@ -133,7 +133,7 @@ def random_excitation(
     """
     if excitation == "alternating":
         return switching_pulses(rng, duration=duration, top=top)
-    bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), top, 0.0)]
+    bursts = [Burst(shape="pulse", start=REST, duration=float(rng.uniform(1.0, 2.0)), left=top, right=0.0)]
     shares = _shares(excitation)
     start = REST + bursts[0].duration + float(rng.uniform(0.05, 0.6))
     side = 1
@@ -184,20 +184,37 @@ def draw_burst(
     if kind == "pulse":
         length = float(rng.uniform(0.1, 0.6) if rng.random() < short else rng.uniform(1.0, 2.4))
         left, right = (amplitude, 0.0) if side == 0 else (0.0, amplitude)
-        return Burst("pulse", start, length, left, right)
+        return Burst(shape="pulse", start=start, duration=length, left=left, right=right)
     if kind == "both":
         left, right = rng.uniform(0.5, 0.95, 2) * top
-        return Burst("pulse", start, float(rng.uniform(0.8, 2.2)), float(left), float(right))
+        return Burst(
+            shape="pulse", start=start, duration=float(rng.uniform(0.8, 2.2)), left=float(left), right=float(right)
+        )
     if kind == "chirp":
         band = np.array([rng.uniform(0.5, 2.0), rng.uniform(4.0, 10.0)])
-        return Burst("chirp", start, float(rng.uniform(1.0, 2.4)), amplitude, amplitude, band)
+        return Burst(
+            shape="chirp",
+            start=start,
+            duration=float(rng.uniform(1.0, 2.4)),
+            left=amplitude,
+            right=amplitude,
+            frequencies=band,
+        )
     if kind == "steps":
         levels = rng.uniform(-1.0, 1.0, int(rng.integers(6, 16)))
         length = STEP_HOLD * levels.size * float(rng.uniform(1.0, 4.0))
-        return Burst("steps", start, length, top, top, levels=levels)
+        return Burst(shape="steps", start=start, duration=length, left=top, right=top, levels=levels)
     lines = rng.uniform(0.3, 8.0, MULTISINE_LINES)
     phases = rng.uniform(0.0, 2 * np.pi, MULTISINE_LINES)
-    return Burst("multisine", start, float(rng.uniform(2.0, 5.0)), amplitude, amplitude, lines, phases)
+    return Burst(
+        shape="multisine",
+        start=start,
+        duration=float(rng.uniform(2.0, 5.0)),
+        left=amplitude,
+        right=amplitude,
+        frequencies=lines,
+        levels=phases,
+    )
 
 
 TIME = "time"

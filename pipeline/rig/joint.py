@@ -103,13 +103,13 @@ def wells(p: RigParameters) -> tuple[float, float]:
 def saddle(p: RigParameters) -> FloatArray:
     """Coordinates of the relaxed unstable equilibrium between the wells, without voltage, shape (n,).
 
-    Newton's method on the gradient of the potential by central differences, from mixtures of the shapes in both wells,
-    until one leads to a point from which the potential falls in exactly one direction.
+    Newton's method on the gradient of the potential, by central differences, starts from mixtures of the shapes in both
+    wells. The first point from which the potential falls in exactly one direction is the saddle.
 
     Raises
     ------
     InputError
-        None does.
+        No start leads to such a point.
     """
     from scipy.optimize import root
 

@@ -154,10 +154,22 @@ def _csv_rows(t: FloatArray, channels: Channels, delimiter: str) -> bytes:
 LAYOUTS = {
     "mat": Layout(".mat", None, *_RIG, write_mat5),
     "mf4": Layout(
-        ".mf4", None, ("ILD2300.Distance", "mm"), ("HV_left.Umeas", "V"), ("HV_right.Umeas", "V"), _write_mdf
+        suffix=".mf4",
+        time=None,
+        q=("ILD2300.Distance", "mm"),
+        v1=("HV_left.Umeas", "V"),
+        v2=("HV_right.Umeas", "V"),
+        write=_write_mdf,
     ),
     "csv": Layout(".csv", ("time", "s"), *_RIG, _write_csv),
-    "csv-de": Layout(".csv", ("Zeit", "s"), ("Weg q", "µm"), ("U DE1", "V"), ("U DE2", "V"), _write_csv_german),
+    "csv-de": Layout(
+        suffix=".csv",
+        time=("Zeit", "s"),
+        q=("Weg q", "µm"),
+        v1=("U DE1", "V"),
+        v2=("U DE2", "V"),
+        write=_write_csv_german,
+    ),
     "parquet": Layout(".parquet", ("time", "s"), *_RIG, _write_parquet),
 }
 

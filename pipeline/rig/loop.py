@@ -194,7 +194,8 @@ def close_loop(
         for side in range(2):
             out[row, 1 + side], out[row, 3 + side] = v[side], command[side]
         _charge(v, membranes, command, h, around, state.charge)
-        state.hand[0], state.hand[1] = around.force[row] - around.drag * (pose[0] - anchor) / GIVE, around.spring[row]
+        state.hand[0] = around.force[row] - around.drag * (pose[0] - anchor) / GIVE
+        state.hand[1] = around.spring[row]
         taken = advance(h, row % KEEP == 0, state, p, work, inverse, vm)
         if taken < 0:
             return -1
@@ -329,8 +330,8 @@ class ClosedLoop(Readings):
     """A closed-loop run, all of shape (N,) and SI: what a log holds, and what no instrument shows.
 
     `q`, `v1`, `v2` are readings, `target` what the controller got, `command1` and `command2` what it returned
-    within the converters' range. Counted is how often it answered with no finite number (NaN acts as 0 V, an infinite
-    one as the end of the range), and with one beyond the range.
+    within the converters' range. `commands_not_finite` counts its answers that are not finite: NaN acts as 0 V, an
+    infinite one as the end of the range. `commands_clipped` counts those beyond the range.
     """
 
     target: FloatArray
@@ -391,7 +392,18 @@ def run_loop(
     if taken < 0:
         raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
     left, right = (bench.probes[side].read(t, out[:, 1 + side], rng) for side in (0, 1))
-    return ClosedLoop(t, out[:, 0], left, right, target, out[:, 3], out[:, 4], out[:, 5], *refused.tolist())
+    return ClosedLoop(
+        t=t,
+        q=out[:, 0],
+        v1=left,
+        v2=right,
+        target=target,
+        command1=out[:, 3],
+        command2=out[:, 4],
+        true_q=out[:, 5],
+        commands_not_finite=int(refused[0]),
+        commands_clipped=int(refused[1]),
+    )
 
 
 def _surroundings(
@@ -448,5 +460,9 @@ def bench_from_json(values: dict[str, Any]) -> Bench:
     left, right = (Converter(**entry) for entry in values["converters"])
     first, second = (Probe(**entry) for entry in values["probes"])
     return Bench(
-        values["rate"], (left, right), Laser(**values["laser"]), (first, second), float(values.get("charging", 0.0))
+        rate=values["rate"],
+        converters=(left, right),
+        laser=Laser(**values["laser"]),
+        probes=(first, second),
+        charging=float(values.get("charging", 0.0)),
     )

@@ -65,8 +65,8 @@ class _Work(NamedTuple):
     bias: FloatArray  # (n,)
     matrix: FloatArray  # (n, n)
     branches: FloatArray  # (2, branches) at the midpoint
-    z: FloatArray  # (elements,) at the end of what was asked last
-    layers: FloatArray  # (layers, n) at the end of what was asked last
+    z: FloatArray  # (elements,) as the last evaluation leaves it
+    layers: FloatArray  # (layers, n) as the last evaluation leaves them
 
 
 @inner
@@ -209,17 +209,17 @@ def at_rest(p: RigParameters, start: FloatArray) -> _State:
     branches = p.branch_modulus.shape
     elements = p.slip_force.size
     state = _State(
-        start.copy(),
-        np.zeros(n),
-        np.zeros(branches),
-        np.zeros(2),
-        np.zeros(elements),
-        np.zeros(1),
-        np.zeros(2),
-        np.zeros((p.plastic_share.size, n)),
-        np.zeros(n),
-        np.zeros(1),
-        np.zeros(2),
+        x=start.copy(),
+        v=np.zeros(n),
+        branches=np.zeros(branches),
+        strain=np.zeros(2),
+        z=np.zeros(elements),
+        sliding=np.zeros(1),
+        charge=np.zeros(2),
+        layers=np.zeros((p.plastic_share.size, n)),
+        bends=np.zeros(n),
+        age=np.zeros(1),
+        hand=np.zeros(2),
     )
     pose = np.zeros(3)
     jacobian = np.zeros((3, n))
@@ -234,18 +234,18 @@ def at_rest(p: RigParameters, start: FloatArray) -> _State:
 def workspace(p: RigParameters, n: int) -> _Work:
     """Arrays for the steps of a joint with `n` coordinates."""
     return _Work(
-        np.zeros(n),
-        np.zeros(3),
-        np.zeros((3, n)),
-        np.zeros(3),
-        np.zeros(3),
-        np.zeros(3),
-        np.zeros(n),
-        np.zeros(n),
-        np.zeros((n, n)),
-        np.zeros(p.branch_modulus.shape),
-        np.zeros(p.slip_force.size),
-        np.zeros((p.plastic_share.size, n)),
+        x=np.zeros(n),
+        pose=np.zeros(3),
+        jacobian=np.zeros((3, n)),
+        gradient=np.zeros(3),
+        speed=np.zeros(3),
+        load=np.zeros(3),
+        force=np.zeros(n),
+        bias=np.zeros(n),
+        matrix=np.zeros((n, n)),
+        branches=np.zeros(p.branch_modulus.shape),
+        z=np.zeros(p.slip_force.size),
+        layers=np.zeros((p.plastic_share.size, n)),
     )
 
 

@@ -271,8 +271,8 @@ def amount_study(
 ) -> tuple[StudyPoint, ...]:
     """Held-out error against the number of training samples.
 
-    Each repeat takes a segment of consecutive samples at a random place, wrapping from one trajectory to the next, so
-    that small amounts are judged by typical segments and not by how the first log begins.
+    Each repeat takes a segment of consecutive samples at a random place, wrapping from one trajectory to the next. So
+    small amounts are judged by typical segments, not by how the first log begins.
 
     Parameters
     ----------
@@ -288,17 +288,14 @@ def amount_study(
         Places of the segments.
     """
     total = sum(len(x.t) for x in training)
+
+    def segments(amount: int) -> list[list[Log]]:
+        """Training data of each repeat."""
+        starts = [0] if amount == total else rng.integers(total, size=repeats).tolist()
+        return [_segment(training, start, amount) for start in starts]
+
     return tuple(
-        _point(
-            float(min(amount, total)),
-            [
-                _segment(training, start, min(amount, total))
-                for start in ([0] if amount >= total else rng.integers(total, size=repeats).tolist())
-            ],
-            held_out,
-            identify,
-        )
-        for amount in amounts
+        _point(float(amount), segments(amount), held_out, identify) for amount in np.minimum(amounts, total).tolist()
     )
 
 
@@ -329,18 +326,14 @@ def noise_study(
     rng : numpy.random.Generator
         The noise.
     """
-    return tuple(
-        _point(
-            level,
-            [
-                [_corrupted(x, level, differentiate, rng) for x in training]
-                for _ in range(repeats if level > 0.0 else 1)
-            ],
-            held_out,
-            identify,
-        )
-        for level in levels
-    )
+
+    def draws(level: float) -> list[list[Log]]:
+        """Training data of each repeat."""
+        return [
+            [_corrupted(x, level, differentiate, rng) for x in training] for _ in range(repeats if level > 0.0 else 1)
+        ]
+
+    return tuple(_point(level, draws(level), held_out, identify) for level in levels)
 
 
 def _point(level: float, draws: Sequence[Sequence[Log]], held_out: Sequence[Log], identify: Identify) -> StudyPoint:
@@ -372,10 +365,10 @@ def _segment(training: Sequence[Log], start: int, amount: int) -> list[Log]:
             a = max(low - int(offset), 0)
             b = min(high - int(offset), len(x.t))
             if b - a >= 2:
-                taken.append(Log(x.t[a:b], x.q[a:b], x.qdot[a:b], x.qddot[a:b], x.v[a:b]))
+                taken.append(Log(t=x.t[a:b], q=x.q[a:b], qdot=x.qdot[a:b], qddot=x.qddot[a:b], v=x.v[a:b]))
     return taken
 
 
 def _corrupted(x: Log, level: float, differentiate: Differentiate, rng: np.random.Generator) -> Log:
     q, qdot, qddot = differentiate(x.q + level * rng.normal(size=len(x.t)), x.interval)
-    return Log(x.t, q, qdot, qddot, x.v)
+    return Log(t=x.t, q=q, qdot=qdot, qddot=qddot, v=x.v)

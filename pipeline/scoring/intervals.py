@@ -75,9 +75,9 @@ def _first_low_lag(series: FloatArray) -> int:
 def block_of(errors: Sequence[FloatArray], interval: float, plant: Device | None) -> int:
     """Block length [samples] for error series that are resampled at the same blocks.
 
-    That of the joint is known, `BLOCK`. Other devices are slower or faster by orders of magnitude: a block is then
-    `MEMORIES` correlation times of the error that hangs together longest, `BLOCK` at least, and an eighth of the log at
-    most (where that cuts it, the interval is too narrow still).
+    That of the joint is known, `BLOCK`. Other devices are slower or faster by orders of magnitude. A block is then
+    `MEMORIES` times the longest correlation time of the errors, but at least `BLOCK` and at most an eighth of the log.
+    Where the log cuts it, the interval is too narrow still.
 
     Parameters
     ----------
@@ -100,8 +100,8 @@ def block_means(squares: FloatArray, block: int, rng: np.random.Generator) -> Fl
     """Means of moving-block resamples of a series (Künsch 1989, doi:10.1214/aos/1176347265), circular.
 
     Each resample joins blocks of `block` neighbours, drawn with replacement from all positions, up to the length of
-    the series. Blocks wrap from the end to the start (Politis & Romano 1992), or else the last seconds, where a run
-    that has gone wrong errs most, would be drawn too seldom.
+    the series. Blocks wrap from the end to the start (Politis & Romano 1992). Else the last seconds would be drawn too
+    seldom, in which a run that has gone wrong errs most.
 
     Parameters
     ----------
@@ -190,7 +190,7 @@ def share_interval(right: int, events: int) -> Interval | None:
 
     Resampling 14 pulses that are all right gives 14 of 14 every time, an interval without width. The Bayesian bootstrap
     (Rubin 1981, doi:10.1214/aos/1176345338) with half an event of either outcome added is the interval of Jeffreys,
-    Beta(right + ½, wrong + ½), which covers well from a few events on (Brown, Cai & DasGupta 2001,
+    Beta(right + ½, wrong + ½). That covers well from a few events on (Brown, Cai & DasGupta 2001,
     doi:10.1214/ss/1009213286). As there, it reaches 0 where nothing was right and 1 where everything was.
 
     Parameters

@@ -87,7 +87,9 @@ def score_run(
     scores = []
     for name, (measured, calculated) in signals.items():
         n = int(np.count_nonzero(np.isfinite(measured) & np.isfinite(calculated)))
-        score = Score(name, None, None, None, n, status, diverged_at_s)
+        score = Score(
+            signal=name, nrmse=None, rmse=None, nrmse_interval=None, n=n, status=status, diverged_at_s=diverged_at_s
+        )
         block = block_of((calculated - measured,), interval, plant=plant)
         if status == "ok":
             fraction = nrmse(measured, calculated)
@@ -207,7 +209,7 @@ def horizon_errors(
     horizons : sequence of float
         Times ahead [s]; rounded to samples, at least one.
     plant : Device or None
-        True if it is the joint, see `pipeline.scoring.intervals.block_of`.
+        As in `pipeline.scoring.intervals.block_of`.
     most_starts : int
         Upper bound of the restarts of a horizon; they are at least one horizon apart, but for the one-step horizon.
 
@@ -264,11 +266,15 @@ def _error(
     """Summary of the errors `ahead` samples after the starts."""
     diverged = int(np.count_nonzero(~np.isfinite(errors)))
     if diverged == starts.size or not span:
-        return HorizonError(ahead * interval, None, None, starts.size, diverged)
+        return HorizonError(
+            horizon_s=ahead * interval, nrmse=None, interval=None, starts=starts.size, diverged=diverged
+        )
     errors = np.where(np.isfinite(errors), errors, span)
     spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
     band = rms_interval(errors / span, block_of((errors,), spacing, plant=plant), np.random.default_rng(SEED))
-    return HorizonError(ahead * interval, rms(errors) / span, band, starts.size, diverged)
+    return HorizonError(
+        horizon_s=ahead * interval, nrmse=rms(errors) / span, interval=band, starts=starts.size, diverged=diverged
+    )
 
 
 def _starts(path: MeasuredPath, ahead: int, most: int, apart: int | None = None) -> IntArray:
@@ -373,8 +379,8 @@ def response_errors(
 ) -> ResponseErrors:
     """Compare the times of all switches.
 
-    A switch is a segment between two voltage steps, at least 0.8 s long and without masked rows, that starts on one
-    side of the barrier and ends on the other.
+    A switch is a segment between two voltage steps that starts on one side of the barrier and ends on the other. It
+    counts if it lasts at least 0.8 s and no row is masked.
 
     Parameters
     ----------
@@ -404,8 +410,14 @@ def response_errors(
             pairs.append((step_response(measured[rows], interval), step_response(calculated[rows], interval)))
     rise = _errors([(own, other) for (own, _), (other, _) in pairs])
     settling = _errors([(own, other) for (_, own), (_, other) in pairs])
-    bands = median_interval(rise, rng), median_interval(settling, rng)
-    return ResponseErrors(switches, len(pairs), _median(rise), _median(settling), *bands)
+    return ResponseErrors(
+        switches=switches,
+        followed=len(pairs),
+        rise_s=_median(rise),
+        settling_s=_median(settling),
+        rise_interval=median_interval(rise, rng),
+        settling_interval=median_interval(settling, rng),
+    )
 
 
 def _median(errors: Sequence[float]) -> float | None:

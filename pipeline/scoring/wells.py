@@ -83,9 +83,9 @@ def places_of_rest(
 ) -> list[slice]:
     """The `rests` of a device in which q comes to rest too, as the joint does in each of them.
 
-    Another device may be slow: of its rests those count that have `LEAST_SAMPLES`, and in whose second half q drifts
-    by less than `STANDS` of its range within its correlation time in the log, or rings about one place by no more than
-    `LARGEST_SWING` of it.
+    Another device may be slow. A rest of it counts if it has `LEAST_SAMPLES` and q stands or rings in its second half.
+    q stands if it drifts by less than `STANDS` of its range within its correlation time in the log. It rings if it
+    swings about one place by no more than `LARGEST_SWING` of its range.
 
     Parameters
     ----------
@@ -132,9 +132,9 @@ def find_wells(
     The rest position is the median of q over the last 0.4 s of each rest, so a ring-down that has not died away
     averages out. The largest gap between sorted rest positions must be at least half of their range and reach across
     a tenth of the range of q; the barrier is its middle. Rests in which q still swings by more than a quarter of its
-    range within 0.4 s count only where the others show no two wells, those in which it swings by more than half never.
-    Where these show no two wells either, rests in which q swings by less than a twentieth of its range decide alone: a
-    slow joint on its way over the barrier swings little in 0.4 s, but more than that.
+    range within 0.4 s count only where the others show no two wells. Those in which it swings by more than half never
+    count. Where these show no two wells either, rests in which q swings by less than a twentieth of its range decide
+    alone: a slow joint on its way over the barrier swings little in 0.4 s, but more than that.
 
     Parameters
     ----------

@@ -194,7 +194,14 @@ def missing(q: Signal, beside: Mapping[str, Signal]) -> dict[str, Missing]:
     absent = {}
     for name, signal in beside.items():
         first, last, count, bad = _extent(name, signal)
-        absent[name] = Missing(signal[1].size, count, bad, max(0.0, first - begin), max(0.0, end - last), end - begin)
+        absent[name] = Missing(
+            n=signal[1].size,
+            not_finite=count,
+            first=bad,
+            before=max(0.0, first - begin),
+            after=max(0.0, end - last),
+            lasts=end - begin,
+        )
     return absent
 
 
@@ -210,7 +217,8 @@ def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
         finite = np.isfinite(samples[rows])
         timed = stamps[finite & np.isfinite(stamps)]
         if timed.size:
-            low, high = min(low, float(timed.min())), max(high, float(timed.max()))
+            low = min(low, float(timed.min()))
+            high = max(high, float(timed.max()))
         if not finite.all():
             count += int(np.count_nonzero(~finite))
             bad = bad if np.isfinite(bad) else float(stamps[np.argmin(finite)])
@@ -273,7 +281,8 @@ def codes_in(
             if at_code.any():
                 counts[code] += int(np.count_nonzero(at_code))
                 part = part[~at_code]
-        low, high = min(low, part.min(initial=np.inf)), max(high, part.max(initial=-np.inf))
+        low = min(low, part.min(initial=np.inf))
+        high = max(high, part.max(initial=-np.inf))
     span = high - low
     far = {
         code: n

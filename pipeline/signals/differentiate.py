@@ -194,9 +194,9 @@ def jump_weights(t: FloatArray, delta: float, order: int) -> FloatArray:
     """Weights that lift the penalty where the differences `t` of the last solution are large.
 
     Solving again with the weight ``delta/sqrt(T_i² + delta²)``, T_i the largest modulus of the differences up to
-    `order` places from i, reweights the variation (Candès, Wakin & Boyd 2008): the fixed point minimises
-    ``½ log(t² + delta²)`` instead of the modulus, whose price for a jump hardly grows with its height, so that jumps
-    keep their height and the rest can be smoothed more.  Neighbours share the largest weight loss because a jump of a
+    `order` places from i, reweights the variation (Candès, Wakin & Boyd 2008). The fixed point minimises
+    ``½ log(t² + delta²)`` instead of the modulus. Its price for a jump hardly grows with the height, so jumps keep
+    their height and the rest can be smoothed more.  Neighbours share the largest weight loss because a jump of a
     lower derivative makes as many large differences of alternating sign.
 
     Parameters
@@ -279,8 +279,7 @@ def differentiate(
     dt : float
         Sampling interval [s].
     method : {"tvregdiff", "savitzky-golay"}
-        Total-variation regularised (default), SciPy's Savitzky-Golay filter of degree 5, or PyNumDiff's
-        Rauch-Tung-Striebel smoother with constant acceleration.
+        Total-variation regularised (default), or SciPy's Savitzky-Golay filter of degree 5.
     order : {1, 2, 3, 4}, default 3
         Derivative m whose variation `tvregdiff` penalises.  1 is the published method: the acceleration is found
         by applying it again, with the same numbers for both parameters.  2 lets the acceleration jump.

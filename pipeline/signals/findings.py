@@ -1,8 +1,8 @@
 """Findings: what was measured of a log or a model, as a code with numbers; what speaks against one log, and remarks.
 
-The bounds are five times and more what the worst of twelve measured and simulated logs shows (jitter 0.06 steps,
-displacement at its extremes 0.4 % of the samples, masked rows 1 %, no hum above the noise), or where half of a log is
-no measurement.
+The bounds are five times and more what the worst of twelve measured and simulated logs shows: jitter of 0.06 steps,
+displacement at its extremes in 0.4 % of the samples, masked rows 1 %, no hum above the noise. Else they are where half
+of a log is no measurement.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence

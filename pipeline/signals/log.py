@@ -132,16 +132,16 @@ class Log:
         rows = slice(start, stop)
         before = [block for block in (self.past, self.drive[:start]) if block is not None and len(block)]
         return Log(
-            self.t[rows],
-            self.q[rows],
-            self.qdot[rows],
-            self.qddot[rows],
-            self.v[rows],
-            self.valid[rows],
-            None if self.fine is None else self.fine[rows],
-            np.concatenate(before) if before else None,
-            None if self.velocity is None else self.velocity[rows],
-            self.recorded[rows],
+            t=self.t[rows],
+            q=self.q[rows],
+            qdot=self.qdot[rows],
+            qddot=self.qddot[rows],
+            v=self.v[rows],
+            valid=self.valid[rows],
+            fine=None if self.fine is None else self.fine[rows],
+            past=np.concatenate(before) if before else None,
+            velocity=None if self.velocity is None else self.velocity[rows],
+            recorded=self.recorded[rows],
         )
 
     def segments(self) -> list["Log"]:
@@ -242,13 +242,13 @@ def log_of(
     """
     t = kinematics["t"]
     return Log(
-        t,
-        kinematics["q"],
-        kinematics["qdot"],
-        kinematics["qddot"],
-        voltages(kinematics),
-        _valid(kinematics["segment"]),
-        fine,
+        t=t,
+        q=kinematics["q"],
+        qdot=kinematics["qdot"],
+        qddot=kinematics["qddot"],
+        v=voltages(kinematics),
+        valid=_valid(kinematics["segment"]),
+        fine=fine,
         velocity=kinematics.get("velocity"),
         recorded=~unknown_rows(t, unknown),
     )
@@ -333,11 +333,11 @@ class Corrections:
     def then(self, later: "Corrections") -> "Corrections":
         """Both in one: `later` corrects what these have corrected."""
         return Corrections(
-            tuple(first * second for first, second in zip(self.gains, later.gains, strict=True)),
-            later.gain_q * self.zero + later.zero,
-            self.gain_q * later.gain_q,
-            later.clock * self.delay + later.delay,
-            self.clock * later.clock,
+            gains=tuple(first * second for first, second in zip(self.gains, later.gains, strict=True)),
+            zero=later.gain_q * self.zero + later.zero,
+            gain_q=self.gain_q * later.gain_q,
+            delay=later.clock * self.delay + later.delay,
+            clock=self.clock * later.clock,
         )
 
 

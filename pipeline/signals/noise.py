@@ -30,9 +30,9 @@ def white_noise(samples: FloatArray) -> float:
     """Standard deviation of the white noise on a smooth signal, as far as a quantiser does not hide it [signal].
 
     The median modulus of a high difference shows the noise and ignores rare events, such as the edges of a ring-down.
-    The smallest of several differences is taken: order 6 lets less of the signal through than order 4, and
-    between samples two apart the estimate is made at a quarter of the sampling rate, where an anti-alias
-    filter has not yet taken the noise away. Cost: that of blocks, however long the signal is.
+    The smallest of several differences is taken. Order 6 lets less of the signal through than order 4. Between samples
+    two apart the estimate is made at a quarter of the sampling rate, where an anti-alias filter has not yet taken the
+    noise away. Cost: that of blocks, however long the signal is.
     """
     estimates = [
         robust_std(differences(samples, order, spacing)) / math.sqrt(math.comb(2 * order, order))

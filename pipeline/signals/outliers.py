@@ -101,7 +101,7 @@ class Dropouts:
 
 
 _NO_ROWS = np.empty((0, 2), dtype=np.int64)
-NONE = Dropouts(_NO_ROWS, _NO_ROWS, (), np.empty((0, 2)), (np.nan, np.nan))
+NONE = Dropouts(bursts=_NO_ROWS, held=_NO_ROWS, levels=(), cuts=np.empty((0, 2)), first=(np.nan, np.nan))
 
 
 def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float) -> Dropouts:
@@ -142,11 +142,11 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
     ends = np.stack((stamps[left], stamps[left + 1]), axis=1)
     levels, counts = np.unique([np.median(samples[first:end]) for first, end in bursts], return_counts=True)
     return Dropouts(
-        bursts,
-        held,
-        tuple(levels[np.argsort(-counts, kind="stable")].tolist()),
-        ends[np.isfinite(ends).all(axis=1)],
-        (_stamp_of_first(stamps, bursts), _stamp_of_first(stamps, held)),
+        bursts=bursts,
+        held=held,
+        levels=tuple(levels[np.argsort(-counts, kind="stable")].tolist()),
+        cuts=ends[np.isfinite(ends).all(axis=1)],
+        first=(_stamp_of_first(stamps, bursts), _stamp_of_first(stamps, held)),
     )
 
 
@@ -385,7 +385,14 @@ def trusted(
 
     masked = column(samples.size, parts(), np.float64) if at or noise or measured is not samples else samples
     rail, lost_target, spike = counts.tolist()
-    return Trusted(masked, (rail, lost_target, spike), at, bounds, quality, dropouts_of_q)
+    return Trusted(
+        samples=masked,
+        left_out=(rail, lost_target, spike),
+        rails=at,
+        bounds=bounds,
+        quality=quality,
+        dropouts=dropouts_of_q,
+    )
 
 
 def _within(samples: FloatArray, bounds: tuple[float, float]) -> FloatArray:

@@ -1,8 +1,8 @@
 """Unevenly sampled signals on a uniform grid: decimated without delay or aliasing, or interpolated.
 
-At the ends of a segment the kernel is cut, and its first moment no longer vanishes. There, and wherever
-jittered stamps leave a moment of more than 10⁻⁶ T, the weighted mean is taken about a local line (slope by
-least squares under the positive window (1 − y)²), so that straight lines are reproduced exactly everywhere.
+At the ends of a segment the kernel is cut, and its first moment no longer vanishes. There, and wherever jittered
+stamps leave a moment of more than 10⁻⁶ T, the weighted mean is taken about a local line. Its slope is that of least
+squares under the positive window (1 − y)². So straight lines are reproduced exactly everywhere.
 
 The anti-alias kernel is a low pass without delay that hardly rings. With x the distance of a sample from the grid
 point in output intervals T and y = (x/2)²,
@@ -185,9 +185,9 @@ def decimated(
 
     Notes
     -----
-    Cost: every sample meets its four kernels once, 4 N kernel values of 17 flops and 4 (k + 2) N multiply-adds,
-    in blocks of 2¹⁵ samples that stay in the second-level cache; the working memory is a few MB however long
-    the log. About 0.1 µs a sample for k = 3 on one core of 2024.
+    Cost: every sample meets its four kernels once, 4 N kernel values of 17 flops and 4 (k + 2) N multiply-adds. Blocks
+    of 2¹⁵ samples stay in the second-level cache, and the working memory is a few MB however long the log. About 0.1 µs
+    a sample for k = 3 on one core of 2024.
     """
     if time.size == 1:
         yield np.array([np.full(t_out.size, column[0]) for column in columns], dtype=np.float64)
@@ -358,7 +358,7 @@ def _blocks(time: FloatArray, origin: float, interval: float, points: int) -> It
         starts = starts[: held + 1]
         count = int(starts[-1])
         shares = _shares(around[: before + count + 1], before, count, low + count == time.size)
-        yield _Bins(first, first + held, low, starts, stamps[:count], shares)
+        yield _Bins(first=first, last=first + held, low=low, starts=starts, stamps=stamps[:count], shares=shares)
         first, low, most = first + held, low + count, _BLOCK
 
 

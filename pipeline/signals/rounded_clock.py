@@ -2,8 +2,8 @@
 
 The stamps of a uniform clock that were rounded to a lattice of step R lie a whole number of R apart, and their steps
 take two neighbouring multiples of R. So R follows from the stamps, block by block, since the lattice of floating
-numbers widens with them. The clock is uniform if one line a + b k passes every stamp within R/2. Of all such lines the
-one is taken that keeps farthest from these limits: a linear programme over the stamps that bind.
+numbers widens with them. The clock is uniform if one line a + b k passes every stamp within R/2. The line that
+keeps farthest from these limits is taken: a linear programme over the stamps that bind.
 """
 
 import math
@@ -69,7 +69,7 @@ def uniform_clock(time: FloatArray) -> UniformClock | None:
     except DataRefusedError:  # it never advances
         return None
     for lossy, (half, fuzz) in _resolutions(stamps, limit).items():
-        count = _counts(stamps, usable, limit) if lossy else _rows(usable)
+        count = _counts(stamps, limit) if lossy else _rows(usable)
         lines = _lines(stamps, count, half, fuzz, _parts(stamps, limit))
         if lines:
             longest = max(lines, key=lambda line: line.rows.stop - line.rows.start)
@@ -137,7 +137,7 @@ def _rows(usable: BoolArray) -> IntArray:
     return column(int(np.count_nonzero(usable)), parts, np.int64)
 
 
-def _counts(stamps: FloatArray, usable: BoolArray, limit: float) -> IntArray:
+def _counts(stamps: FloatArray, limit: float) -> IntArray:
     """Number of each stamp where single rows are missing or written twice: each step by the usual ones in it."""
     total = 0.0
     count = 0

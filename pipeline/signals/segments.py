@@ -113,20 +113,30 @@ def advancing_rows(time: FloatArray, time_reversal: TimeReversal, cuts: FloatArr
                 turns.append(np.concatenate(([last], stamps[:-1]))[steps < 0.0])
                 behind = stamps < np.maximum.accumulate(np.concatenate(([reached], stamps)))[:-1]
                 repeated += int(np.count_nonzero((steps == 0.0) & ~behind))
-                last, reached = float(stamps[-1]), max(reached, float(stamps.max()))
+                last = float(stamps[-1])
+                reached = max(reached, float(stamps.max()))
             usable += stamps.size
 
     keep = column(time.size, flags(), np.bool_)
     back = np.concatenate([np.empty(0), *turns])
     advanced = select(time, keep)
-    left = time.size - usable, repeated, usable - advanced.size - repeated
+    backward = usable - advanced.size - repeated
     if back.size and time_reversal == "refuse":
         raise DataRefusedError(
             f"time steps back at {back.size} place(s), first after {back[0]:.6g} s; repair the log or set [ingest] "
-            f'time_reversal = "split", which leaves out {left[2]} of {time.size} rows, or "unwrap" for a counter that '
+            f'time_reversal = "split", which leaves out {backward} of {time.size} rows, or "unwrap" for a counter that '
             "begins anew"
         )
-    return TimeRows(time, keep, back, np.concatenate((back, cuts)), nominal_step(advanced), *left)
+    return TimeRows(
+        time=time,
+        keep=keep,
+        turns=back,
+        ends=np.concatenate((back, cuts)),
+        step=nominal_step(advanced),
+        not_finite=time.size - usable,
+        repeated=repeated,
+        backward=backward,
+    )
 
 
 def finite_segments(

@@ -325,8 +325,31 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
         nan = float("nan")
-        numbers = nan, nan, nan, (nan, nan), nan, False, 0.0, 0.0, (), False, (), 0.0, 0, nan, False
-        return SignalQuality(samples.size, missing, lost, located, *numbers, 0, (), (), Bandwidth(nan, nan))
+        return SignalQuality(
+            n=samples.size,
+            not_finite=missing,
+            lost=lost,
+            not_finite_at=located,
+            smallest=nan,
+            largest=nan,
+            mean=nan,
+            usual=(nan, nan),
+            noise=nan,
+            idle=False,
+            low_rail=0.0,
+            high_rail=0.0,
+            rails=(),
+            stepped=False,
+            levels=(),
+            longest_frozen=0.0,
+            frozen_samples=0,
+            frozen_at=nan,
+            rests=False,
+            spikes=0,
+            spikes_at=(),
+            hum=(),
+            band=Bandwidth(nan, nan),
+        )
     smallest, largest = span(values)
     noise = noise_level(values)
     frozen, start = _longest_run(values)
@@ -392,7 +415,8 @@ def usual_span(samples: FloatArray) -> tuple[float, float]:
         smallest = first
         for other in others:
             largest, smallest = np.maximum(largest, other), np.minimum(smallest, other)
-        lowest, highest = np.fmin(lowest, np.fmin.reduce(largest)), np.fmax(highest, np.fmax.reduce(smallest))
+        lowest = np.fmin(lowest, np.fmin.reduce(largest))
+        highest = np.fmax(highest, np.fmax.reduce(smallest))
     # A signal that nowhere stays for three samples reaches its highest value less often than its lowest.
     return float(np.fmin(lowest, highest)), float(np.fmax(lowest, highest))
 

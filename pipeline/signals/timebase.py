@@ -149,7 +149,9 @@ def examine(time: FloatArray) -> TimeQuality:
         same = np.flatnonzero(steps == 0.0)
         back = np.flatnonzero(steps < 0.0)
         gap = np.flatnonzero(steps > limit)
-        repeated, backward, gaps = repeated + same.size, backward + back.size, gaps + gap.size
+        repeated += same.size
+        backward += back.size
+        gaps += gap.size
         repeated_at += part[same[:LOCATED]].tolist()
         backward_at += part[back[:LOCATED]].tolist()
         gaps_at += [(float(part[j]), float(part[j + 1])) for j in gap[:LOCATED]]
@@ -159,7 +161,8 @@ def examine(time: FloatArray) -> TimeQuality:
         shortest = min(shortest, float(positive.min(initial=np.inf)))
         longest = max(longest, float(positive.max(initial=0.0)))
         near = positive[positive <= ONE_LOST * step]
-        regular, square = regular + near.size, square + float(((near - step) ** 2).sum())
+        regular += near.size
+        square += float(((near - step) ** 2).sum())
     return TimeQuality(
         n=time.size,
         start=float(stamps[0]),

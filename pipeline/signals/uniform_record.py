@@ -256,11 +256,11 @@ class Resampling:
         """The whole record, in memory."""
         pieces = list(self.pieces())
         return UniformRecord(
-            np.concatenate([piece.t for piece in pieces]),
-            np.concatenate([piece.q for piece in pieces]),
-            np.concatenate([piece.v for piece in pieces]),
-            np.concatenate([piece.segment for piece in pieces]),
-            self.report,
+            t=np.concatenate([piece.t for piece in pieces]),
+            q=np.concatenate([piece.q for piece in pieces]),
+            v=np.concatenate([piece.v for piece in pieces]),
+            segment=np.concatenate([piece.segment for piece in pieces]),
+            report=self.report,
         )
 
 

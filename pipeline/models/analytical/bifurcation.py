@@ -279,12 +279,12 @@ def characteristics(parameters: JointParameters, *, voltage: float = FULL_VOLTAG
         paths[name] = _held_joint(parameters, v)
         diagrams[name] = equilibrium_diagram(over_screw(parameters, v), (0.0, 0.01))
     return Characteristics(
-        bistable_from(parameters),
-        switchable_to(parameters, voltage),
-        switching_voltage(parameters),
-        min(saddles) - max(wells) if len(wells) > 1 and saddles else None,
-        paths,
-        diagrams,
+        z_b_min=bistable_from(parameters),
+        z_b_max=switchable_to(parameters, voltage),
+        switching=switching_voltage(parameters),
+        barrier=min(saddles) - max(wells) if len(wells) > 1 and saddles else None,
+        paths=paths,
+        diagrams=diagrams,
     )
 
 

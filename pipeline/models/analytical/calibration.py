@@ -1,9 +1,9 @@
 """Calibration of the analytical model (§ 3.3): bounded least squares on q over windows, from several starts.
 
 Unknowns are scaled by what a designer does not know about them (`PRIORS`), logarithmically where a quantity is
-positive. The same widths enter as a weak prior, so that a parameter that a log says nothing about stays where the
-designer put it instead of running to a bound; it has the soft-L1 loss of the data, so what a log is sure of may lie far
-from there.
+positive. The same widths enter as a weak prior: a parameter that a log does not determine stays where the designer put
+it, instead of running to a bound. The prior has the soft-L1 loss of the data, so a parameter that a log determines well
+may lie far from there.
 """
 
 import itertools
@@ -57,7 +57,7 @@ def prior_of(name: str) -> ParameterPrior:
     InputError
         An unknown parameter, or one that calibration leaves alone.
     """
-    quantity_of(name)
+    quantity_of(name)  # refuses a name that is no parameter
     attribute = name.rpartition(".")[2]
     if attribute not in PRIORS:
         raise InputError(f"parameter {name!r} cannot be calibrated; possible are {', '.join(PRIORS)}")

@@ -119,6 +119,14 @@ def rest_states(
     return _rest_states(parameters, measured, v, z, shapes)
 
 
+def dissipative_matrices(qm: FloatArray, p: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Damping at a shape q_m, shape (RITZ, RITZ), and coupling to the internal states, shape (RITZ, INTERNAL)."""
+    damping = np.empty((RITZ, RITZ))
+    coupling = np.empty((RITZ, INTERNAL))
+    dissipation(qm, p, damping, coupling, np.empty((2, RITZ)))
+    return damping, coupling
+
+
 def _rest_states(
     parameters: JointParameters, measured: FloatArray, v: FloatArray, z: FloatArray, shapes: FloatArray
 ) -> FloatArray:
@@ -131,9 +139,6 @@ def _rest_states(
     gradient = np.empty(RITZ)
     hessian = np.empty((RITZ, RITZ))
     system = np.zeros((RITZ + 1, RITZ + 1))
-    damping = np.empty((RITZ, RITZ))
-    coupling = np.empty((RITZ, INTERNAL))
-    thickness = np.empty((2, RITZ))
     for x, (q, qdot), volts, internal, shape in zip(states, measured, v, z, shapes, strict=True):
         x[:RITZ] = shape
         if not np.isfinite(hold_tip(q, x[:RITZ], volts**2, p, tangent)[0]):
@@ -141,7 +146,7 @@ def _rest_states(
         x[RITZ:FIRST_Z], x[FIRST_Z:] = tangent * qdot, internal
         # The change of shape, the tip held, by which elastic forces balance damping and internal forces.
         statics(x[:RITZ], volts**2, p, gradient, hessian)
-        dissipation(x[:RITZ], p, damping, coupling, thickness)
+        damping, coupling = dissipative_matrices(x[:RITZ], p)
         system[:RITZ, :RITZ] = hessian * np.outer(scale, scale)
         system[:RITZ, RITZ] = -lever
         system[RITZ, :RITZ] = lever
@@ -209,18 +214,18 @@ def simulate(
     qm_ddot = rates[:, RITZ:FIRST_Z]
     levers = parameters.levers
     return FullOrderMotion(
-        t,
-        qm,
-        qm_dot,
-        qm_ddot,
-        states[:, FIRST_Z:],
-        qm @ levers,
-        qm_dot @ levers,
-        qm_ddot @ levers,
-        np.arctan(qm @ parameters.slopes),
-        None if valid == count else float(t[min(valid, count - 1)]),
-        int(steps[0]),
-        int(steps[1]),
+        t=t,
+        qm=qm,
+        qm_dot=qm_dot,
+        qm_ddot=qm_ddot,
+        z=states[:, FIRST_Z:],
+        q=qm @ levers,
+        q_dot=qm_dot @ levers,
+        q_ddot=qm_ddot @ levers,
+        phi=np.arctan(qm @ parameters.slopes),
+        diverged_at=None if valid == count else float(t[min(valid, count - 1)]),
+        accepted=int(steps[0]),
+        rejected=int(steps[1]),
     )
 
 
@@ -374,22 +379,22 @@ def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, r
     """
     t, v, force = drive
     motion = _Motion(
-        p,
-        v,
-        force,
-        x0.copy(),
-        np.empty(STATES),
-        np.empty(STATES),
-        np.zeros(1, np.int64),
-        np.zeros(1),
-        np.zeros(3),
-        np.zeros(STATES),
-        np.empty(2),
-        np.empty(1),
-        np.empty(STATES),
-        np.empty((RITZ, RITZ)),
-        np.empty((RITZ, RITZ)),
-        np.empty(RITZ, np.int64),
+        p=p,
+        v=v,
+        force=force,
+        x=x0.copy(),
+        x_new=np.empty(STATES),
+        f0=np.empty(STATES),
+        sample=np.zeros(1, np.int64),
+        offset=np.zeros(1),
+        rise=np.zeros(3),
+        f_t=np.zeros(STATES),
+        squares=np.empty(2),
+        load=np.empty(1),
+        f=np.empty(STATES),
+        mass=np.empty((RITZ, RITZ)),
+        factors=np.empty((RITZ, RITZ)),
+        pivots=np.empty(RITZ, np.int64),
     )
     return _integrate(t, motion, working(len(RODAS4.nodes), 1), scale, reach, solution)
 
@@ -400,9 +405,12 @@ def _integrate(t: FloatArray, s: _Motion, work: Work, scale: FloatArray, reach: 
     x = s.x
     f0 = s.f0
     states, rates, counts = solution
-    counts[0], counts[1], h_next = 0, 0, 1e-4
+    counts[0], counts[1] = 0, 0
+    h_next = 1e-4
     for sample in range(t.size):
-        interval, offset, s.sample[0] = _rises(t, s.v, s.force, sample, s.rise), 0.0, sample
+        interval = _rises(t, s.v, s.force, sample, s.rise)
+        offset = 0.0
+        s.sample[0] = sample
         tries = 0
         while offset == 0.0 or offset < interval:
             fine = _rate(s, x, offset, work.mass, f0)
@@ -416,7 +424,9 @@ def _integrate(t: FloatArray, s: _Motion, work: Work, scale: FloatArray, reach: 
                     break
             elif not fine:
                 return sample + 1
-            s.offset[0], norm, remaining = offset, np.inf, interval - offset
+            s.offset[0] = offset
+            norm = np.inf
+            remaining = interval - offset
             motion_slopes(x, s.squares, s.load, p, f0[RITZ:FIRST_Z], work.slopes)
             _time_derivative(s, work.slopes)
             while norm > 1.0:

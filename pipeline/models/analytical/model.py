@@ -53,7 +53,14 @@ class AnalyticalModel(ModelFile):
         start = rest_state(self.parameters, q0, qdot0, knots.v[0])
         motion = simulate(self.parameters, knots.t, knots.v, start, tolerance=self.tolerance)
         q, qdot, qddot = (signal[knots.rows] for signal in (motion.q, motion.q_dot, motion.q_ddot))
-        return FreeRun(t, q, qdot, qddot, "ok" if motion.diverged_at is None else "diverged", motion.diverged_at)
+        return FreeRun(
+            t=t,
+            q=q,
+            qdot=qdot,
+            qddot=qddot,
+            status="ok" if motion.diverged_at is None else "diverged",
+            diverged_at_s=motion.diverged_at,
+        )
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].

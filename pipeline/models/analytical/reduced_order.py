@@ -19,15 +19,15 @@ import numpy as np
 
 from ...codegen.numba_writer import formula, kernel
 from ...device.parameters import JointParameters
-from ...generated.analytical_joint import dissipation, dynamics
+from ...generated.analytical_joint import dynamics
 from ...generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION
 from ...numerics.arrays import FloatArray, IntArray, sample_interval
 from ...numerics.compiled import compiled
 from ...numerics.fixed_step import Methods, integrator, run_status, workspace
 from ...numerics.linear_filters import first_order_lag
 from ...numerics.metrics import nrmse
-from ...numerics.stiff import INTERNAL, RITZ
-from .full_order import FullOrderMotion, rest_state, simulate
+from ...numerics.stiff import RITZ
+from .full_order import FullOrderMotion, dissipative_matrices, rest_state, simulate
 from .statics import FULL_VOLTAGE, StaticPath, equilibria, static_path
 
 CURVES = ("m_q", "d", "f", "lambda3_1", "lambda3_2", "C_1", "C_2")
@@ -84,13 +84,10 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
     mass = np.empty((RITZ, RITZ))
     tau = np.empty(RITZ)
     z_dot = np.empty(3)
-    damping = np.empty((RITZ, RITZ))
-    coupling = np.empty((RITZ, INTERNAL))
-    thickness = np.empty((2, RITZ))
     nothing = np.zeros(RITZ)
     for i, (qm, tangent) in enumerate(zip(path.qm, path.tangent, strict=True)):
         dynamics(qm, nothing, nothing[:3], nothing[:2], nothing[:1], p, mass, tau, z_dot)
-        dissipation(qm, p, damping, coupling, thickness)
+        damping, _ = dissipative_matrices(qm, p)
         curves[i, :2] = tangent @ mass @ tangent, tangent @ damping @ tangent
     # Along the path ∂U/∂q_m = F ∂q/∂q_m, so f(q) = ∂U/∂q_m · dq_m/dq is the holding force itself.
     curves[:, 2] = path.force
@@ -98,13 +95,13 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
     curves[:, 5:] = path.capacitance
     sides = (parameters.left, parameters.right)
     return ReducedJoint(
-        parameters,
-        path.q,
-        curves,
-        np.ascontiguousarray(CubicSpline(path.q, curves).c[::-1].transpose(1, 0, 2)),
-        np.array([s.volume * s.Y_MW for s in sides]),
-        np.array([s.relaxation for s in sides]),
-        path,
+        parameters=parameters,
+        q=path.q,
+        curves=curves,
+        coefficients=np.ascontiguousarray(CubicSpline(path.q, curves).c[::-1].transpose(1, 0, 2)),
+        creep_gain=np.array([s.volume * s.Y_MW for s in sides]),
+        creep_rate=np.array([s.relaxation for s in sides]),
+        path=path,
     )
 
 
@@ -204,10 +201,28 @@ class ReducedMotion:
 class ReducedSystem(NamedTuple):
     """A reduced joint in a run; its state is q, q̇, e1, e2.
 
-    inputs (N, 3): voltages [V] and external force [N] at the samples · parts: half steps in an interval · sample (1,):
-    the one before the step, filled · origin, spacing [m], pieces (cells, 4, 7) of the curves · gain, rate (2,) of the
-    Maxwell elements · friction (2,): force [N] and length [m] · slip (2,): q at the start of the step, and Dahl's state
-    there · e (N, 2): strains, filled · s, load (1,), squares (2,), rates (3,): room for what acts.
+    Attributes
+    ----------
+    inputs : FloatArray, shape (N, 3)
+        Voltages [V] and external force [N] at the samples.
+    parts : int
+        Half steps in an interval.
+    sample : IntArray, shape (1,)
+        Sample before the step; filled.
+    origin, spacing : float
+        First breakpoint of the curves and distance of the breakpoints [m].
+    pieces : FloatArray, shape (cells, 4, 7)
+        Cubics of the curves.
+    gain, rate : FloatArray, shape (2,)
+        Of the Maxwell elements.
+    friction : FloatArray, shape (2,)
+        Force [N] and length [m].
+    slip : FloatArray, shape (2,)
+        q at the start of the step, and Dahl's state there.
+    e : FloatArray, shape (N, 2)
+        Strains at the samples; filled.
+    s, load, squares, rates : FloatArray, shapes (1,), (1,), (2,), (3,)
+        Room for what acts.
     """
 
     inputs: FloatArray
@@ -299,25 +314,27 @@ def simulate_reduced(
     e = np.full((t.size, 2), np.nan)
     out = np.full((t.size, 3, 1), np.nan)
     system = ReducedSystem(
-        inputs,
-        2 * steps,
-        np.zeros(1, dtype=np.int64),
-        reduced.q[0],
-        reduced.q[1] - reduced.q[0],
-        reduced.coefficients,
-        reduced.creep_gain,
-        reduced.creep_rate,
-        np.array([parameters.F_c, parameters.s_c]),
-        np.array([q0, 0.0]),
-        e,
-        np.zeros(1),
-        np.zeros(1),
-        np.zeros(2),
-        np.zeros(3),
+        inputs=inputs,
+        parts=2 * steps,
+        sample=np.zeros(1, dtype=np.int64),
+        origin=reduced.q[0],
+        spacing=reduced.q[1] - reduced.q[0],
+        pieces=reduced.coefficients,
+        gain=reduced.creep_gain,
+        rate=reduced.creep_rate,
+        friction=np.array([parameters.F_c, parameters.s_c]),
+        slip=np.array([q0, 0.0]),
+        e=e,
+        s=np.zeros(1),
+        load=np.zeros(1),
+        squares=np.zeros(2),
+        rates=np.zeros(3),
     )
     x = np.array([q0, qdot0, 0.0, 0.0])
     valid = _integrate(system, x, out, workspace(x), steps, interval / steps, reduced.q[0], reduced.q[-1])
-    return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], e, run_status(t, valid)[1])
+    return ReducedMotion(
+        t=t, q=out[:, 0, 0], q_dot=out[:, 1, 0], q_ddot=out[:, 2, 0], e=e, diverged_at=run_status(t, valid)[1]
+    )
 
 
 def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> FloatArray:

@@ -22,8 +22,9 @@ STEEPEST = np.pi / 4
 """Tip rotation [rad] up to which the beam equations (moderate slopes) are believed."""
 TYPICAL_SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
 """Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""
+FULL_VOLTAGE = 3000.0
+"""Voltage of the supply [V]."""
 REACH = 0.03
-FULL_VOLTAGE = 3000.0  # V, of the supply
 """Largest deflection [m] of the shapes that Newton's method starts from."""
 TIP_VALUES = TIP.outputs["values"]
 """q [m], φ [rad], u_y [m] and both stretches."""
@@ -157,14 +158,16 @@ def equilibrium_at(p: FloatArray, qm: FloatArray, v: FloatArray, force: float = 
     q, phi, u_y = tip_values(qm, p)[:3]
     scale = length_scales(float(p[0]))
     stable = bool(np.linalg.eigvalsh(hessian * np.outer(scale, scale))[0] > 0.0)
-    return JointEquilibrium(qm, float(q), float(phi), float(u_y), float(energy - force * q), stable)
+    return JointEquilibrium(
+        qm=qm, q=float(q), phi=float(phi), u_y=float(u_y), energy=float(energy - force * q), stable=stable
+    )
 
 
 def equilibria(parameters: JointParameters, v: FloatArray, force: float = 0.0) -> list[JointEquilibrium]:
     """All equilibria, in ascending q.
 
-    Newton runs from 1029 beam shapes, with tip deflections up to `REACH` and with S-shapes, so that branches
-    which are not connected to the straight beam are found too (strongly pre-strained beams have them).
+    Newton runs from 1029 beam shapes, with tip deflections up to `REACH` and with S-shapes. So branches that are not
+    connected to the straight beam are found too; strongly pre-strained beams have them.
 
     Parameters
     ----------
@@ -264,13 +267,12 @@ def hold_tip(
     -----
     Cost: an iteration evaluates `statics` and factorises 5×5, 0.7 µs; four to six iterations from a neighbour.
     """
-    scale = np.empty(RITZ)
+    scale = np.array([p[0] ** -2, p[0] ** -3, p[0] ** -4, 1.0])
     gradient = np.empty(RITZ)
     hessian = np.empty((RITZ, RITZ))
     system = np.empty((_HELD, _HELD))
     right = np.empty(_HELD)
     pivots = np.empty(_HELD, np.int64)
-    scale[0], scale[1], scale[2], scale[3] = p[0] ** -2, p[0] ** -3, p[0] ** -4, 1.0
     energy = np.nan
     last = False
     for _ in range(_MOST_STEPS):

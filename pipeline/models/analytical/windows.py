@@ -52,8 +52,8 @@ def voltage_knots(t: FloatArray, v: FloatArray) -> VoltageKnots:
 
     Notes
     -----
-    A pulse of 10 ms samples begins up to 10 ms wrong if it is a line from sample to sample, and a passage near the
-    saddle is late by several times that. Cost: 50 ns for each voltage, and what the integrator takes for the
+    If voltages sampled every 10 ms are lines from sample to sample, a pulse begins up to 10 ms wrong. A passage near
+    the saddle is then late by several times that. Cost: 50 ns for each voltage, and what the integrator takes for the
     knots: a third more of them on half an hour of pulses, all of them where noise exceeds `BENT`.
     """
     if v.ndim == 2:

@@ -7,8 +7,8 @@ A column δx moves by the steps of the run with the rates' own derivatives:
 z being the stop operators, which follow the play or stick. The rates' derivatives come from the generated graphs
 (`pipeline.generated.condensed_joint_jacobian`), for the eight stages of two steps side by side.
 
-All of it is in single precision, right to 1e-5 of a column's size (the worst to 1e-3) in two thirds of the time: a step
-of least squares need not know more, as what it leads to is seen in a run in double precision.
+All of it is in single precision, right to 1e-5 of a column's size (the worst to 1e-3) in two thirds of the time. A step
+of least squares needs no more digits: a run in double precision judges its result.
 """
 
 from functools import partial, reduce
@@ -220,7 +220,8 @@ def propagate(
     """
     sources, targets, own, instruments, corrected = columns
     points, slips, squares, by_instruments, pole = path
-    (k, weights, basis), (dt, substeps, _, lead, reading) = coefficients, stepping
+    k, weights, basis = coefficients
+    dt, substeps, _, lead, reading = stepping
     steps = len(points) - 1
     centres = weights.shape[1]
     prepared = np.empty(_PREPARED)

@@ -140,17 +140,17 @@ class HybridModel:
         """
         curves = band_spread if curve_spread is None else curve_spread
         return cls(
-            joint.parameters,
-            joint.basis,
-            joint.centres,
-            joint.largest_voltage,
-            joint.slope_ratio,
-            joint.similarity,
-            theta,
-            spread,
-            band_spread,
-            curves,
-            joint.rotation,
+            parameters=joint.parameters,
+            basis=joint.basis,
+            centres=joint.centres,
+            largest_voltage_V=joint.largest_voltage,
+            slope_ratio=joint.slope_ratio,
+            similarity=joint.similarity,
+            theta=theta,
+            spread=spread,
+            band_spread=band_spread,
+            curve_spread=curves,
+            rotation=joint.rotation,
             **more,
         )
 
@@ -158,13 +158,13 @@ class HybridModel:
     def joint(self) -> CondensedJoint:
         """Parameter set and RBF basis."""
         return CondensedJoint(
-            self.parameters,
-            self.basis,
-            self.centres,
-            self.largest_voltage_V,
-            self.slope_ratio,
-            self.similarity,
-            self.rotation,
+            parameters=self.parameters,
+            basis=self.basis,
+            centres=self.centres,
+            largest_voltage=self.largest_voltage_V,
+            slope_ratio=self.slope_ratio,
+            similarity=self.similarity,
+            rotation=self.rotation,
         )
 
     @property

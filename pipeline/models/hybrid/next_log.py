@@ -1,8 +1,8 @@
 """Value of one more log of an identified joint: the variance of free runs after it, to first order.
 
-The posterior of θ has the covariance S Sᵀ. A log whose free run has the derivatives J by θ shows H = JᵀJ / (s² τ), with
-the RMS s of the fit's residual and its autocorrelation time τ. A programme with the derivatives G then has the variance
-diag(G S (1 + Sᵀ H S)⁻¹ Sᵀ Gᵀ), which needs no measurement (I-optimal design; Fedorov 1972).
+The posterior of θ has the covariance S Sᵀ. The fit's residual has the RMS s and the autocorrelation time τ. A log whose
+free run has the derivatives J by θ carries the information H = JᵀJ / (s² τ). A free run with the derivatives G then has
+the variance diag(G S (1 + Sᵀ H S)⁻¹ Sᵀ Gᵀ), which needs no measurement (I-optimal design; Fedorov 1972).
 """
 
 from dataclasses import dataclass
@@ -39,7 +39,7 @@ def slopes(model: HybridModel, t: FloatArray, v: FloatArray, start: float) -> Fl
     run = model.simulate(t, v, start, 0.0)
     if run.status != "ok":
         return None
-    record = Log(t, run.q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
+    record = Log(t=t, q=run.q, qdot=run.qdot, qddot=run.qddot, v=v, valid=np.ones(len(t), dtype=bool))
     return CondensedProblem(model.joint, [model.joint.reading(record)]).jacobian(model.theta, 0.0)[1]
 
 

@@ -142,7 +142,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("probe 1", 10.0, "V"),
     Deviation("probe 2", 10.0, "V"),
 )
-"""Everything that a real joint and its instruments may have otherwise than the parameter set, its size first: the
+"""Everything in which a real joint and its instruments may differ from the parameter set, its size first: the
 whole joint in other units of length, time and voltage (`pipeline.models.hybrid.log_reading`). What cannot be
 negative is a logarithm. A square has no slope at zero, and an estimate that came near it would stay there: of fourteen
 simulated joints four lost a relaxation or the frame's inertia so, with three to six times the error held at the log."""

@@ -179,7 +179,13 @@ class CondensedJoint:
 
     def stepping(self, dt: float, steps: int) -> Stepping:
         """Steps of a run of this joint, so many in a sample interval `dt` [s]."""
-        return Stepping(dt, steps, self.q_stop, self.lead, (0.0, 1.0 / self.lead) if self.angle else (1.0, 0.0))
+        return Stepping(
+            dt=dt,
+            substeps=steps,
+            wall=self.q_stop,
+            lead=self.lead,
+            reading=(0.0, 1.0 / self.lead) if self.angle else (1.0, 0.0),
+        )
 
     def start(self) -> FloatArray:
         """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""

@@ -73,12 +73,8 @@ class Joints(NamedTuple):
     wall: float
     lead: float
     reading: tuple[float, float]
-    points: FloatArray
-    slips: FloatArray
-
-
-NO_STAGES = np.zeros((0, len(SHARES), STATES)), np.zeros((0, STOPS))
-"""`points` and `slips` of a run that does not fill them."""
+    points: FloatArray = np.zeros((0, len(SHARES), STATES))
+    slips: FloatArray = np.zeros((0, STOPS))
 
 
 @inlined
@@ -86,8 +82,8 @@ def observer(error: float, pole: float, lead: float) -> tuple[float, float, floa
     """Terms of an observer in the rates of q, q̇, τ and τ̇ when q is `error` [m] behind the reading.
 
     It pulls along the slow motion of the beam, (q, τ) together: q̇ += 2L e, q̈ += L² e, L being its `pole` [1/s], and the
-    same times dτ/dq = `lead` [1/m] for τ. Pulling at q alone leaves the pair of q and τ with a growing mode near the
-    separatrix (rates up to 3 1/s), so that even the true joint drifts off its own measurement. It is linear in `error`.
+    same times dτ/dq = `lead` [1/m] for τ. An observer that pulls at q alone has a growing mode of q and τ near the
+    separatrix, with rates up to 3 1/s: even the true joint drifts off its own measurement. It is linear in `error`.
     """
     velocity = 2.0 * pole * error
     acceleration = pole * pole * error
@@ -294,25 +290,24 @@ def run_joints(
         x, z = _at_rest(coefficients, prepared, driving, stepping, chosen)
         shown_states = np.empty((shown, 3, width))
         system = Joints(
-            (0,) * width,
-            _rows(prepared[chosen]),
-            np.zeros(VALUES * width),
-            np.zeros(VALUES),
-            z,
-            np.zeros(3 * width),
-            np.zeros(2 * width),
-            np.zeros(3),
-            driving.squares,
-            driving.variant[chosen],
-            basis,
-            weights[chosen],
-            driving.offset[chosen],
-            followed.reading,
-            poles,
-            stepping.wall,
-            stepping.lead,
-            stepping.reading,
-            *NO_STAGES,
+            slots=(0,) * width,
+            p=_rows(prepared[chosen]),
+            c=np.zeros(VALUES * width),
+            own=np.zeros(VALUES),
+            z=z,
+            start=np.zeros(3 * width),
+            u=np.zeros(2 * width),
+            now=np.zeros(3),
+            squares=driving.squares,
+            variant=driving.variant[chosen],
+            basis=basis,
+            weights=weights[chosen],
+            offset=driving.offset[chosen],
+            observed=followed.reading,
+            pole=poles,
+            wall=stepping.wall,
+            lead=stepping.lead,
+            reading=stepping.reading,
         )
         integrate_joints(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
         filled = min(width, count - first)
@@ -359,25 +354,24 @@ def continued_runs(
         nodes = slice(parts * first, parts * (first + count) + 1)
         out = np.empty((count + 1, 3, 1))
         system = Joints(
-            (0,),
-            prepared[0],
-            np.zeros(VALUES),
-            np.zeros(VALUES),
-            z,
-            np.zeros(3),
-            np.zeros(2),
-            np.zeros(3),
-            driving.squares[:, nodes],
-            only,
-            coefficients.basis,
-            coefficients.weights,
-            driving.offset,
-            followed.reading[nodes] if held else none,
-            poles[nodes] if held else none,
-            stepping.wall,
-            stepping.lead,
-            stepping.reading,
-            *NO_STAGES,
+            slots=(0,),
+            p=prepared[0],
+            c=np.zeros(VALUES),
+            own=np.zeros(VALUES),
+            z=z,
+            start=np.zeros(3),
+            u=np.zeros(2),
+            now=np.zeros(3),
+            squares=driving.squares[:, nodes],
+            variant=only,
+            basis=coefficients.basis,
+            weights=coefficients.weights,
+            offset=driving.offset,
+            observed=followed.reading[nodes] if held else none,
+            pole=poles[nodes] if held else none,
+            wall=stepping.wall,
+            lead=stepping.lead,
+            reading=stepping.reading,
         )
         integrate_joints(system, x, out, work, stepping.substeps, stepping.dt / stepping.substeps, -np.inf, np.inf)
         return np.asarray(out[:, 0, 0] + driving.offset)

@@ -41,8 +41,18 @@ WELLS_DIFFER = 0.1
 
 @dataclass(frozen=True)
 class _SmallMotion:
-    """Small motions near a well: place [m], squared frequency [1/s²], acceleration by each squared voltage;
-    standard errors of the frequency and of the difference of the accelerations.
+    """Small motions near a well.
+
+    Attributes
+    ----------
+    place : float
+        The well [m].
+    stiffness : float
+        Squared frequency [1/s²].
+    gains : FloatArray, shape (2,)
+        Acceleration by each squared voltage [m/(s²·V²)].
+    stiffness_error, gain_error : float
+        Standard errors of the squared frequency and of the difference of the gains.
     """
 
     place: float
@@ -146,8 +156,13 @@ def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotio
         / scale**2
     )
     variance = np.where(variance > 0.0, variance, np.inf)  # rounding alone is left of what the rows do not determine
-    errors = float(np.sqrt(variance[1])), float(np.sqrt(variance[4:].sum()))
-    return _SmallMotion(place, -float(solution[1] / scale[1]), solution[4:] / scale[4:], *errors)
+    return _SmallMotion(
+        place=place,
+        stiffness=-float(solution[1] / scale[1]),
+        gains=solution[4:] / scale[4:],
+        stiffness_error=float(np.sqrt(variance[1])),
+        gain_error=float(np.sqrt(variance[4:].sum())),
+    )
 
 
 def _weighted(estimates: Sequence[tuple[float, float]]) -> float:

@@ -1,8 +1,8 @@
 """The outer descent on the lag time T_z of eq. 37, with the linear weights eliminated.
 
-For a given T_z the weights follow from linear least squares, so the cost is a function of T_z alone (variable
-projection, Golub & Pereyra 1973, doi:10.1137/0710036) and its gradient needs no derivative of the weights. Only
-the damping block of the regressor depends on T_z; the Gram matrix of the rest is computed once.
+For a given T_z the weights follow from linear least squares. So the cost is a function of T_z alone, and its gradient
+needs no derivative of the weights (variable projection, Golub & Pereyra 1973, doi:10.1137/0710036). Only the damping
+block of the regressor depends on T_z; the Gram matrix of the rest is computed once.
 """
 
 from collections.abc import Sequence

@@ -149,16 +149,16 @@ class LaggedEquation:
             Room for inputs and curves.
         """
         return LaggedJoint(
-            v,
-            self.squared,
-            parts,
-            None if reach is None else reach**2,
-            np.ascontiguousarray(self.centres),
-            np.ascontiguousarray(self.weights),
-            1.0 / self.width,
-            float(self.lag),
-            u,
-            values,
+            v=v,
+            squared=self.squared,
+            parts=parts,
+            farthest=None if reach is None else reach**2,
+            centres=np.ascontiguousarray(self.centres),
+            weights=np.ascontiguousarray(self.weights),
+            inverse=1.0 / self.width,
+            lag=float(self.lag),
+            u=u,
+            values=values,
         )
 
 

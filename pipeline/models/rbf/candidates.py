@@ -240,7 +240,7 @@ def joint_offers(
 
     def taught(best: Candidate) -> list[Candidate]:
         """Hidden shapes, or what is decided, as simulated joints have them."""
-        structures = [one.structure for one in (best, *shapes(best))]
+        structures = [each.structure for each in (best, *shapes(best))]
         return [population_candidate(structure) for structure in structures if mirrored and knows(structure)]
 
     def untaught(best: Candidate) -> list[Candidate]:

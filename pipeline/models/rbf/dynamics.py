@@ -57,12 +57,34 @@ CENTRE, ARC, DRAG, STOPS = range(3, 7)
 
 
 class Coefficients(NamedTuple):
-    """Everything in the equation of motion but the inputs.
+    """Everything in the equation of motion but the K inputs, for L relaxing elements, S of them shapes, and D slips.
 
-    curves (2+K+L+S(1+K), 4+M) of S shape elements · rates (L,) [1/s] · slip_force (D,), slip_length (D,) · inertia (2,)
-    = a, x₀ · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
-    turning arm is arm[0] + arm[1] x; zeros for another joint · drag: κ · stops (4,): places of two end stops,
-    their stiffness and resistance; empty without · ends (2, 4+M), at_ends (2,): basis and F at low and high.
+    Attributes
+    ----------
+    curves : FloatArray, shape (2 + K + L + S (1 + K), 4 + M)
+        Weights of the curves, in the order of the rows above.
+    rates : FloatArray, shape (L,)
+        Relaxation rates [1/s].
+    slip_force, slip_length : FloatArray, shape (D,)
+        Forces and lengths of Dahl friction.
+    inertia : FloatArray, shape (2,)
+        a and x₀ of a tip on an arc.
+    centres : FloatArray, shape (M,)
+        Centres of the Gaussians.
+    bend : float
+        1/(2σ²).
+    low, high : float
+        Ends of the Gaussians' range.
+    arm : FloatArray, shape (2,)
+        The angle q [rad] of a turning arm is arm[0] + arm[1] x; zeros for another joint.
+    drag : float
+        κ.
+    stops : FloatArray, shape (4,) or (0,)
+        Places of two end stops, their stiffness and resistance; empty without stops.
+    ends : FloatArray, shape (2, 4 + M)
+        Basis at `low` and `high`.
+    at_ends : FloatArray, shape (2,)
+        F there.
     """
 
     curves: FloatArray
@@ -166,13 +188,40 @@ LOAD, PULL, RATE_NOW, OWN_SLOPE = range(4)
 class ObservedJoint(NamedTuple):
     """A joint in a run. The state is x, p and L relaxing elements, then their P sensitivities, row by row.
 
-    c, wrt, u, du, held as in `observed_run` · measured (n,): x at every half step · observer (N,): its gain of each
-    interval [1/s] · parts: half steps in an interval · now (2,): half step at which the step began, its observer gain ·
-    began (1 + P,): x there and its sensitivities · slip, sliding (D, 1 + P): friction states there, and as they act ·
-    basis, slopes (4 + M,), curvatures (M,), values, changes (C,): basis and the C curves, and their slopes · by_curve
-    (C,), by (13,): derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag, stops; of F by F (`INSIDE`) ·
-    relaxing (4, L): of each element its load, the inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its
-    own curves make · states, sensitivity: at the samples, filled.
+    Attributes
+    ----------
+    c, wrt, u, du, held
+        As in `observed_run`.
+    measured : FloatArray, shape (n,)
+        x at every half step.
+    observer : FloatArray, shape (N,)
+        Observer gain of each interval [1/s].
+    parts : int
+        Half steps in an interval.
+    now : FloatArray, shape (2,)
+        Half step at which the step began, and its observer gain.
+    began : FloatArray, shape (1 + P,)
+        x there and its sensitivities.
+    slip, sliding : FloatArray, shape (D, 1 + P)
+        Friction states there, and as they act.
+    basis, slopes : FloatArray, shape (4 + M,)
+        Basis at x and its slopes.
+    curvatures : FloatArray, shape (M,)
+        Second derivatives of the Gaussians.
+    values, changes : FloatArray, shape (C,)
+        The C curves at x and their slopes.
+    by_curve : FloatArray, shape (C,)
+        Derivatives of ṗ by the curves.
+    by : FloatArray, shape (13,)
+        Derivatives of ṗ by x, p, push, arm, arc, drag and the four numbers of the stops; then those of the confined
+        force from `INSIDE` on.
+    relaxing : FloatArray, shape (4, L)
+        Of each element its load, the inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its own curves
+        make.
+    states : FloatArray, shape (N, 3 + L + D)
+        States at the samples; filled.
+    sensitivity : FloatArray, shape (N, P)
+        Sensitivities of x at the samples; filled.
     """
 
     c: Coefficients
@@ -351,7 +400,7 @@ def slide(
 
 @compiled
 def slid(x: FloatArray, length: float) -> FloatArray:
-    """A Dahl state along a path, shape (N,), relaxed at its beginning. Cost: 20 ns per sample."""
+    """A Dahl state along a path, shape (N,), relaxed at its beginning. Cost: 5 ns per sample."""
     states = np.zeros(len(x))
     for n in range(1, len(x)):
         states[n] = _dahl_move((states[n - 1], x[n] - x[n - 1], length))[0]
@@ -396,26 +445,26 @@ def _traced(c: Coefficients, slip: Sequence[Any]) -> ObservedJoint:
     values, changes, by_curve = (np.empty(curves, dtype=object) for _ in range(3))
     nothing = np.empty(0)
     return ObservedJoint(
-        c,
-        no_sensitivities(),
-        nothing,
-        nothing,
-        False,
-        nothing,
-        nothing,
-        1,
-        nothing,
-        nothing,
-        sliding,
-        sliding,
-        basis,
-        slopes,
-        curvatures,
-        values,
-        changes,
-        by_curve,
-        np.empty(13, dtype=object),
-        np.empty((4, len(c.rates)), dtype=object),
-        nothing,
-        nothing,
+        c=c,
+        wrt=no_sensitivities(),
+        u=nothing,
+        du=nothing,
+        held=False,
+        measured=nothing,
+        observer=nothing,
+        parts=1,
+        now=nothing,
+        began=nothing,
+        slip=sliding,
+        sliding=sliding,
+        basis=basis,
+        slopes=slopes,
+        curvatures=curvatures,
+        values=values,
+        changes=changes,
+        by_curve=by_curve,
+        by=np.empty(13, dtype=object),
+        relaxing=np.empty((4, len(c.rates)), dtype=object),
+        states=nothing,
+        sensitivity=nothing,
     )

@@ -90,7 +90,7 @@ def identify_rbf(
     measured : KnownCurves, optional
         Measured curves, which are kept; only the rest is learned.
     time_limit : float
-        Processor time [s] by the cost model of `pipeline.fitting.descent`, which counts evaluations: the same
+        Processor time [s] by the cost model of `pipeline.models.rbf.problem`, which counts evaluations: the same
         data and limit give the same model on every machine. The structure search takes at most 0.6 of it. Where a
         structure is searched on more than `SAMPLES_OF_LIMIT` samples, it is as many times as long.
     on_progress : callable
@@ -130,12 +130,13 @@ def identify_rbf(
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
     at_end = fitted.problem.jacobian(fitted.fit.theta, fitted.fit.levels[-1].gain)
     model = RbfModel(
-        fitted.parameters,
-        fitted.fit.theta,
-        posterior_factor(fitted.fit, fitted.prior),
-        robust_spread(*at_end, fitted.fit.noise, fitted.prior),
-        mass,
-        _diagnostics(records, fitted, tried) | {"effort_s": setting.effort.spent, "search_complete": complete},
+        parameters=fitted.parameters,
+        theta=fitted.fit.theta,
+        spread=posterior_factor(fitted.fit, fitted.prior),
+        band_spread=robust_spread(*at_end, fitted.fit.noise, fitted.prior),
+        mass_kg=mass,
+        diagnostics=_diagnostics(records, fitted, tried)
+        | {"effort_s": setting.effort.spent, "search_complete": complete},
     )
     model = replace(model, diagnostics=model.diagnostics | {"elements": model.acting(records)})
     return replace(model, tube=scale_on(records, model, fitted.rms, TUBE_MARGIN, TUBE_LEAST))
@@ -196,7 +197,13 @@ def _fit_to_all(
             problem,
             theta,
             prior,
-            Schedule(gains, ITERATIONS, LAST_ITERATIONS, tolerance, option.noise_inflation),
+            Schedule(
+                gains=gains,
+                iterations=ITERATIONS,
+                last_iterations=LAST_ITERATIONS,
+                tolerance=tolerance,
+                noise_inflation=option.noise_inflation,
+            ),
             callbacks=Callbacks(
                 enough=lambda: setting.effort.exhausted(share), on_progress=report, is_chaotic=problem.is_chaotic
             ),
@@ -216,7 +223,12 @@ def _fit_to_all(
         last = descend(complete, fit.theta, gains[-1:], 1.0)
         fit, problem = (last, complete) if last.levels else (fit, problem)
     return _Fitted(
-        option, p, fit, prior, fit.residual[problem.of_displacement] if fit.levels else fit.residual, problem
+        candidate=option,
+        parameters=p,
+        fit=fit,
+        prior=prior,
+        errors=fit.residual[problem.of_displacement] if fit.levels else fit.residual,
+        problem=problem,
     )
 
 

@@ -1,8 +1,8 @@
 """Parameters of the data-driven joint: names, order, and their way into the equation of motion.
 
-Quantities that must be positive are carried as logarithms (damping, gains of a squared input up to their sign, the
-confining cubic, rates, friction, inertia), so every parameter vector is a passive, confined joint and the
-estimation needs no constraints.
+Quantities that must be positive are carried as logarithms: damping, gains of a squared input up to their sign, the
+confining cubic, rates, friction, inertia. So every parameter vector is a passive, confined joint, and the estimation
+needs no constraints.
 """
 
 from functools import cached_property
@@ -176,20 +176,20 @@ class ParameterLayout:
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
         end_stops = np.concatenate((part["stops"][:2], np.exp(part["stops"][2:])))  # places; stiffness, resistance
         c = Coefficients(
-            curves,
-            np.exp(part["rate"]),
-            np.exp(part["slip_force"]),
-            slip_length,
-            inertia,
-            self.centres,
-            self.bend,
-            low,
-            high,
-            self.arm,
-            float(np.exp(part["drag"]).sum()),
-            end_stops,
-            np.zeros((2, curves.shape[1])),
-            np.zeros(2),
+            curves=curves,
+            rates=np.exp(part["rate"]),
+            slip_force=np.exp(part["slip_force"]),
+            slip_length=slip_length,
+            inertia=inertia,
+            centres=self.centres,
+            bend=self.bend,
+            low=low,
+            high=high,
+            arm=self.arm,
+            drag=float(np.exp(part["drag"]).sum()),
+            stops=end_stops,
+            ends=np.zeros((2, curves.shape[1])),
+            at_ends=np.zeros(2),
         )
         ends = basis_rows(np.array([low, high]), c)
         return c._replace(ends=ends, at_ends=ends @ curves[FORCE])
@@ -222,9 +222,11 @@ class ParameterLayout:
                 continue
             kind = _KINDS.get(name, WEIGHT)
             if kind == WEIGHT:
-                first, column = self.rows[name], self.basis_of(name).start
+                first = self.rows[name]
+                column = self.basis_of(name).start
             else:
-                first, column = where.start - shape if kind == INPUT_SHAPE else _PLACES.get(name, 0), 0
+                first = where.start - shape if kind == INPUT_SHAPE else _PLACES.get(name, 0)
+                column = 0
             blocks.append((kind, first, column, where.start))
         kind, first, column, start = np.array(blocks, dtype=np.int64).T
         return kind.copy(), first.copy(), column.copy(), np.append(start, self.count)
@@ -262,9 +264,9 @@ class ParameterLayout:
 
         Notes
         -----
-        They pass delay and lag, solved exactly, and are bent and squared after that, because it is the drive (the
-        propeller's speed, the electrodes' charge) that lags and its square that pulls. Where the effect lags, as heat
-        does, they are bent and squared first.
+        They pass delay and lag, solved exactly, and are bent and squared after that: the drive lags, as a propeller's
+        speed or the electrodes' charge does, and its square pulls. Where the effect lags, as heat does, they are bent
+        and squared first.
         """
         drive = drive_at_nodes(v, interval, steps, self.structure.hold, self.delay(theta), squared=self.squares_first)
         return self.acting(drive / self.scales.volts, interval / steps / 2.0, theta)
@@ -324,7 +326,8 @@ class ParameterLayout:
             outputs = PAST_ZONE.evaluate(drive=drive[..., None], zone=zone)
             drive = outputs["value"][..., 0]
             steep = outputs["slopes"][..., 0]
-            slope, by_shape = slope * steep, np.concatenate((by_shape * steep, zone * outputs["slopes"][None, ..., 1]))
+            slope = slope * steep
+            by_shape = np.concatenate((by_shape * steep, zone * outputs["slopes"][None, ..., 1]))
         if self.law == "squared":
             size = np.abs(drive) if self.structure.hold == "record" and self.squares_first else drive
             return size * drive, 2.0 * size * slope, 2.0 * size * by_shape

@@ -255,14 +255,14 @@ PIN_STEPS = 20
 
 PINNED = 1e-3
 """Standard deviation of the logarithm of the confining cubic beside a known force. All other weights of the force are
-linear; with a free logarithm the rows, which are of first order, let the ends of the curve move by 3.6 %."""
+linear. With a free logarithm the rows, which are of first order, let the ends of the curve move by 3.6 %."""
 
 
 def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: KnownCurves) -> tuple[FloatArray, Prior]:
     """Start vector and prior that keep the known curves.
 
-    Weights are carried as logarithms where they have one sign, so the rows are those of the curves' first order at the
-    start, which follows the measured points as the prior allows.
+    Weights of one sign are carried as logarithms. So the rows are of first order in the curves at the start, and the
+    start follows the measured points as far as the prior allows.
 
     Parameters
     ----------
@@ -275,7 +275,8 @@ def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: Kn
     measured : KnownCurves
         Per unit mass.
     """
-    start, (_, scale) = start.copy(), p.dimensionless
+    start = start.copy()
+    _, scale = p.dimensionless
     for _ in range(PIN_STEPS):
         pinned = _pinned(p, start, prior, measured)
         free = np.any(pinned.matrix[len(prior.right) :] != 0.0, axis=0)

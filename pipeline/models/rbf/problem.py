@@ -120,11 +120,30 @@ _PARTED = 1e-2
 class _Log:
     """A log as it is simulated: every so-many-th sample.
 
-    measured, observe (N,): x, and the share of it that an observer follows · start: velocity
-    [1/s] · interval [s] · split: samples in the residual · travel (N − 1,), weight: mean measured velocity [1/s] of
-    each interval, NaN where it is not known, and the time [s] that makes it a displacement; no travel without such a
-    channel · inputs: those of `past` intervals before included for a lag · every: their samples per interval ·
-    spacing: their interval [s] · nodes: scaled inputs at every half step, by steps per interval and delay.
+    Attributes
+    ----------
+    measured, observe : FloatArray, shape (N,)
+        x, and the share of it that an observer follows.
+    start : float
+        Velocity at the first sample [1/s].
+    interval : float
+        Interval of the simulated samples [s].
+    split : int
+        Samples in the residual.
+    travel : FloatArray, shape (N − 1,), or None
+        Mean measured velocity [1/s] of each interval, NaN where it is not known; None without such a channel.
+    weight : float
+        Time [s] that makes a velocity a displacement.
+    inputs : FloatArray
+        Inputs, for a lag with those of `past` intervals before.
+    past : int
+        Intervals before the first sample.
+    every : int
+        Samples of the inputs in an interval.
+    spacing : float
+        Interval of these samples [s].
+    nodes : dict
+        Scaled inputs at every half step, by steps per interval and delay.
     """
 
     measured: FloatArray
@@ -142,7 +161,7 @@ class _Log:
 
     @cached_property
     def spline(self) -> CubicSpline:
-        """Through the inputs; a delay asks for it at other times in every run."""
+        """Spline through the inputs, which a run with a delay reads at other times each time."""
         return spline_through(known_inputs(self.inputs))
 
     @property
@@ -201,7 +220,7 @@ class JointProblem:
         Longest integration step, as `STEP`.
     thinning : int
         Where samples are closer than a step, at most every so-many-th is simulated; inputs are then averaged over the
-        samples between. A log that moves slowly says little of how fast its device could, so this needs care.
+        samples between. A log that moves slowly does not show how fast its device could, so this needs care.
     effort : Effort, optional
         Counts the simulations.
     """
@@ -323,18 +342,18 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
     split = len(measured) if free_after is None else int(free_after * len(measured))
     travel, weight = _travel(p, record, every)
     return _Log(
-        measured,
-        observe,
-        float(record.qdot[0] / s.half),
-        every * record.interval,
-        split,
-        travel,
-        weight,
-        inputs,
-        past,
-        every,
-        record.interval,
-        {},
+        measured=measured,
+        observe=observe,
+        start=float(record.qdot[0] / s.half),
+        interval=every * record.interval,
+        split=split,
+        travel=travel,
+        weight=weight,
+        inputs=inputs,
+        past=past,
+        every=every,
+        spacing=record.interval,
+        nodes={},
     )
 
 
@@ -342,8 +361,8 @@ def _travel(p: ParameterLayout, record: Log, every: int) -> tuple[FloatArray | N
     """Mean measured velocity [1/s] over each simulated interval, NaN where it is not known; and its weight [s].
 
     It is the integral of the cubic with the measured velocity and its slope at the samples. The weight makes errors of
-    velocity and displacement as large as each other where noise alone makes them, but no larger than those of a
-    vibration at the device's frequency scale: a model that errs is not to be judged by its velocity alone.
+    velocity as large as those of displacement where both are noise. It is at most that of a vibration at the device's
+    frequency scale, so that a model that errs is not judged by its velocity alone.
     """
     if record.velocity is None:
         return None, 0.0

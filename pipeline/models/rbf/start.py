@@ -70,7 +70,8 @@ def data_scales(
         rms(np.concatenate([getattr(r, name)[r.valid] for r in records])) / half for name in ("qdot", "qddot")
     )
     slopes = np.concatenate([np.gradient(np.where(r.valid, r.qdot, np.nan), r.interval) for r in records])
-    return JointScales(middle, half, volts, acceleration, speed, rms(slopes[np.isfinite(slopes)]) / half)
+    slope = rms(slopes[np.isfinite(slopes)]) / half
+    return JointScales(middle=middle, half=half, volts=volts, stiffness=acceleration, speed=speed, slope=slope)
 
 
 def starting_joint(
@@ -299,7 +300,8 @@ def _motion(records: Sequence[Log], p: ParameterLayout) -> tuple[list[FloatArray
     basis = basis_rows(x, p.coefficients(np.zeros(p.count)))
     damping = -speed[:, None] * basis[:, p.basis_of("damping")]
     if shape.overdamped:
-        damping, target = np.zeros_like(damping), OVERDAMPED * s.frequency * speed
+        damping = np.zeros_like(damping)
+        target = OVERDAMPED * s.frequency * speed
     return [basis[:, p.basis_of("force")], damping, basis[:, p.basis_of("input0")]], target
 
 
@@ -339,7 +341,8 @@ def _bounded_fit(
         high[POLYNOMIALS - 1] = 0.0
     low[ends[0] : ends[1]] = 0.0
     for first, last, sign in zip(ends[1:], ends[2:], signs, strict=False):
-        low[first:last], high[first:last] = (0.0 if sign > 0 else -np.inf), (0.0 if sign < 0 else np.inf)
+        low[first:last] = 0.0 if sign > 0 else -np.inf
+        high[first:last] = 0.0 if sign < 0 else np.inf
     # The triangular factor has the normal equations' size but not their squared condition number.
     scaled = np.vstack((matrix / norms, RIDGE * np.eye(matrix.shape[1])))
     q, r = np.linalg.qr(scaled)
@@ -382,5 +385,6 @@ def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[fl
             theta[at[f"pull{i}_{k}"]] = sign * START_PULL * np.sqrt(s.stiffness) / overlap
     theta[at["rate"]] = np.log(np.array(p.structure.rates) * s.frequency)
     theta[at["inertia"]] = np.log(0.1)
-    theta[at["drag"]], theta[at["input_zone"]] = np.log(START_DRAG), np.log(ZONE)
+    theta[at["drag"]] = np.log(START_DRAG)
+    theta[at["input_zone"]] = np.log(ZONE)
     return theta

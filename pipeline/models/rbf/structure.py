@@ -142,7 +142,7 @@ def known_inputs(v: FloatArray) -> FloatArray:
 
 
 def spline_through(inputs: FloatArray) -> CubicSpline:
-    """The cubic spline through inputs, over their numbers. Cost: 150 ns each."""
+    """The cubic spline through inputs, over their numbers. Cost: 40 ns each."""
     return CubicSpline(np.arange(len(inputs)), inputs)
 
 
@@ -170,7 +170,7 @@ def drive_at_nodes(
         The inputs between the times at which they are known; "record" is linear between the finer ones, see
         `_record_nodes`.
     delay : float
-        Time [s] by which they act later; before the first sample they are what they were there.
+        Time [s] by which they act later; before the first sample they are those of the first.
     spline : CubicSpline, optional
         `spline_through` the inputs, where it is known.
     squared : bool
@@ -180,7 +180,7 @@ def drive_at_nodes(
     -------
     FloatArray, shape (2·steps·(N−1)+1, K)
         With "zero" the value of a node is that of the step which begins at it, with a delay its mean over that step.
-        Cost: 10 ns per node and input, with a delay or a spline 35.
+        Cost: 5 ns per node and input, on a spline 7 to 16.
     """
     inputs = known_inputs(v)
     spacing = interval * len(v) / len(inputs)
@@ -235,7 +235,7 @@ def _record_nodes(inputs: FloatArray, first: float, step: float, steps: int) -> 
 
     Notes
     -----
-    Cost: 8 ns for each line of each input. Gauss's two points integrate a line times a parabola exactly.
+    Cost: 12 to 20 ns for each line of each input. Gauss's two points integrate a line times a parabola exactly.
     """
     last, columns = len(inputs) - 1, inputs.shape[1]
     nodes = np.zeros((2 * steps + 1, columns))

@@ -161,12 +161,16 @@ def search(
 ) -> SearchResult:
     """One offer after the other, each to the best candidate so far: `once`, then `again` until none is taken.
 
-    The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. A
-    candidate with more parameters replaces the one before only if its free run errs less, and it errs less by more than
-    a standard error (`surely_smaller`) there or coupled to the measurement; one with fewer unless its free run errs
-    more by that, or `FAR` times as much and coupled more by that, or `TOO_SIMPLE` times as much, and surely, over what
-    it was fitted to. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is
-    worth few independent samples, where coupled ones forget.
+    The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. One
+    surely errs less than another if the difference exceeds a standard error (`surely_smaller`).
+
+    * A candidate with more parameters replaces the one before if its free run errs less, and if it surely errs less in
+      free run or coupled to the measurement.
+    * A candidate with fewer parameters replaces it unless it surely errs more in one of three ways: in free run;
+      coupled, where its free run errs `FAR` times as much; or by `TOO_SIMPLE` times over what it was fitted to.
+
+    A free run carries an error on. Of a mass without spring, or near a separatrix, it is worth few independent samples,
+    where coupled ones forget.
 
     Parameters
     ----------
@@ -344,14 +348,13 @@ def _judge(records: Sequence[Log], setting: Setting, option: Candidate, near: _J
     """
     folds = _folds(records)
     timed = option.structure.input_lag or option.structure.input_delay
-    first = setting.begin(folds[0][0], option)
     errors = list[FloatArray]()
     fits = list[Fit]()
     chaotic = False
     followed = np.empty(0)
     for i, (fitted, judged, after) in enumerate(folds):
         # One log may say little of lag and delay, and even of a gain's sign: they start as the fit of all has them.
-        p, start, prior = setting.begin(folds[i][0], option, fits[0] if timed else None) if i else first
+        p, start, prior = setting.begin(fitted, option, fits[0] if timed and fits else None)
         fit = _quick_fit(p, fitted, start, prior, setting, option, near.fits[i] if near else None)
         problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
         at = (COUPLED, setting.coupled)
@@ -360,7 +363,9 @@ def _judge(records: Sequence[Log], setting: Setting, option: Candidate, near: _J
         fits.append((p, fit.theta))
         chaotic = chaotic or fit.chaotic
         followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.coupled)
-    return _Judged(tuple(errors), followed, tuple(fits), chaotic, _idle(fits, records[0].interval))
+    return _Judged(
+        errors=tuple(errors), fitted=followed, fits=tuple(fits), chaotic=chaotic, idle=_idle(fits, records[0].interval)
+    )
 
 
 def _followed(problem: JointProblem, theta: FloatArray, gain: float) -> FloatArray:
@@ -398,7 +403,13 @@ def _quick_fit(
             problem,
             theta,
             prior,
-            Schedule(strong, steps, 2 * steps, 1e-3, option.noise_inflation),
+            Schedule(
+                gains=strong,
+                iterations=steps,
+                last_iterations=2 * steps,
+                tolerance=1e-3,
+                noise_inflation=option.noise_inflation,
+            ),
             callbacks=Callbacks(
                 on_progress=setting.progress(option.label, p.scales.half), is_chaotic=problem.is_chaotic
             ),

@@ -148,7 +148,8 @@ def _fitted(problem: Problem, candidate: Treatment, fold: int | None) -> Polynom
     velocity = np.zeros((1, d.scales.size + used.size), dtype=np.int64)
     velocity[0, QDOT] = 1
     table = np.zeros((2, nonzero.size + 1))
-    table[0, 0], table[1, 1:] = d.scales[QDOT], coefficients[nonzero]  # q̇ = v, not regressed
+    table[0, 0] = d.scales[QDOT]  # q̇ = v, not regressed
+    table[1, 1:] = coefficients[nonzero]
     columns_left = np.concatenate([np.arange(d.scales.size), d.scales.size + used])
     return replace(
         d,

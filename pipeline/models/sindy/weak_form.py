@@ -64,7 +64,8 @@ def feature_library(variables: int, angle: bool) -> Any:
     tensors = [[0, 1, 1]]
     if angle:
         libraries.append(pysindy.PolynomialLibrary(1))
-        inputs, tensors = [*inputs, [SINE, COSINE]], [[0, 1, 1, 0], [0, 0, 1, 1]]
+        inputs = [*inputs, [SINE, COSINE]]
+        tensors = [[0, 1, 1, 0], [0, 0, 1, 1]]
     return pysindy.GeneralizedLibrary(libraries, tensors, inputs, exclude_libraries=[1, 2])
 
 
@@ -226,6 +227,12 @@ class Problem:
         The candidate terms.
     empty : PolynomialDynamics
         Scales, all lags and bounds, without terms.
+    span : float
+        Range of q [m or rad].
+    time_scale : float
+        RMS q̇ over RMS q̈ [s].
+    half_width : float
+        H of the test functions [s].
     """
 
     trajectories: Sequence[Log]
@@ -274,23 +281,29 @@ def prepare_problem(trajectories: Sequence[Log], plant: Device) -> Problem:
     followed = (QDOT, *range(FIRST_INPUT, scales.size))
     times = [time_scale * ratio for ratio in sorted({ratio for ratios in LAG_SETS for ratio in ratios})]
     lags = tuple(Lag(source, time) for time in times if time >= _SHORTEST_LAG * interval for source in followed)
-    no_terms = np.zeros((0, scales.size + len(lags)), dtype=np.int64), np.zeros((2, 0))
-    empty = PolynomialDynamics(*no_terms, scales, lags, plant.squared, *escape_bounds(low, high))
+    empty = PolynomialDynamics(
+        np.zeros((0, scales.size + len(lags)), dtype=np.int64),
+        np.zeros((2, 0)),
+        scales,
+        lags,
+        plant.squared,
+        *escape_bounds(low, high),
+    )
     blocks = held_out_blocks(trajectories)
     half_width = _half_width(trajectories, blocks, time_scale)
     angle = plant.displacement.symbol == "rad"
     weak = [_weak_block(trajectories, block, empty, half_width, angle) for block in blocks]
     usable = [i for i, (exponents, _, _) in enumerate(weak) if len(exponents)]
     return Problem(
-        trajectories,
-        [blocks[i] for i in usable],
-        [weak[i][1] for i in usable],
-        [weak[i][2] for i in usable],
-        weak[usable[0]][0],
-        empty,
-        high - low,
-        time_scale,
-        half_width,
+        trajectories=trajectories,
+        blocks=[blocks[i] for i in usable],
+        rows=[weak[i][1] for i in usable],
+        targets=[weak[i][2] for i in usable],
+        exponents=weak[usable[0]][0],
+        empty=empty,
+        span=high - low,
+        time_scale=time_scale,
+        half_width=half_width,
     )
 
 
