@@ -403,16 +403,16 @@ def check_rows(findings: Sequence[Finding]) -> list[CheckRow]:
     """The findings of a check as rows."""
     return [
         CheckRow(
-            finding.log,
-            shown.what,
-            shown.found,
-            shown.limit,
-            STATES[finding.severity],
-            finding.gate,
-            shown.advice if finding.severity in ("fair", "poor") else "",
-            shown.more,
-            _in_si(finding),
-            finding.code,
+            log=finding.log,
+            what=shown.what,
+            found=shown.found,
+            limit=shown.limit,
+            state=STATES[finding.severity],
+            gate=finding.gate,
+            advice=shown.advice if finding.severity in ("fair", "poor") else "",
+            more=shown.more,
+            values=_in_si(finding),
+            code=finding.code,
         )
         for finding, shown in zip(findings, map(log_sentences.row, findings), strict=True)
     ]
