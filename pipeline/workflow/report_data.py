@@ -222,16 +222,19 @@ def load_datasheet(root: Path) -> dict[str, Any]:
 
 def ingested(run: RunFolder) -> list[dict[str, Any]]:
     """Ingest results of each log: rows of its uniform record, their interval [s], masked rows, and gaps in time."""
+    logs = [
+        (log_title(role, true_name(path)), run.record(layout.signals(role, log)).notes)
+        for role, log, path in layout.logs(run.prototype)
+    ]
     return [
         {
-            "log": log_title(role, true_name(path)),
+            "log": title,
             "rows": notes["rows"],
             "masked_rows": notes["masked_rows"],
             "interval_s": notes["interval"],
             "gaps": notes["gaps_in_time"],
         }
-        for role, log, path in layout.logs(run.prototype)
-        for notes in [run.record(layout.signals(role, log)).notes]
+        for title, notes in logs
     ]
 
 
