@@ -154,7 +154,8 @@ def rest_facts(
 
     Notes
     -----
-    Cost: 8 ms a ring-down, at most `MOST_RING_DOWNS` in a log, evenly over it.
+    Cost: 1 ms a ring-down in samples of 10 ms, 3 ms in samples of 1 ms. At most `MOST_RING_DOWNS` in a log are looked
+    at, evenly over it.
     """
     places: tuple[list[float], list[float]] = ([], [])
     rings: tuple[list[RingDown], list[RingDown]] = ([], [])

@@ -191,23 +191,28 @@ def _pairs(
 def score_text(root: Path, form: Format) -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
     if form == "csv":
-        return scores_csv(
-            *in_snapshot(root, lambda run: ((records := run.read_records(layout.SCORES)), _times(run, records)))
-        )
+        scores, _, times = in_snapshot(root, _timed_scores)
+        return scores_csv(scores, times)
     return "\n".join(render(table, form) for table in score_tables(root))
 
 
 def score_tables(root: Path) -> tuple[NrmseTable, ...]:
     """Errors with fitting and simulation times, and behaviour of all models on all logs."""
-    times, shown = in_snapshot(
-        root, lambda run: (_times(run, records := run.read_records(layout.SCORES)), _shown(run, records))
-    )
+    _, shown, times = in_snapshot(root, _timed_scores)
     return tuple(table for table in (nrmse_table(shown, times), behaviour_table(shown)) if table.rows)
 
 
 def shown_scores(root: Path) -> list[dict[str, Any]]:
     """The score rows of a run for readers: the logs by their true names."""
     return in_snapshot(root, lambda run: _shown(run, run.read_records(layout.SCORES)))
+
+
+def _timed_scores(
+    run: RunFolder,
+) -> tuple[list[dict[str, Any]], list[dict[str, Any]], dict[str, dict[str, float | None]]]:
+    """The score rows as stored and as shown to readers, and the times of their models."""
+    scores = run.read_records(layout.SCORES)
+    return scores, _shown(run, scores), _times(run, scores)
 
 
 def _shown(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
