@@ -80,7 +80,7 @@ def settings(
     parameters: str | None,
     more: Mapping[str, Any],
 ) -> Prototype:
-    """Settings for signals in SI units; `more` adds to tables of a settings file, e.g. ``{"identify": {…}}``.
+    """Settings for signals in SI units.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ class Cleaned:
 def log_in(table: Any) -> Log | None:
     """The log that a model is scored on, from a log of a run (`pipeline.api.run.Run.log`); None for other signals.
 
-    A log that is still as `Run.log` returned it is read from the run again, with its parts and with the voltages
+    A log that is still as `Run.log` returned it is read from the run again. It then has its parts and the voltages
     between the samples, as the run itself simulates it. One with other values is differentiated anew.
     """
     if not hasattr(table, "columns") or "segment" not in table:

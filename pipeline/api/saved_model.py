@@ -51,7 +51,9 @@ class _File(ModelFile):
 
 def subject_of(model: StoredModel, prototype: Prototype, logs: Sequence[Log]) -> Subject:
     """A model that was identified from kinematics, with its bounds; an export is checked on the first log."""
-    return subject_on(logs[0].longest_part(), model, prototype, logs, model.name, tree_hash(model.to_tree()))
+    return subject_on(
+        logs[0].longest_part(), model, prototype, logs=logs, name=model.name, origin=tree_hash(model.to_tree())
+    )
 
 
 def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
@@ -111,16 +113,23 @@ def load_saved(path: Path) -> tuple[Subject, Prototype]:
     model = model_from_tree(held.name, model_tree)
     plant = device(prototype)
     bounds = Validity(
-        tuple(held.q),
-        tuple(held.qdot),
-        tuple(tuple(row) for row in held.inputs),
-        prototype.ingest.sample_interval,
-        plant.displacement.symbol,
-        tuple(unit.symbol for unit in plant.inputs),
+        q=tuple(held.q),
+        qdot=tuple(held.qdot),
+        v=tuple(tuple(row) for row in held.inputs),
+        sample_interval=prototype.ingest.sample_interval,
+        q_unit=plant.displacement.symbol,
+        v_units=tuple(unit.symbol for unit in plant.inputs),
     )
-    start = float(held.start[0]), float(held.start[1])
     subject = Subject(
-        prototype.name, held.name, model, bounds, tree_hash(model_tree), held.t, held.v, start, plant.curve_units
+        prototype=prototype.name,
+        name=held.name,
+        model=model,
+        validity=bounds,
+        origin=tree_hash(model_tree),
+        t=held.t,
+        v=held.v,
+        start=(float(held.start[0]), float(held.start[1])),
+        curve_units=plant.curve_units,
     )
     return subject, prototype
 

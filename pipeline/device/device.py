@@ -136,8 +136,8 @@ class Device:
     def peaks(self, v: FloatArray) -> FloatArray:
         """Largest magnitude of each input, shape (K,), against which its steps and rests are seen.
 
-        Of the joint, whose voltages are of one kind, the larger one of both; of another device each input's own, but
-        not less than a twentieth of the largest, so that the noise of an unused one is no step.
+        The voltages of the joint are of one kind, so both have the larger one. Another device has each input's own, but
+        not less than a twentieth of the largest: the noise of an unused input is then no step.
         """
         own: FloatArray = np.max(np.abs(v), axis=0, initial=0.0)
         largest = float(np.max(own, initial=0.0))

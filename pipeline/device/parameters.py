@@ -1,7 +1,7 @@
 """Parameters of the joint (Table 1): frozen sets by name and from files, with SI unit and meaning of every number.
 
-A name without a prefix (``E``, ``b``) means the beam, the mass, or both membranes; ``left.b`` and ``right.b``
-mean one side, because asymmetry is what a real joint has and the paper's analytical model lacks.
+A name without a prefix (``E``, ``b``) means the beam, the mass, or both membranes; ``left.b`` and ``right.b`` mean one
+side. A real joint is asymmetric; the paper's analytical model is not.
 """
 
 import difflib

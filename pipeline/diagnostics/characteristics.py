@@ -21,9 +21,9 @@ from .run_data import RunData
 COVERAGE = 0.9  # share of the draws inside a band or an interval
 POINTS = 1201  # of the grid over the operating range
 DRAWS = 64  # of the model's curves
+COARSER = 20  # points of that grid per point at which the draws are evaluated; divides POINTS - 1
 STEEP = 5.0  # times the change of the force two grid points away, beyond which it jumps
 SMALL = 1e-3  # share of the range of the force that is no jump
-COARSER = 20  # grid of their deviation from the model's own curves; divides POINTS - 1
 
 
 @dataclass(frozen=True)
@@ -140,9 +140,9 @@ def _drawn_curves(
 ) -> list[dict[str, FloatArray]]:
     """The curves of draws from the posterior on the grid.
 
-    A draw differs from the model's own curves by little and smoothly, so the difference is evaluated at every twentieth
-    point and interpolated, which moves no limit of the datasheet by more than 1e-4 of its interval (P1): a hybrid
-    model's curve costs 0.03 ms a point.
+    A hybrid model's curve costs 0.03 ms a point. A draw differs from the model's own curves by little and smoothly, so
+    the difference is evaluated at every `COARSER`-th point and interpolated. On P1 that moves no limit of the datasheet
+    by more than 1e-4 of its interval.
     """
     from scipy.interpolate import CubicSpline
 
@@ -216,7 +216,9 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float, plant: 
     u = force[resisting] / gain[resisting]
     if plant.squared:
         return float(np.sqrt(u.max()))
-    return float(u.max() if u.mean() > 0.0 else u.min()) if np.all(u > 0.0) or np.all(u < 0.0) else None
+    if not (np.all(u > 0.0) or np.all(u < 0.0)):
+        return None
+    return float(u.max() if u[0] > 0.0 else u.min())
 
 
 def device_facts(curves: Curves, plant: Device) -> dict[str, float | None]:
@@ -263,8 +265,8 @@ def intervals(
 ) -> dict[str, tuple[float, float]]:
     """The central 90 % of each fact over the model's curve draws, where at least nine in ten have it.
 
-    A fact such as a rest does not follow linearly from the curves: where most draws lie on one side of the model's own
-    value, the interval is drawn out to that value.
+    A fact such as a rest does not follow linearly from the curves, so nearly all draws may lie on one side of the
+    model's own value. The interval is then extended to that value.
     """
     limits = {}
     for key in sorted({key for draw in draws for key in draw}):

@@ -20,7 +20,7 @@ DEALT_WITH = re.compile(
     r"masked|split there|start anew|not finite|single-sample|extreme .*saturated|kept|interpolated$|accepted"
     r"|taken as uniform|a clock of its own"
 )
-"""Remarks on what is left out of fits and scores, or what the user has decided on."""
+"""Remarks on rows that are left out of fits and scores, and on decisions of the user."""
 
 
 def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
@@ -64,9 +64,7 @@ def _remark_checks(data: RunData) -> list[Check]:
 
 
 def _masked_check(data: RunData) -> Check:
-    """Rows that are no measurement, what made them so, and what to do about each; the ends of a log that were cut off
-    count.
-    """
+    """Share of the rows without a measurement, with the count of each cause; the cut-off ends of a log count too."""
     cut = sum(float(log.record_notes.get("cut_off_s", 0.0)) / log.motion.interval for log in data.logs)
     rows = sum(len(log.motion.t) for log in data.logs) + cut
     masked = (sum(int(np.count_nonzero(~log.motion.valid)) for log in data.logs) + cut) / rows
@@ -119,13 +117,13 @@ def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
 
 
 def _signal_numbers(data: RunData) -> tuple[float, float, float]:
-    """Range of q, its largest noise and rail share over the logs."""
+    """Largest range of q, noise of q and share of rail samples over the logs."""
     spans, noises, rails = zip(*(_numbers_of_log(data, log) for log in data.logs), strict=True)
     return max(spans) or 1.0, max(noises), max(rails)
 
 
 def _numbers_of_log(data: RunData, log: LogData) -> tuple[float, float, float]:
-    """Range of q, its noise and rail share of one log."""
+    """Range of q, noise of q and share of rail samples of one log."""
     t = log.record["t"]
     quality = examine_signal(t, log.record["q"], sample_interval(t))
     # The differentiator works on the noise at the log's own rate; the record has what the filter left of it.
@@ -139,13 +137,12 @@ def _numbers_of_log(data: RunData, log: LogData) -> tuple[float, float, float]:
 def _noise_of_residual(data: RunData, log: LogData) -> float:
     """Noise of q in the residual of the main model's free run, infinite where the residual does not show the sensor.
 
-    Where the device moves within a few samples, differences of q take motion for noise (1.0 mV on an electronic
-    resonator whose model errs by 0.24 mV); those of the residual have less of it. A log that was decimated has lost
-    noise.
+    Where the device moves within a few samples, differences of q contain motion: 1.0 mV on an electronic resonator
+    whose model errs by 0.24 mV. Differences of the residual contain less of it. A decimated log has lost noise.
     """
     run = log.predictions.get(data.model_names[0])
     if run is None or log.record_notes.get("raw_step", 0.0) < NOT_DECIMATED * log.motion.interval:
         return np.inf
     residual = log.motion.q - run["q"]
     valid = residual[np.isfinite(residual) & log.motion.valid]
-    return noise_std(valid) or np.inf if valid.size else np.inf
+    return (noise_std(valid) or np.inf) if valid.size else np.inf

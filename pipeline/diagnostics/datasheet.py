@@ -1,7 +1,7 @@
 """The datasheet of a device: facts with uncertainties, from the model and, beside it, from the measurement alone."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
@@ -35,7 +35,7 @@ RING_TIME, RING_STEP = 2.0, 0.005  # s
 RING_AMPLITUDE = 0.025  # of the range of q: small enough for one frequency, large against friction
 
 RESTS = {"_left": "well_left", "_right": "well_right", "": "rest"}
-"""Facts of the places of rest by the ends of the names of what is known there."""
+"""Key of the place of rest by the suffix of the other facts there, as of ``stiffness_left``."""
 
 SCATTERED = 0.1
 """Share of the range of q: rests whose standard deviation is larger are several places."""
@@ -93,8 +93,9 @@ class DatasheetFact:
 def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
     """One finding for each fact whose modelled value lies far outside the measured ones; one good one if none does.
 
-    Compared is what the model's free runs show in the same events, by the same estimator: damping depends on the size
-    of the motion, and a rest on how long ago the joint came there. Without a free run it is the model's own value.
+    The measured values are compared with those of the model's free runs, in the same events and by the same estimator:
+    damping depends on the size of the motion, and a rest on the time since the joint came there. Without a free run
+    they are compared with the model's own value.
     """
     distances = [(fact, apart) for fact in facts if (apart := distance(fact)) is not None]
     if not distances:
@@ -214,33 +215,49 @@ def make_datasheet(data: RunData) -> Datasheet:
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
-    values: dict[str, float | None] = {}
-    limits: dict[str, tuple[float, float]] = {}
-    in_draws: dict[str, float] = {}
+    modelled = _ModelledFacts()
     if source is not None:
         drawn = draws.get(source, [])
-        values, limits, in_draws = _by_model(data, curves[source], drawn)
+        modelled = _by_model(data, curves[source], drawn)
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
         wells = believed_wells(wells, source, stable, plant=data.device)
-        rings = simulated_ring_downs(data.models[source], values, curves[source], len(data.device.inputs))
-        limits |= intervals(rings, drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device))
-        values |= rings
+        rings = simulated_ring_downs(data.models[source], modelled.values, curves[source], len(data.device.inputs))
+        of_draws = drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device)
+        modelled.limits.update(intervals(rings, of_draws))
+        modelled.values.update(rings)
     rests = rest_facts(records, wells, hum, plant=data.device)
     events = _in_free_run(data, source, wells)
-    facts = tuple(_facts(data, values, limits, in_draws, rests, wells, events))
+    facts = tuple(_facts(data, modelled, rests, wells, events))
     main_model = data.model_names[0]
     checks = (
         *data_checks(data, wells),
-        *model_checks(data, main_model, _rest_errors(events, values, rests, wells), wells),
+        *model_checks(data, main_model, _rest_errors(events, modelled.values, rests, wells), wells),
         *fact_checks(facts),
     )
-    return Datasheet(data.prototype.name, source, main_model, facts, checks, wells, rests, curves, draws)
+    return Datasheet(
+        name=data.prototype.name,
+        model=source,
+        main_model=main_model,
+        facts=facts,
+        checks=checks,
+        wells=wells,
+        rests=rests,
+        curves=curves,
+        draws=draws,
+    )
 
 
-def _by_model(
-    data: RunData, curves: Curves, draws: list[Curves]
-) -> tuple[dict[str, float | None], dict[str, tuple[float, float]], dict[str, float]]:
-    """Facts of the curves, their intervals, and the share of the draws that have each.
+@dataclass(frozen=True)
+class _ModelledFacts:
+    """Facts by the judged model, their intervals, and the share of the draws that have each, by key."""
+
+    values: dict[str, float | None] = field(default_factory=dict)
+    limits: dict[str, tuple[float, float]] = field(default_factory=dict)
+    in_draws: dict[str, float] = field(default_factory=dict)
+
+
+def _by_model(data: RunData, curves: Curves, draws: list[Curves]) -> _ModelledFacts:
+    """Facts of the curves.
 
     Stable states have neither interval nor share: a draw may have another number of them than the curves.
     """
@@ -248,7 +265,9 @@ def _by_model(
     drawn = [device_facts(draw, plant=data.device) for draw in draws]
     compared = {key for key in values if not key.startswith(STABLE)}
     limits = {key: ends for key, ends in intervals(values, drawn).items() if key in compared}
-    return values, limits, {key: share for key, share in shares(values, drawn).items() if key in compared}
+    return _ModelledFacts(
+        values, limits, {key: share for key, share in shares(values, drawn).items() if key in compared}
+    )
 
 
 def simulated_ring_downs(
@@ -288,8 +307,8 @@ def drawn_ring_downs(
 ) -> list[dict[str, float | None]]:
     """Frequencies and damping ratios of draws from a model's posterior.
 
-    They are those of the whole model where it has such draws: friction that sticks stiffens a small motion, a relaxing
-    element stiffens and damps it, and neither is in the curves. Otherwise they follow from the curves.
+    They are simulated by the whole model where it has such draws. Friction that sticks stiffens a small motion, and a
+    relaxing element stiffens and damps it; neither is in the curves. Other models have those of the curves.
 
     Parameters
     ----------
@@ -371,43 +390,41 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
 
 def _facts(
     data: RunData,
-    values: Mapping[str, float | None],
-    limits: Mapping[str, tuple[float, float]],
-    in_draws: Mapping[str, float],
+    modelled: _ModelledFacts,
     rests: RestFacts,
     wells: Wells | NoWells,
     in_free_run: Mapping[str, float],
 ) -> Iterator[DatasheetFact]:
+    """The facts that the model or the measurement has; `in_free_run` is the result of `_in_free_run`."""
     # One rest measured over several modelled ones is the mean of all, and none of them.
-    several = values.get("well_left") is not None or any(key.startswith(STABLE) for key in values)
+    several = modelled.values.get("well_left") is not None or any(key.startswith(STABLE) for key in modelled.values)
     measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
     if "rest" in measured and _scattered(measured["rest"], [log.motion.q for log in data.logs]):
         del measured["rest"]
     q = data.device.displacement.symbol
-    stiffness = "1/s²" if data.device.known_mass is None else f"{data.device.curve_units['F']}/{q}"
     units = {
         "{q}": q,
         "{v}": data.device.inputs[0].symbol,
         "{U}": data.device.energy_unit,
-        "{k}": stiffness,
+        "{k}": "1/s²" if data.device.known_mass is None else f"{data.device.curve_units['F']}/{q}",
     }
-    for key, title, unit in _listed(values):
+    for key, title, unit in _listed(modelled.values):
         samples = measured.get(key, np.empty(0))
-        if values.get(key) is None and not samples.size:
+        if modelled.values.get(key) is None and not samples.size:
             continue
-        low, high = limits.get(key, (None, None))
+        low, high = modelled.limits.get(key, (None, None))
         yield DatasheetFact(
-            key,
-            title,
-            units.get(unit, unit),
-            values.get(key),
-            low,
-            high,
-            float(np.mean(samples)) if samples.size else None,
-            float(np.std(samples, ddof=1)) if samples.size > 1 else None,
-            int(samples.size),
-            in_free_run.get(key) if samples.size else None,
-            in_draws.get(key),
+            key=key,
+            title=title,
+            unit=units.get(unit, unit),
+            value=modelled.values.get(key),
+            low=low,
+            high=high,
+            measured=float(np.mean(samples)) if samples.size else None,
+            measured_spread=float(np.std(samples, ddof=1)) if samples.size > 1 else None,
+            events=int(samples.size),
+            free_run=in_free_run.get(key) if samples.size else None,
+            in_draws=modelled.in_draws.get(key),
         )
 
 

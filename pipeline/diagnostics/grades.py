@@ -74,7 +74,14 @@ def of_finding(about: Literal["data", "model"], finding: Finding) -> Check:
     """A finding as a row of the assessment."""
     statement, advice = sentences(finding)
     return Check(
-        about, finding.code, finding.severity, statement, advice, finding.log, finding.subject, finding.numbers
+        about=about,
+        name=finding.code,
+        grade=finding.severity,
+        statement=statement,
+        advice=advice,
+        log=finding.log,
+        subject=finding.subject,
+        numbers=finding.numbers,
     )
 
 

@@ -1,27 +1,29 @@
 """Instruments of a log, measured by a fitted model: Rao's score test, then Gauss–Newton steps.
 
-A fitted model, coupled to a log by an observer, leaves a residual r that is small and nearly linear in everything. With
-δ, corrections of this log's readings, c, corrections that all logs need alike, and η, deviations of the fitted
-parameters in units of their posterior, the logs i that the model was fitted to and the log itself leave
+A fitted model, coupled to a log by an observer, leaves a residual r that is small and nearly linear in three unknowns.
+These are δ, corrections of this log's readings; c, corrections that all logs need alike; and η, deviations of the
+fitted parameters in units of their posterior. The logs i that the model was fitted to, and the log itself, leave
 
-    rᵢ + Jᵢ c + Aᵢ η = eᵢ,    r + J (δ + c) + A η = e,
+    rᵢ + Jᵢ c + Aᵢ η = eᵢ,    r + J (δ + c) + A η = e.
 
-and least squares with the prior η ~ N(0, 1) give δ. J are derivatives of the residual by corrections, and A = (∂r/∂θ) S
+Least squares with the prior η ~ N(0, 1) give δ. J are derivatives of the residual by corrections, and A = (∂r/∂θ) S
 those by parameters with the posterior covariance S Sᵀ. So δ is the difference of two readings: a model that errs alike
-on all logs gives them no different instruments. The derivatives at δ = 0 give the score test (Rao 1948,
-doi:10.1017/S0305004100023987; as a monitor of systems Benveniste, Basseville and Moustakides 1987,
-doi:10.1109/TAC.1987.1104683); steps are repeated until nothing moves, because far from zero a single one falls short.
+on all logs gives them no different instruments.
+
+The derivatives at δ = 0 give the score test (Rao 1948, doi:10.1017/S0305004100023987; as a monitor of systems
+Benveniste, Basseville and Moustakides 1987, doi:10.1109/TAC.1987.1104683). Far from zero a single step falls short, so
+steps are repeated until they are small.
 
 Errors e are serially correlated and partly the model's own. The standard error of δ is the larger of two: that of noise
 with their correlation time, and that which groups of them in a row show (jackknife,
-`pipeline.fitting.posterior.robust_spread`). What several training logs differ by among themselves is added. What is
-discrete, exchanged inputs and a mirrored q, is tried.
+`pipeline.fitting.posterior.robust_spread`). The spread of several training logs among themselves is added. Exchanged
+inputs and a mirrored q are discrete, so each is tried.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, Protocol, runtime_checkable
+from typing import Literal, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 import scipy.linalg
@@ -97,8 +99,8 @@ class Reading:
     Attributes
     ----------
     status : {"measured", "not measured", "another device"}
-        Not measured where no run follows the log, where no correction settles, and where no quantity is known to within
-        `SIGNIFICANCE` limits.
+        Not measured where no run follows the log, where the steps do not converge, where no quantity is known to within
+        `SIGNIFICANCE` limits, and where a training log leaves another residual than the others.
     exchange : {"none", "inputs", "sign", "both"}
         What had to be exchanged first.
     corrections : Corrections
@@ -233,7 +235,15 @@ class InstrumentTest:
 
     def _not_measured(self, exchange: Exchange) -> Reading:
         nothing = np.full(len(self._limits), np.nan)
-        return Reading("not measured", exchange, _corrections(0.0 * self._limits), nothing, nothing, np.nan, np.nan)
+        return Reading(
+            status="not measured",
+            exchange=exchange,
+            corrections=_corrections(0.0 * self._limits),
+            estimate=nothing,
+            standard_error=nothing,
+            residual_ratio=np.nan,
+            unlike=np.nan,
+        )
 
     def _errors(self, delta: FloatArray) -> FloatArray:
         by = _corrections(delta * self._limits)
@@ -329,37 +339,42 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
     count = log.by_corrections.shape[1]
     residuals = [each.residual for each in reference]
     shared = [np.hstack([each.by_corrections, each.by_parameters]) for each in reference]
-    widths = np.ones(shared[0].shape[1])
-    widths[:count] = FARTHEST
-    _, _, errors_alone, noise_alone = _least_squares(residuals, shared, widths, [None] * len(reference))
-    residuals.append(log.residual)
+    widths = np.append(np.full(count, FARTHEST), np.ones(log.by_parameters.shape[1]))
+    alone = _least_squares(residuals, shared, widths, [None] * len(reference))
     designs = [np.hstack([np.zeros((len(each), count)), each]) for each in shared]
     designs.append(np.hstack([log.by_corrections, log.by_corrections, log.by_parameters]))
     widths = np.append(np.full(count, FARTHEST), widths)
-    solution, covariance, errors, noise = _least_squares(residuals, designs, widths, [*noise_alone, None])
-    starts = np.cumsum([0, *(len(error) for error in errors[:-1])])
-    return _Fitted(
-        solution[:count],
-        np.sqrt(np.diag(covariance[:count, :count])),
-        rms(errors[-1]) / log.reach,
-        *_compared(errors_alone, errors[-1]),
-        np.concatenate([error / std for error, std in zip(errors, noise, strict=True)]),
-        np.concatenate([design / std for design, std in zip(designs, noise, strict=True)]),
-        Prior(np.diag(1.0 / widths), np.zeros(len(widths))),
-        [
-            start + rows
-            for start, error in zip(starts, errors, strict=True)
-            for rows in np.array_split(np.arange(len(error)), GROUPS)
-        ],
+    together = _least_squares([*residuals, log.residual], designs, widths, [*alone.noise, None])
+    rows = np.split(
+        np.arange(sum(map(len, together.errors))), np.cumsum([len(error) for error in together.errors[:-1]])
     )
+    residual_ratio, unlike = _compared(alone.errors, together.errors[-1])
+    return _Fitted(
+        step=together.solution[:count],
+        error=np.sqrt(np.diag(together.covariance[:count, :count])),
+        size=rms(together.errors[-1]) / log.reach,
+        residual_ratio=residual_ratio,
+        unlike=unlike,
+        residual=np.concatenate([error / std for error, std in zip(together.errors, together.noise, strict=True)]),
+        design=np.concatenate([design / std for design, std in zip(designs, together.noise, strict=True)]),
+        prior=Prior(np.diag(1.0 / widths), np.zeros(len(widths))),
+        groups=[group for of_log in rows for group in np.array_split(of_log, GROUPS)],
+    )
+
+
+class _Solution(NamedTuple):
+    """Least squares over logs: x (P,) and its covariance (P, P), the errors (N,) of each log, and the noise of each."""
+
+    solution: FloatArray
+    covariance: FloatArray
+    errors: list[FloatArray]
+    noise: list[float]
 
 
 def _least_squares(
     residuals: Sequence[FloatArray], designs: Sequence[FloatArray], widths: FloatArray, known: Sequence[float | None]
-) -> tuple[FloatArray, FloatArray, list[FloatArray], list[float]]:
+) -> _Solution:
     """Least squares of r + D x = e over logs with the prior x ~ N(0, widths²), in two passes.
-
-    Returned are x (P,) and its covariance (P, P), e (N,) of each log, and the noise of each.
 
     Where the noise of a log is not known it is first that of r, then that of e. Errors that last for τ samples count
     as noise of √τ times their RMS.
@@ -387,16 +402,16 @@ def _least_squares(
             rms(error) * np.sqrt(whiteness(error).integrated_correlation_time) if std is None else std
             for std, error in zip(known, errors, strict=True)
         ]
-    return solution, scipy.linalg.cho_solve(factor, np.eye(len(widths))), errors, noise
+    return _Solution(solution, scipy.linalg.cho_solve(factor, np.eye(len(widths))), errors, noise)
 
 
 def _compared(reference: Sequence[FloatArray], error: FloatArray) -> tuple[float, float]:
-    """The size of an error over that of the reference, and how surely they differ; see `Reading`.
+    """The size of an error over that of the reference, and the confidence that they differ; see `Reading`.
 
-    Welch's t test (1947, doi:10.1093/biomet/34.1-2.28) at `SIGNIFICANCE` of the logarithms of mean squares of groups:
-    errors of a model are large at some places, and groups show by how much that scatters. White noise is taken off.
-    What is left of that, of N samples, is uncertain by √(2/N) of its square; below `SIGNIFICANCE` times the largest of
-    these uncertainties nothing is compared.
+    Welch's t test (1947, doi:10.1093/biomet/34.1-2.28) at `SIGNIFICANCE`, of the logarithms of mean squares of groups:
+    errors of a model are large at some places, and groups show their scatter. White noise is subtracted. Its square is
+    known to √(2/N) from N samples; mean squares below `SIGNIFICANCE` times the largest such uncertainty are raised to
+    that.
     """
     errors = [*reference, error]
     noise = [noise_std(each) ** 2 for each in errors]

@@ -16,16 +16,16 @@ from .run_data import LogData, RunData
 BRIEF = 0.1
 """Share of a log that one place lasts at most."""
 MOST_OF_IT = 0.8
-"""Share of the squared error that one place must make."""
+"""Least share of the squared error that one place causes."""
 
 
 def instrument_findings(data: RunData, model: str) -> list[Finding]:
-    """Readings of the instruments beyond their limits; none in a run without a measurement of them."""
+    """Findings on instruments beyond their limits; none in a run that did not measure them."""
     rows = [row for row in data.instruments if row["model"] == model]
     findings = []
     logs = dict.fromkeys((row["role"], row["log"]) for row in rows)
     trained = [log for log in logs if log[0] == "train"]
-    if len(trained) == 2:  # each is compared with the other: neither is the wrong one by that
+    if len(trained) == 2:  # each was compared with the other, which does not show which one is wrong
         findings += _disagreements(rows, trained[0], log_title(*trained[1]), data.device.displacement.symbol)
         logs = dict.fromkeys(log for log in logs if log not in trained)
     for log in logs:
@@ -79,8 +79,8 @@ def causes(data: RunData, worst: Mapping[str, Any], ratio: float, wells: Wells |
     Returns
     -------
     list of Finding
-        The passage over the barrier that makes it, nothing where instruments, another device or extrapolation have
-        findings of their own, else the ratio itself.
+        The passage over the barrier that causes the ratio, else the ratio itself. Empty where instruments, another
+        device or extrapolation have findings of their own.
     """
     title = log_title(worst["role"], worst["log"])
     severity = THRESHOLDS["generalisation"].grade(ratio)
@@ -124,11 +124,11 @@ def _one_passage(log: LogData, model: str, wells: Wells) -> tuple[float, float] 
 
 
 RIVAL_SURELY = 2e-3
-"""Least NRMSE by which a baseline is surely better before it is mentioned."""
+"""A baseline is mentioned where it is surely better by more than this NRMSE."""
 
 
 WORST = 0.15
-"""NRMSE of a free run beyond which what follows a measured state is judged beside it."""
+"""NRMSE of a free run beyond which predictions from a measured state are judged too."""
 
 
 def model_checks(
@@ -143,7 +143,7 @@ def model_checks(
     model : str
         The main model.
     rest_errors : (float, float) or None
-        Errors of its rests left and right, as shares of the range.
+        Errors of its rests left and right [m or rad].
     wells : Wells or NoWells
         The wells in the data.
     """
@@ -158,7 +158,7 @@ def model_checks(
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
         yield graded("model", "nrmse", max(errors), log=f"worst {ROLE_WORDS[where]} log", subject=model)
-    if isinstance(wells, NoWells):  # what the scores say of wells is of rests that are none
+    if isinstance(wells, NoWells):  # the scores then count rests as wells that are none
         judged = [{**s, "switch_accuracy": None, "outcomes": None} for s in judged]
     right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]
     if right:
@@ -199,10 +199,13 @@ def _spread(data: RunData, score: Mapping[str, Any]) -> float:
 
 def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     """Logs that another model of the run predicts surely better, or that this one diverged on."""
-    rivals = {(s["role"], s["log"], s["model"]): s["nrmse"] for s in data.scores if s["signal"] == "q"}
     checks = []
     for own in judged:
-        others = {m: e for (*log, m), e in rivals.items() if e and log == [own["role"], own["log"]]}
+        others = {
+            s["model"]: s["nrmse"]
+            for s in data.scores
+            if s["nrmse"] and all(s[key] == own[key] for key in ("role", "log", "signal"))
+        }
         if not others:
             continue
         best = min(others, key=lambda name: others[name])

@@ -54,8 +54,9 @@ def basins(outcomes: Callable[[FloatArray], Classes], places: FloatArray, speeds
     rows, columns = (np.arange(0, grid.size - 1, BLOCK) for grid in (speeds, places))
     blocks = np.stack(np.meshgrid(rows, columns, indexing="ij"), axis=-1).reshape(-1, 2)
     side = BLOCK
+    unit = np.array([[0, 0], [0, 1], [1, 0], [1, 1]])  # corners of a block, and the first cells of its quarters
     while len(blocks) and side:
-        corners = blocks[:, None, :] + side * np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
+        corners = blocks[:, None, :] + side * unit
         _find_out(classes, corners.reshape(-1, 2), outcomes, places, speeds)
         ended = classes[corners[..., 0], corners[..., 1]]
         alike = (ended == ended[:, :1]).all(axis=1)
@@ -63,7 +64,7 @@ def basins(outcomes: Callable[[FloatArray], Classes], places: FloatArray, speeds
             block = classes[i : i + side + 1, j : j + side + 1]
             block[block == UNKNOWN] = value
         side //= 2
-        blocks = (blocks[~alike, None, :] + side * np.array([[0, 0], [0, 1], [1, 0], [1, 1]])).reshape(-1, 2)
+        blocks = (blocks[~alike, None, :] + side * unit).reshape(-1, 2)
     return classes
 
 
@@ -124,9 +125,9 @@ def visited_range(data: RunData, side: int | None = None) -> tuple[float, float]
 
 
 def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
-    """Displacement and velocity of a log, NaN where an input acts: basins say nothing of such a motion.
+    """Displacement and velocity of a log, NaN where an input acts: basins do not describe such a motion.
 
-    Unless the device is the joint, whose pulses have rests, NaN also where an input only crosses zero.
+    The pulses of the joint have rests. For another device they are NaN also where an input only crosses zero.
     """
     largest = np.max([data.device.peaks(other.motion.v) for other in data.logs], axis=0)
     free = np.all(np.abs(log.motion.v) <= UNFORCED * largest, axis=1)

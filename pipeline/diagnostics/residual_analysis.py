@@ -1,9 +1,9 @@
 """The residual of a free run: its correlation with itself and with the inputs, and its spectrum.
 
-The tests are those of MATLAB's ``resid`` (Ljung, System Identification, § 16.6): a residual without memory stays
-inside the band of its autocorrelation, one that the inputs explain no further inside that of the cross-correlation. A
-free run feeds nothing back, so that its residual rings with the device: that it is coloured alone is no fault, that
-it correlates with the inputs is.
+The tests are those of MATLAB's ``resid`` (Ljung, System Identification, § 16.6). A residual without memory stays inside
+the band of its autocorrelation, and one without a trace of the inputs inside that of the cross-correlation. A
+free run feeds nothing back, so its residual rings with the device. A coloured residual is therefore no fault; one that
+correlates with the inputs is.
 """
 
 from dataclasses import dataclass
@@ -15,10 +15,11 @@ from ..numerics.metrics import NORMAL_99
 from .run_data import LogData, RunData
 
 LONGEST_LAG = 1.0
+"""Largest lag [s]."""
 FEWEST_LAGS = 50
+"""Largest lag in samples, of a slow device or a log too short for `LONGEST_LAG`."""
 SHARE = 8
-"""Largest lag [s]; of a slow device, or a log too short for that, so many samples; and how many times as long as the
-largest lag a segment is at least."""
+"""Least length of a segment over the largest lag."""
 
 SEGMENTS = 8
 """Parts that overlap by half and whose spectra are averaged (Welch)."""
@@ -79,27 +80,25 @@ def analyse_residual(
     if length < SHARE * count:
         return None
     q = measured[rows]
-    u = inputs[rows]
     residual = calculated[rows] - q
     n = len(residual)
-    own = _correlation(residual, residual, count)
-    crossed = np.array([_correlation(column, residual, count) for column in u.T])
+    with_inputs = np.array([_correlation(column, residual, count) for column in inputs[rows].T])
     # Bartlett: the variance of a cross-correlation of independent signals is Σ ρ_ee ρ_uu / N over all lags.
     far = min(n - 1, 10 * count)
     colour = _correlation(residual, residual, far)
-    variances = [float(np.sum(colour * _correlation(column, column, far))) / n for column in u.T]
+    variances = [float(np.sum(colour * _correlation(column, column, far))) / n for column in inputs[rows].T]
     bands: FloatArray = NORMAL_99 * np.sqrt(np.maximum(variances, 1.0 / n))
     frequency, density = _spectrum(residual, interval)
     return Residual(
-        interval * np.arange(-count, count + 1.0),
-        own,
-        NORMAL_99 / float(np.sqrt(n)),
-        crossed,
-        bands,
-        float(np.mean(np.abs(crossed[:, count:]) > bands[:, None])),
-        frequency,
-        density,
-        _spectrum(q, interval)[1],
+        lags=interval * np.arange(-count, count + 1.0),
+        correlation=_correlation(residual, residual, count),
+        band=NORMAL_99 / float(np.sqrt(n)),
+        with_inputs=with_inputs,
+        input_bands=bands,
+        outside=float(np.mean(np.abs(with_inputs[:, count:]) > bands[:, None])),
+        frequency=frequency,
+        density=density,
+        measured_density=_spectrum(q, interval)[1],
     )
 
 
@@ -122,7 +121,7 @@ def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
 
 
 def main_residual(data: RunData, log: LogData) -> Residual | None:
-    """Analysis of its free run's residual of q against what acts on the device; None of a short or missing run."""
+    """Analysis of the main model's residual of q on a log, with the acting inputs; None of a short or missing run."""
     model = data.model_names[0]
     if model not in log.predictions:
         return None

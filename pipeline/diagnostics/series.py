@@ -1,4 +1,4 @@
-"""Facts of one device over several runs: what of a run is compared, each with its standard error, and what changes."""
+"""Facts of one device over several runs, each with its standard error, and their changes."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -15,11 +15,11 @@ from .calibrated import calibrated
 from .instruments import InstrumentTest
 
 ALARM = 0.05
-"""Probability with which a series of an unchanged device has any change claimed."""
+"""Probability that any change is claimed in a series of an unchanged device."""
 DRAWS = 64
 PLACES = 121
 _LEFT_OUT = ("asymmetry", "stable")
-"""Beginnings of the keys of facts that follow from others, or that another run may number otherwise."""
+"""Prefixes of the keys of facts that follow from others, or that another run may number otherwise."""
 _QUANTITIES = {
     "charging time": "charging time of the electrodes",
     "creep stiffness 0": "creep within 60 ms, stiffness",
@@ -126,7 +126,7 @@ def facts_of(
 def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
     """Changes of the instruments in a later run against the first run, by the first run's model.
 
-    Nothing where the device has changed so that no instrument explains it: that is for the facts to show.
+    Empty where no instrument explains the change of the device; the facts show it then.
 
     Parameters
     ----------

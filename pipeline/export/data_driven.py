@@ -52,11 +52,26 @@ def realise_rbf(model: RbfModel, interval: float, unit: str = "m") -> Realisatio
 
 @dataclass(frozen=True)
 class _Joint:
-    """Motion of the joint in scaled variables: middle and half of the range of q, largest voltage.
+    """Motion of the joint in scaled variables; its state is x, p, elements, friction states, lagged inputs.
 
-    squared: inputs pull by their squares · offset (K,) and, if `lagged`, lag [s] of the inputs · bend of their effect
-    and dead zone, if any · rested: at rest under the first inputs, not without any. Its state is x, p, elements,
-    friction states, lagged inputs.
+    Attributes
+    ----------
+    c : Coefficients
+        Of the state equation.
+    middle, half, volts : float
+        Middle and half of the range of q [m or rad], and the largest trained input.
+    squared : bool
+        True if inputs pull by their squares.
+    offset : FloatArray, shape (K,)
+        Offset of each scaled input.
+    lagged, lag : bool, float
+        True if the inputs lag, and by how much [s].
+    effect_lags : bool
+        True if the effect of the inputs lags, not the inputs themselves.
+    bend, zone : float or None
+        Bend of the inputs' effect, and their dead zone.
+    rested : bool
+        True if it is at rest under the first inputs before the run, not without any.
     """
 
     c: Coefficients

@@ -87,7 +87,7 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
     """Write ``IDENTIFIER.m`` and ``IDENTIFIER_data.mat``.
 
     The MAT file holds breakpoints and tables for Simulink's 1-D Lookup Table blocks under the names `q_bp`, `F_table`,
-    `d_table`, …, the structs `units` and `validity`, and in `check` a log with the model's own run.
+    `d_table`, …. It also has the structs `units` and `validity`, and in `check` a log with the model's own run.
     """
     from scipy.io import savemat
 

@@ -42,7 +42,16 @@ def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
         kind = "stable" if equilibrium["stable"] else "unstable"
         title = f"Bode plot at q = {prefixed(equilibrium['q_m'], 'm', 2)} mm ({kind})".replace("-", "−")
         caption = "From the squared voltage of each membrane to the displacement, friction left out."
-        yield Figure(f"control-bode-{number}", title, caption, "frequency", "Hz", panels, x_log=True, half=True)
+        yield Figure(
+            f"control-bode-{number}",
+            title,
+            caption=caption,
+            x_name="frequency",
+            x_unit="Hz",
+            panels=panels,
+            x_log=True,
+            half=True,
+        )
 
 
 def _map(drawn_map: Mapping[str, Any]) -> Figure:
@@ -58,9 +67,17 @@ def _map(drawn_map: Mapping[str, Any]) -> Figure:
     caption = (
         "Share of the posterior draws that a plain pulse switches, from rest; where it may, the log does not decide."
     )
-    title = f"Does a pulse switch to the {drawn_map['to']}?"
     panel = Panel("voltage", "V", cells=cells)
-    return Figure(f"control-map-{drawn_map['to']}", title, caption, "duration", "s", (panel,), x_log=True, half=True)
+    return Figure(
+        f"control-map-{drawn_map['to']}",
+        title=f"Does a pulse switch to the {drawn_map['to']}?",
+        caption=caption,
+        x_name="duration",
+        x_unit="s",
+        panels=(panel,),
+        x_log=True,
+        half=True,
+    )
 
 
 def _pulse(document: Mapping[str, Any]) -> Figure:
@@ -83,10 +100,10 @@ def _pulse(document: Mapping[str, Any]) -> Figure:
     return Figure(
         f"control-pulse-{document['to']}",
         f"Snap to the {document['to']}",
-        caption,
-        "time",
-        "s",
-        (motion, volts),
+        caption=caption,
+        x_name="time",
+        x_unit="s",
+        panels=(motion, volts),
         half=True,
     )
 
@@ -97,4 +114,4 @@ def _loop(document: Mapping[str, Any]) -> Figure:
     motion = Panel("q", "m", (Line("target", "reference", t, run["target_m"]), Line("q", "measured", t, run["q_m"])))
     volts = Panel("voltage", "V", (Line("left", "v1", t, run["v_V"][:, 0]), Line("right", "v2", t, run["v_V"][:, 1])))
     caption = "The designed controller on the identified model: to the right, to the left, to the unstable equilibrium."
-    return Figure("control-loop", "Closed loop", caption, "time", "s", (motion, volts))
+    return Figure("control-loop", "Closed loop", caption=caption, x_name="time", x_unit="s", panels=(motion, volts))

@@ -172,12 +172,12 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
     refused = document["facts_from"] == document["judged_model"] and is_refused(assessment["checks"])
     return ShownDatasheet(
-        f"{document['name']}: {source}{NOT_USED if refused else ''}",
-        [texts(row, lambda cell: cell.value) for row in sheet],
-        [texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
-        element_rows(document.get("elements", ())),
-        checks,
-        f"data {assessment['data']}, model {document['judged_model']} {assessment['model']}",
+        title=f"{document['name']}: {source}{NOT_USED if refused else ''}",
+        facts=[texts(row, lambda cell: cell.value) for row in sheet],
+        seen=[texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
+        elements=element_rows(document.get("elements", ())),
+        checks=checks,
+        assessment=f"data {assessment['data']}, model {document['judged_model']} {assessment['model']}",
     )
 
 

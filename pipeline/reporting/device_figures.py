@@ -69,8 +69,15 @@ def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
         "The quantities that other joints determine best. Where they were the prior of the fit, it has drawn the "
         "joint towards them."
     )
-    name = "standard deviations of the other joints from their mean"
-    return Figure("siblings", "The joint among other joints", caption, name, "1", (panel,), tall=1.2)
+    return Figure(
+        "siblings",
+        "The joint among other joints",
+        caption=caption,
+        x_name="standard deviations of the other joints from their mean",
+        x_unit="1",
+        panels=(panel,),
+        tall=1.2,
+    )
 
 
 def _study(data: RunData, study: Study) -> Figure:
@@ -110,7 +117,13 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
     circles = " Circles: measured." if data.measured_curves else ""
     caption = f"Over the range of the training data; cut {cut}.{band}{per_mass}{hidden}{circles}"
     return Figure(
-        "curves", "Characteristic curves", caption, "q", data.device.displacement.symbol, tuple(panels), columns=2
+        "curves",
+        "Characteristic curves",
+        caption=caption,
+        x_name="q",
+        x_unit=data.device.displacement.symbol,
+        panels=tuple(panels),
+        columns=2,
     )
 
 
@@ -128,7 +141,7 @@ def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
     if first.damping is not None:
         yield "damping d", units["d"], visited, lambda c: c.damping, _on(measured, "d")
     for k in range(len(first.gains)):
-        slope = _on(measured, f"dC{k + 1}_dq") if factor == 2.0 else None
+        slope = _on(measured, f"dC{k + 1}_dq") if electrostatic else None
         pick = partial(_gain, k=k, factor=factor)
         yield symbol.format("₁₂"[k]), unit, visited_range(data, k), pick, slope
 
@@ -246,7 +259,15 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     source = f"{name}{NOT_USED}" if sheet.refused and name == sheet.model else name
     caption = f"Potential of {source} without input and with each input alone, counted from its lowest point."
     panels = (Panel("energy U", data.device.energy_unit, tuple(lines), points=tuple(points)),)
-    return Figure("energy", "Energy landscape", caption, "q", data.device.displacement.symbol, panels, half=True)
+    return Figure(
+        "energy",
+        "Energy landscape",
+        caption=caption,
+        x_name="q",
+        x_unit=data.device.displacement.symbol,
+        panels=panels,
+        half=True,
+    )
 
 
 def _marked(
@@ -281,7 +302,15 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
         return None
     panel = Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=points, cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"
-    return Figure("phase-portrait", title, caption, "q", data.device.displacement.symbol, (panel,), tall=1.5)
+    return Figure(
+        "phase-portrait",
+        title,
+        caption=caption,
+        x_name="q",
+        x_unit=data.device.displacement.symbol,
+        panels=(panel,),
+        tall=1.5,
+    )
 
 
 def _excitation(data: RunData) -> Figure:
@@ -296,5 +325,11 @@ def _excitation(data: RunData) -> Figure:
         f"Training samples nearest to each of {len(places)} basis centres; where they are few, curves are uncertain."
     )
     return Figure(
-        "excitation", "Where the device was seen", caption, "q", data.device.displacement.symbol, (panel,), half=True
+        "excitation",
+        "Where the device was seen",
+        caption=caption,
+        x_name="q",
+        x_unit=data.device.displacement.symbol,
+        panels=(panel,),
+        half=True,
     )

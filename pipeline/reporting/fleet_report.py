@@ -75,20 +75,23 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
     """The numbers of a prototype's ``datasheet.json`` that the page shows."""
     scores = sheet["scores"]
     judged = sheet["judged_model"]
+    of_q = [s for s in scores if s["signal"] == "q" and s["model"] == judged]
+    instruments, off = _instruments([row for row in sheet.get("instruments", ()) if row["model"] == judged])
     return Summary(
-        name,
-        "",
-        link,
-        True,
-        str(sheet["verdict"]["data"]),
-        str(sheet["verdict"]["model"]),
-        _why(sheet["verdict"].get("checks", ())),
-        any(s["status"] == "diverged" for s in scores if s["model"] == judged),
-        _worst_of_main_model(scores, judged, "nrmse"),
-        _worst_of_main_model(scores, judged, "switch_accuracy"),
-        {s["role"] for s in _of_main_model(scores, judged)} == {"train"},
-        {fact["key"]: (_value(fact), str(fact["unit"])) for fact in sheet["facts"] if fact["key"] in FACTS},
-        *_instruments([row for row in sheet.get("instruments", ()) if row["model"] == judged]),
+        name=name,
+        reason="",
+        link=link,
+        done=True,
+        data=str(sheet["verdict"]["data"]),
+        model=str(sheet["verdict"]["model"]),
+        why=_why(sheet["verdict"].get("checks", ())),
+        diverged=any(s["status"] == "diverged" for s in scores if s["model"] == judged),
+        error=_worst(of_q, "nrmse"),
+        switches=_worst(of_q, "switch_accuracy"),
+        training={s["role"] for s in of_q} == {"train"},
+        facts={fact["key"]: (_value(fact), str(fact["unit"])) for fact in sheet["facts"] if fact["key"] in FACTS},
+        instruments=instruments,
+        off=off,
     )
 
 
@@ -110,14 +113,10 @@ def _value(fact: Mapping[str, Any]) -> float:
     return float("nan") if value is None else float(value)
 
 
-def _of_main_model(scores: Any, judged: str) -> list[Mapping[str, Any]]:
-    return [s for s in scores if s["signal"] == "q" and s["model"] == judged]
-
-
-def _worst_of_main_model(scores: Any, judged: str, key: str) -> float:
-    """The worst score of q of the judged model: on validation logs, else on those of training; NaN if undefined."""
-    rows = _of_main_model(scores, judged)
-    values = [s[key] for s in [s for s in rows if s["role"] == "validation"] or rows]
+def _worst(scores: Sequence[Mapping[str, Any]], key: str) -> float:
+    """The worst score on validation logs, else on those of training; NaN if undefined."""
+    validation = [s for s in scores if s["role"] == "validation"]
+    values = [s[key] for s in validation or scores]
     defined = [float(value) for value in values if value is not None]
     if key == "switch_accuracy":  # a log without pulses has none
         return min(defined, default=float("nan"))
@@ -172,7 +171,16 @@ def distribution(column: FleetColumn) -> Figure:
         points=(Points("odd", "v2", odd, of_odd, marker="ring"),) if odd.size else (),
         whole=True,
     )
-    return Figure(slug(column.title), column.title, "", column.title, column.unit, (panel,), x_log=log, half=True)
+    return Figure(
+        slug(column.title),
+        column.title,
+        caption="",
+        x_name=column.title,
+        x_unit=column.unit,
+        panels=(panel,),
+        x_log=log,
+        half=True,
+    )
 
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.

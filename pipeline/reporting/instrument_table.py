@@ -160,9 +160,9 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     return Figure(
         "instruments",
         "Instruments of the logs",
-        caption,
-        "error of the reading over its limit",
-        "1",
-        (panel,),
+        caption=caption,
+        x_name="error of the reading over its limit",
+        x_unit="1",
+        panels=(panel,),
         half=True,
     )

@@ -80,7 +80,7 @@ def _capacitances(result: "Characteristics") -> tuple[Panel, Panel]:
 
 
 def _over_q(name: str, title: str, *panels: Panel) -> Figure:
-    return Figure(name, title, "", "q", "m", panels, columns=2)
+    return Figure(name, title, caption="", x_name="q", x_unit="m", panels=panels, columns=2)
 
 
 def paper_joint_figures(result: "Characteristics") -> dict[str, Figure]:
@@ -143,7 +143,9 @@ def modes_figure(joint: "JointParameters", modes: "BeamModes", t: FloatArray) ->
         Panel("share of w(l)", "m", bending, x=("q", "m")),
         Panel("u₀", "m", axial, x=("q", "m")),
     )
-    return Figure("modes", "Modes of the beam, and the static path", "", "", "", panels, columns=2)
+    return Figure(
+        "modes", "Modes of the beam, and the static path", caption="", x_name="", x_unit="", panels=panels, columns=2
+    )
 
 
 def _static_path(joint: "JointParameters") -> tuple[tuple[Line, ...], tuple[Line, ...]]:
@@ -185,4 +187,4 @@ def motion_figure(motions: "Motions") -> Figure:
             for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot))
         ),
     )
-    return Figure("motion", "Full-order against reduced model", "", "t", "s", panels)
+    return Figure("motion", "Full-order against reduced model", caption="", x_name="t", x_unit="s", panels=panels)

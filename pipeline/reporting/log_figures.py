@@ -87,7 +87,7 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         raw = f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
     shaded = " Shaded: masked rows." if _masked(t, log.record["segment"]) else ""
     caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart{raw}.{shaded}"
-    return _timeline(data, log, wells, "signals", "Measured signals", caption, panels)
+    return _timeline(data, log, wells, kind="signals", title="Measured signals", caption=caption, panels=panels)
 
 
 def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
@@ -121,7 +121,7 @@ def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         ),
     ]
     caption = f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison."
-    return _timeline(data, log, wells, "derivatives", "Derivatives", caption, panels)
+    return _timeline(data, log, wells, kind="derivatives", title="Derivatives", caption=caption, panels=panels)
 
 
 def differentiation(data: RunData, log: LogData) -> str:
@@ -159,10 +159,11 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         drawn = (Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1])
         panels.append(Panel(HEADINGS[name], unit[name], drawn))
     gone = [f"{m} diverged at {moment(n['diverged_at_s'])}" for m, n in log.outcomes.items() if n["status"] != "ok"]
-    inputs = f"{data.device.input_word}s"
-    caption = f"Free runs from the log's first sample under its measured {inputs}; nothing is fed back."
+    caption = (
+        f"Free runs from the log's first sample under its measured {data.device.input_word}s; nothing is fed back."
+    )
     caption += f" {'; '.join(gone)}." if gone else ""
-    return _timeline(data, log, wells, "models", "Measured against models", caption, panels)
+    return _timeline(data, log, wells, kind="models", title="Measured against models", caption=caption, panels=panels)
 
 
 FIT = "fit = 100 (1 − ‖error‖/‖q − mean‖) %"
@@ -196,7 +197,9 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             caption += ", which reaches beyond the axis." if clipped else "."
         below.insert(0, Panel("error", data.device.displacement.symbol, (error,), bands=about, y_limits=off, low=True))
     panels = [Panel("q", data.device.displacement.symbol, tuple(lines), bands=bands, y_limits=limits), *below]
-    figure = _timeline(data, log, wells, "overlay", "Measured against the model", caption, panels)
+    figure = _timeline(
+        data, log, wells, kind="overlay", title="Measured against the model", caption=caption, panels=panels
+    )
     return replace(figure, hidden=tuple(line.label for line in others))
 
 
@@ -243,7 +246,7 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     wrong = " A model in the wrong well is off by the distance of the wells." if isinstance(wells, Wells) else ""
     caption = f"Errors are model minus measurement.{wrong}"
     panels = [_models(data, log, wells).panels[0], *panels, _inputs(data, log, low=True)]
-    return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)
+    return _timeline(data, log, wells, kind="residuals", title="Residuals", caption=caption, panels=panels)
 
 
 def residual_figures(data: RunData, wells: Wells | NoWells) -> dict[str, Figure]:
@@ -273,8 +276,15 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
         f"{log.title.capitalize()}: {prefixed(residual.outside, '%', 0)} % of the correlations with inputs lie outside "
         f"their bands, 1 % would by chance. The residual {colour}; what correlates with an input the model misses."
     )
-    title = "Residual analysis: memory and inputs"
-    return Figure("residual-correlation", title, caption, "lag", "s", tuple(panels), columns=len(panels))
+    return Figure(
+        "residual-correlation",
+        title="Residual analysis: memory and inputs",
+        caption=caption,
+        x_name="lag",
+        x_unit="s",
+        panels=tuple(panels),
+        columns=len(panels),
+    )
 
 
 def _spectrum(data: RunData, log: LogData, model: str, residual: Residual) -> Figure:
@@ -284,5 +294,13 @@ def _spectrum(data: RunData, log: LogData, model: str, residual: Residual) -> Fi
     )
     caption = f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing."
     panel = Panel("power spectral density", f"{data.device.displacement.symbol}²/Hz", lines, log=True)
-    title = "Residual analysis: spectrum"
-    return Figure("residual-spectrum", title, caption, "frequency", "Hz", (panel,), x_log=True, half=True)
+    return Figure(
+        "residual-spectrum",
+        title="Residual analysis: spectrum",
+        caption=caption,
+        x_name="frequency",
+        x_unit="Hz",
+        panels=(panel,),
+        x_log=True,
+        half=True,
+    )

@@ -25,7 +25,7 @@ def basis_figure(q: FloatArray, bells: FloatArray, weights: FloatArray) -> Figur
     terms = tuple(Line("its terms", "raw", q, term) for term in (bells * weights).T)
     total = Line("weighted sum", "rbf-paper", q, bells @ weights, "solid")
     panels = (Panel("φᵢ", "1", functions), Panel("c", "N/m", (*terms, total)))
-    return Figure("basis", "Basis functions", "", "q", "m", panels, columns=2)
+    return Figure("basis", "Basis functions", caption="", x_name="q", x_unit="m", panels=panels, columns=2)
 
 
 def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
@@ -42,7 +42,9 @@ def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
         )
         for title, key in (("rank", "rank"), ("condition number", "condition"))
     )
-    return Figure("lag-search", "Search for T_z", "", "T_z", "s", panels, columns=2, x_log=True)
+    return Figure(
+        "lag-search", "Search for T_z", caption="", x_name="T_z", x_unit="s", panels=panels, columns=2, x_log=True
+    )
 
 
 def signals_figure(log: LogData) -> Figure:
@@ -56,7 +58,7 @@ def signals_figure(log: LogData) -> Figure:
             for name, unit, values in (("q", "m", motion.q), ("q̇", "m/s", motion.qdot), ("q̈", "m/s²", motion.qddot))
         ),
     )
-    return Figure("signals", "Excitation and measured motion", "", "time", "s", panels)
+    return Figure("signals", "Excitation and measured motion", caption="", x_name="time", x_unit="s", panels=panels)
 
 
 def basis_study_figure(
@@ -96,7 +98,9 @@ def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
         ring = Points("the recipe", "v2", study.alphas[chosen], values[chosen], "ring")
         line = Line("all α", "measured", study.alphas, values)
         panels.append(Panel(name, unit, (line,), points=(ring,), log=True, x=("α", "mm·s"), x_log=True))
-    return Figure("alpha", "Regularisation parameter", "", "t", "s", tuple(panels), columns=2)
+    return Figure(
+        "alpha", "Regularisation parameter", caption="", x_name="t", x_unit="s", panels=tuple(panels), columns=2
+    )
 
 
 def curves_figure(curves: Mapping[str, Mapping[str, FloatArray]], q: FloatArray) -> Figure:
@@ -107,7 +111,7 @@ def curves_figure(curves: Mapping[str, Mapping[str, FloatArray]], q: FloatArray)
         Panel(title, units[unit], tuple(Line(model, model, q, own[key]) for model, own in curves.items()))
         for key, title, unit in shown
     )
-    return Figure("curves", "Characteristic curves", "", "q", "m", panels, columns=2)
+    return Figure("curves", "Characteristic curves", caption="", x_name="q", x_unit="m", panels=panels, columns=2)
 
 
 PERCENT = 100.0
@@ -141,11 +145,19 @@ def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
         for key, title in (("misfit", "misfit"), ("roughness", "roughness of q̈"))
     )
     caption = "Small α leaves noise in the acceleration (roughness), large α smooths the motion away (misfit)."
-    return Figure("study-alpha", "Regularisation parameter", caption, "α", units["alpha"], panels, x_log=True)
+    return Figure(
+        "study-alpha",
+        "Regularisation parameter",
+        caption=caption,
+        x_name="α",
+        x_unit=units["alpha"],
+        panels=panels,
+        x_log=True,
+    )
 
 
 def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
-    groups = np.unique(columns["smoothing"])
+    rows_of = {value: columns["smoothing"] == value for value in np.unique(columns["smoothing"])}
     roles = ("v1", "v2", "measured", "reference")
     values = {**columns, "nrmse": PERCENT * columns["nrmse"]}
 
@@ -159,8 +171,7 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
                 values[key][rows],
                 dash="dashed" if i > 1 else "role",
             )
-            for i, value in enumerate(groups)
-            for rows in [columns["smoothing"] == value]
+            for i, (value, rows) in enumerate(rows_of.items())
         )
 
     panels = (
@@ -172,7 +183,15 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
         "Training error of the acceleration, conditioning, and free-run error on the logs held out (100 %: diverged, "
         "or missed everything)."
     )
-    return Figure("study-basis", "Basis functions and smoothing", caption, "basis functions M", "1", panels, whole=True)
+    return Figure(
+        "study-basis",
+        "Basis functions and smoothing",
+        caption=caption,
+        x_name="basis functions M",
+        x_unit="1",
+        panels=panels,
+        whole=True,
+    )
 
 
 def _data(columns: Columns, _: Mapping[str, str]) -> Figure:
@@ -184,7 +203,14 @@ def _data(columns: Columns, _: Mapping[str, str]) -> Figure:
     panel = Panel("NRMSE of q", "%", (Line("median", "v1", x, median),), points=spread)
     caption = "Free-run error on the logs held out against the amount of training data; repeats at random places."
     return Figure(
-        "study-data", "Amount of training data", caption, "training samples", "1", (panel,), x_log=True, whole=True
+        "study-data",
+        "Amount of training data",
+        caption=caption,
+        x_name="training samples",
+        x_unit="1",
+        panels=(panel,),
+        x_log=True,
+        whole=True,
     )
 
 
@@ -192,6 +218,10 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
     roles = ("measured", "v1", "v2")
     panels = []
     for drift in np.unique(columns["drift"]):
+        rows_of = {
+            value: (columns["forgetting"] == value) & (columns["drift"] == drift)
+            for value in sorted(np.unique(columns["forgetting"]), reverse=True)
+        }
         lines = tuple(
             Line(
                 "nothing forgotten" if value >= 1.0 else f"λ = {value:g}",
@@ -200,8 +230,7 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
                 PERCENT * columns["curve_error"][rows],
                 dash="dashed" if i == 1 else "role",
             )
-            for i, value in enumerate(sorted(np.unique(columns["forgetting"]), reverse=True))
-            for rows in [(columns["forgetting"] == value) & (columns["drift"] == drift)]
+            for i, (value, rows) in enumerate(rows_of.items())
         )
         name = "constant F" if drift == 0.0 else f"F + {PERCENT * drift:g} %"
         panels.append(Panel(name, "%", lines, log=True))
@@ -209,13 +238,20 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
         "Recursive least squares: error of the restoring force against that of the whole log, over its range. Below, a "
         "growth of the restoring force is planted in the log, and the estimate has to follow it."
     )
-    return Figure("study-online", "Online identification", caption, "length of the stream", "s", tuple(panels))
+    return Figure(
+        "study-online",
+        "Online identification",
+        caption=caption,
+        x_name="length of the stream",
+        x_unit="s",
+        panels=tuple(panels),
+    )
 
 
 def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
     """One mark per model and fold; marks stand beside one another in the order of the models."""
-    models = list(dict.fromkeys(str(name) for name in columns["model"]))
-    step = 0.6 / max(1, len(models))
+    rows_of = {model: columns["model"] == model for model in dict.fromkeys(map(str, columns["model"]))}
+    step = 0.6 / max(1, len(rows_of))
     errors = {key: PERCENT * columns[key] for key in ("nrmse", "nrmse_qdot", "nrmse_qddot")}
     markers: tuple[Literal["dot", "ring", "cross"], ...] = ("dot", "ring", "cross")
 
@@ -225,20 +261,19 @@ def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
             Points(
                 model,
                 model,
-                columns["fold"][rows] + 1 + (i - (len(models) - 1) / 2) * step,
+                columns["fold"][rows] + 1 + (i - (len(rows_of) - 1) / 2) * step,
                 errors[key][rows],
                 markers[i % 3],
             )
-            for i, model in enumerate(models)
-            for rows in [columns["model"] == model]
+            for i, (model, rows) in enumerate(rows_of.items())
         )
 
     def means(key: str) -> tuple[Line, ...]:
-        """Their means."""
+        """The mean of each model's errors over the folds."""
         ends = np.array([0.5, float(np.max(columns["fold"])) + 1.5])
         return tuple(
-            Line(model, model, ends, np.full(2, np.mean(errors[key][columns["model"] == model])), dash="dashed")
-            for model in models
+            Line(model, model, ends, np.full(2, np.mean(errors[key][rows])), dash="dashed")
+            for model, rows in rows_of.items()
         )
 
     panels = tuple(
@@ -249,4 +284,12 @@ def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
         "Each model fitted without the fold and run freely over it (100 %: diverged, or missed everything). Dashed: "
         "mean."
     )
-    return Figure("study-folds", "Cross-validation", caption, "fold left out", "1", panels, whole=True)
+    return Figure(
+        "study-folds",
+        "Cross-validation",
+        caption=caption,
+        x_name="fold left out",
+        x_unit="1",
+        panels=panels,
+        whole=True,
+    )

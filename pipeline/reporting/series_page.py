@@ -90,8 +90,15 @@ def _figure(fact: SeriesFact, unit: str) -> Figure:
         (Band("from all runs", "all", at, fact.smooth - wide, fact.smooth + wide),),
         (Points("run", "measured", at, fact.values),),
     )
-    name = "time" if unit == "day" else "run"
-    return Figure(fact.key, fact.title, change(fact, unit), name, "d" if unit == "day" else "1", (panel,), half=True)
+    return Figure(
+        fact.key,
+        fact.title,
+        caption=change(fact, unit),
+        x_name="time" if unit == "day" else "run",
+        x_unit="d" if unit == "day" else "1",
+        panels=(panel,),
+        half=True,
+    )
 
 
 def _drawn_change(fact: SeriesFact) -> Sequence[Line]:

@@ -288,7 +288,6 @@ def _escape(text: str) -> str:
     return "".join(special.get(c, c) for c in _one_line(text.replace("^", "")))
 
 
-_EXTRAS = tuple(column for column in SCORE_COLUMNS if column.cell and column.cell.table == "errors")
 FOLD_EXPLANATION = (
     "Free-run NRMSE in % of the range in all data, each segment of a fold from its measured first state; a run that "
     "diverged counts as 100. Mean over folds [95 % interval, t-test corrected for shared training data]. * lowest, all "
@@ -339,7 +338,7 @@ def main_table(scores: Sequence[ScoreRow]) -> MainTable:
     """
     role = "validation" if any(row["role"] == "validation" for row in scores) else "train"
     judged = [row for row in scores if row["role"] == role and row["signal"] != "phi"]
-    extras = tuple(column for column in _EXTRAS if any(row.get(column.key) is not None for row in judged))
+    extras = tuple(column for column in _columns("errors") if any(row.get(column.key) is not None for row in judged))
     signals = tuple(signal for signal in HEADINGS if any(row["signal"] == signal for row in judged))
     rows = []
     for model in dict.fromkeys(str(row["model"]) for row in judged):
@@ -406,9 +405,9 @@ def _fold_cell(record: Mapping[str, Any], key: str) -> str:
 def study_conclusion(
     name: str, columns: Mapping[str, Any], units: Mapping[str, str], notes: Mapping[str, Any]
 ) -> tuple[dict[str, Any], str]:
-    """The columns of a study as they are printed, by their headings, and what follows of them, if anything does.
+    """The columns of a study as they are printed, by their headings, and a conclusion, which may be empty.
 
-    Of each stream of `online` its end alone is left.
+    Of each stream of `online` only the end is printed.
 
     Parameters
     ----------
@@ -434,23 +433,32 @@ def study_conclusion(
 
 
 _CONVERGED = 0.05
-"""Error of the curve from which on a stream has converged."""
+"""Largest error of the curve of a stream that has converged, over the range of the curve."""
 
 
 def _online_conclusion(columns: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
-    """A row for each stream: its errors at the end, and from when on its curve was as good as `_CONVERGED`."""
+    """A row for each stream: its errors at the end, and the time after which its curve stayed within `_CONVERGED`."""
     rows = []
     for forgetting, drift in dict.fromkeys(zip(columns["forgetting"], columns["drift"], strict=True)):
         stream = (columns["forgetting"] == forgetting) & (columns["drift"] == drift)
         t = columns["t"][stream]
         curve = columns["curve_error"][stream]
-        late = np.flatnonzero(~(curve <= _CONVERGED))  # NaN is no success
-        since = t[0] if not late.size else t[late[-1] + 1] if late[-1] + 1 < t.size else np.nan
-        rows.append((forgetting, drift, t[-1], since, curve[-1], columns["prediction_error"][stream][-1]))
-    titles = ("forgetting", "drift", "stream [s]", "within 5 % from [s]", "curve error", "prediction error")
+        outside = np.flatnonzero(~(curve <= _CONVERGED))  # NaN is no success
+        converged = outside[-1] + 1 if outside.size else 0
+        rows.append(
+            {
+                "forgetting": forgetting,
+                "drift": drift,
+                "stream [s]": t[-1],
+                "within 5 % from [s]": t[converged] if converged < t.size else np.nan,
+                "curve error": curve[-1],
+                "prediction error": columns["prediction_error"][stream][-1],
+            }
+        )
     texts = []
-    for drift in dict.fromkeys(row[1] for row in rows):
-        best = min((row for row in rows if row[1] == drift), key=lambda row: row[4])
+    for drift in dict.fromkeys(row["drift"] for row in rows):
+        best = min((row for row in rows if row["drift"] == drift), key=lambda row: row["curve error"])
         case = f"with a drift of {100.0 * drift:g} %" if drift else "without drift"
-        texts.append(f"{case}, λ = {best[0]:g} follows the curve best: {100.0 * best[4]:.2g} % off at the end")
-    return dict(zip(titles, zip(*rows, strict=True), strict=True)), "; ".join(texts)
+        error = f"{100.0 * best['curve error']:.2g} % off at the end"
+        texts.append(f"{case}, λ = {best['forgetting']:g} follows the curve best: {error}")
+    return {title: tuple(row[title] for row in rows) for title in rows[0]}, "; ".join(texts)

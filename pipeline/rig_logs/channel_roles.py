@@ -169,8 +169,8 @@ def _times(channels: Sequence[tuple[str, str]], units: Mapping[str, str], rising
 def _clocks(names: Sequence[str], times: Sequence[str], sizes: Mapping[str, int]) -> dict[str, str]:
     """The time column over which each channel may run, of as many samples.
 
-    It is the one that is called after the channel (``t_q``, ``q_time``), else that of its group, else the last before,
-    or where the columns end with a time and do not begin with one, the first behind.
+    It is the one that is called after the channel (``t_q``, ``q_time``), else that of its group, else the last before.
+    Where the columns end with a time and do not begin with one, it is the first behind instead of the last before.
     """
     clocks: dict[str, str] = {}
     behind = len(times) > 1 and names[0] not in times and names[-1] in times
@@ -202,7 +202,7 @@ def _on_side(
     """The inputs of one side, by their names, else by what is written beside them."""
 
     def of(texts: Mapping[str, str]) -> tuple[str, ...]:
-        """Those whose text names this side only."""
+        """The inputs whose text names this side only."""
         return tuple(name for name in names if side.search(texts[name]) and not other.search(texts[name]))
 
     by_name = of({name: name for name in names})

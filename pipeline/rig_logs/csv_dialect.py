@@ -133,10 +133,9 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     """The sample as a table, None if it is none.
 
     The width is the most frequent one. A column holds numbers if most of its cells do, of those that are not empty in
-    the second half. Data begin with the first row of two numbers or more in which those columns hold nothing else; of a
+    the second half. Data begin with the first row of two numbers or more in which those columns hold nothing else. Of a
     column that is empty in the second half, every cell from there on must be a number. Numbers above a row of texts are
-    part of the preamble. A later row that does not fit
-    is no preamble but an error, which the parser reports.
+    part of the preamble. A later row that does not fit is no preamble but an error, which the parser reports.
     """
     rows = [split_row(line, delimiter) for line in lines]
     width = Counter(len(row) for row in rows if any(row)).most_common(1)[0][0] if any(map(any, rows)) else 0
@@ -170,7 +169,7 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
         for wanted, column in zip(likely, columns, strict=True)
     )
     ragged = any(len(rows[i]) > width for i in fitting if i >= first)
-    return SampleTable(delimiter, decimal, rows, first, numeric, ragged)
+    return SampleTable(delimiter=delimiter, decimal=decimal, rows=rows, first=first, numeric=numeric, ragged=ragged)
 
 
 def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:
@@ -308,23 +307,23 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         for is_numeric, cell, heading in zip(table.numeric, firsts, headings, strict=True)
     )
     return Dialect(
-        encoding,
-        table.delimiter,
-        table.decimal,
-        header,
-        units,
-        headings,
-        table.first,
-        numeric,
-        firsts,
-        options.decimal is not None or table.delimiter == "," or table.has_marks,
-        tuple(lines[: table.first]),
-        tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
-        bool(table.delimiter == " " or table.ragged or in_seconds)
+        encoding=encoding,
+        delimiter=table.delimiter,
+        decimal=table.decimal,
+        header=header,
+        units=units,
+        headings=headings,
+        first_data_row=table.first,
+        numeric=numeric,
+        firsts=firsts,
+        has_marks=options.decimal is not None or table.delimiter == "," or table.has_marks,
+        preamble=tuple(lines[: table.first]),
+        texts=tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
+        rewritten=bool(table.delimiter == " " or table.ragged or in_seconds)
         or (header_row is not None and len(above[header_row]) == width + 1),
-        frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
+        above=frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
         - {("",) * width},
-        lines[0].startswith(_LABVIEW),
+        is_labview=lines[0].startswith(_LABVIEW),
     )
 
 

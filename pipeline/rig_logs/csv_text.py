@@ -122,7 +122,7 @@ class _Head(io.RawIOBase):
         self._left = size
 
     def readable(self) -> bool:
-        """It is."""
+        """True, as `io.RawIOBase` requires of a file that is read."""
         return True
 
     def readinto(self, buffer: Any, /) -> int:
@@ -187,8 +187,9 @@ def _written(content: bytes | mmap.mmap) -> int:
 
 
 def whole_rows(path: Path, dialect: "Dialect") -> tuple[int, list[str]]:
-    """Bytes of a file without zeros, and without a last row that has no line end, which may be cut off within a number;
-    and notes on what is left out.
+    """Bytes of the whole rows of a file, and notes on what is left out.
+
+    Zeros at its end are left out, and a last row without a line end, which may be cut off within a number.
 
     Raises
     ------

@@ -163,17 +163,17 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
             )
         )
     return Inspection(
-        path,
-        recording.format,
-        path.stat().st_size,
-        own_time,
-        tuple(bases),
-        tuple(channels),
-        roles,
-        apart,
-        rates,
-        tuple(notes),
-        recording.heading,
+        path=path,
+        format=recording.format,
+        size=path.stat().st_size,
+        own_time=own_time,
+        time_bases=tuple(bases),
+        channels=tuple(channels),
+        suggestions=roles,
+        apart=apart,
+        rates=rates,
+        notes=tuple(notes),
+        heading=recording.heading,
     )
 
 

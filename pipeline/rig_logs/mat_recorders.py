@@ -1,7 +1,7 @@
 """Contents of a MAT file, and layouts of recorders: ControlDesk's, Simulink's "Structure With Time", and tables.
 
-ControlDesk writes one struct (of any name) with a struct array ``X`` of time axes (Name, Type, Data, Unit,
-Raster), and a struct array ``Y`` of channels (the same and Path, XIndex: which axis).
+ControlDesk writes one struct (of any name) with two struct arrays. ``X`` has the time axes (Name, Type, Data, Unit,
+Raster), and ``Y`` the channels (the same and Path, XIndex: which axis).
 
 Scopes and "To Workspace" blocks write one struct (of any name) with ``time`` and a struct array ``signals`` (values,
 dimensions, label, …). ``values`` has a row for each time; signals of several elements have columns, and what is 1×1×N

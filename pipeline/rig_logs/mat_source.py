@@ -131,15 +131,9 @@ class MatSource(Source):
             if is_unit(field):
                 continue
             info = members.get(f"{field}Info")  # as of a timeseries that was saved as a struct
-            unit = text_of(
-                info.get(0, "Units")
-                if isinstance(info, MatStruct)
-                else units.get(0, field)
-                if isinstance(units, MatStruct)
-                else members.get("TimeUnit")
-                if several and is_called("time", field)
-                else units
-            )
+            of_all = members.get("TimeUnit") if several and is_called("time", field) else units
+            by_name = units.get(0, field) if isinstance(units, MatStruct) else of_all
+            unit = text_of(info.get(0, "Units") if isinstance(info, MatStruct) else by_name)
             for channel in self._plain(f"{place}.{field}", member, second):
                 own = replace(channel.entry, unit=channel.entry.unit or unit.strip())
                 channels.append(replace(channel, entry=own))

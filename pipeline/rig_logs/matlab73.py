@@ -1,8 +1,8 @@
 """MAT files of version 7.3: HDF5 with MATLAB's conventions, read with h5py under the checks of `hdf5`.
 
-A scalar struct is a group, its fields are members; a struct array is a group whose members are datasets of
-object references, one per element; a text is a dataset of UTF-16 code units with the attribute MATLAB_class
-"char"; what is empty has MATLAB_empty and holds its dimensions instead of samples. Dimensions are reversed.
+A scalar struct is a group, its fields are members. A struct array is a group whose members are datasets of object
+references, one per element. A text is a dataset of UTF-16 code units with the attribute MATLAB_class "char". An empty
+array has MATLAB_empty and holds its dimensions instead of samples. Dimensions are reversed.
 """
 
 from dataclasses import dataclass

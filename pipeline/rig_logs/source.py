@@ -173,7 +173,7 @@ class View(Source):
         self._log = log
 
     def entries(self) -> list[Entry]:
-        """Those of the log."""
+        """The entries of the log."""
         return self._log.entries()
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:

@@ -1,7 +1,7 @@
 """Workbooks of Excel and LibreOffice through calamine: the visible sheet of the most rows, read as the CSV that it is.
 
-calamine rounds dates, times and durations to 1 ms. In XLSX they are days with 15 digits, which it gives where it finds
-no styles; so such a file is opened a second time with the name of its styles changed.
+calamine rounds dates, times and durations to 1 ms. XLSX stores them as days with 15 digits, and calamine gives these
+where it finds no styles. Such a file is therefore opened a second time with the name of its styles changed.
 """
 
 import csv

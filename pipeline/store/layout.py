@@ -56,10 +56,9 @@ def _logs(prototype: Prototype) -> list[tuple[Role, str, Log]]:
 
 
 def source(log: Log | Mapping[str, Any], prototype_file: Path) -> Path:
-    """The path of a raw file, relative paths being relative to the settings file."""
-    return prototype_file.parent / (
-        log if isinstance(log, str) else log["file"] if isinstance(log, Mapping) else log.file
-    )
+    """The path of a raw file; relative paths begin at the folder of the settings file."""
+    stated = log["file"] if isinstance(log, Mapping) else log
+    return prototype_file.parent / (stated if isinstance(stated, str) else stated.file)
 
 
 def record(role: Role, log: str) -> str:

@@ -1,8 +1,8 @@
 """Files that a command writes into a folder of the user's: beside what lies there, never onto it.
 
-A command writes into a new folder first; what it has written is then moved to its place, file by file. A file that is
-there already is replaced if this command wrote it and nobody changed it since, which a list in the folder knows, or if
-the user says so. A raw log that a settings file names is replaced by no word.
+A command writes into a new folder first, and then moves each file to its place. It replaces an existing file if a list
+in the folder shows that this command wrote it and nobody changed it since, or if the user says so. A raw log that a
+settings file names is never replaced.
 """
 
 import json

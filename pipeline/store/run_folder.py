@@ -264,10 +264,7 @@ class RunFolder:
         return None
 
     def _examine(self, name: str, read: _Read[T]) -> tuple[T | None, str | None]:
-        """Result of `read` for the artifact's file, or the problem with the file.
-
-        While a commit awaits its completion the file is at its staging place, from which it may just be moved.
-        """
+        """Result of `read` for the artifact's file, or the problem with the file."""
         record = self.record(name)
         path = self.path(name)
         content, problem = _look_up(self.root, path, record.bytes, record.sha256, read)

@@ -1,7 +1,7 @@
 """HDF5 files as nested mappings of arrays, numbers and texts.
 
-A file may come from anybody. What it declares is held against its own size before it is read: it has only numbers and
-texts of its own, in the form in which `write_tree` lays them out, and never more than its bytes can hold.
+A file may come from anybody, so its declared shapes are compared with its size before it is read. It has only numbers
+and texts of its own, in the form in which `write_tree` lays them out, and never more than its bytes can hold.
 """
 
 import math

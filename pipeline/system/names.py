@@ -44,8 +44,8 @@ def check_name(name: str, longest: int = _LONGEST) -> str:
 def slug(name: str) -> str:
     """The name of its folder: itself where it is safe, else spelt in ASCII (``Prüfling 1`` → ``Pruefling-1``).
 
-    What has no spelling (another script) gets a name from its hash, always the same one; a name of more than 64 letters
-    keeps its first ones, with a hash that separates it from others that begin alike.
+    A name without a spelling (another script) becomes one from its hash, always the same. A name of more than 64
+    letters keeps its first ones, with a hash that separates it from others that begin alike.
     """
     if SAFE.fullmatch(name) and name.split(".")[0].strip().lower() not in _RESERVED and not name.endswith("."):
         return name

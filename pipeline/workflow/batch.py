@@ -110,13 +110,13 @@ class Worker(Isolated):
             if code == 1:
                 reason = f"{reason}; its traceback is in {failure_file(self._output, self.name)}"
         return Outcome(
-            self.name,
-            self._prototype,
-            code,
-            reason,
-            time.perf_counter() - self._began,
-            answer.get("processor_seconds", 0.0),
-            answer.get("memory_bytes", 0),
+            name=self.name,
+            prototype=self._prototype,
+            exit_code=code,
+            reason=reason,
+            seconds=time.perf_counter() - self._began,
+            processor_seconds=answer.get("processor_seconds", 0.0),
+            memory_bytes=answer.get("memory_bytes", 0),
         )
 
 

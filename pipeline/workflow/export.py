@@ -150,12 +150,12 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> Exported
         settings["plant"]["parameters"] = f"inputs/plant/{Path(parameters).name}"
         texts[settings["plant"]["parameters"]] = _recorded_parameters(run, parameters)
     target = folder / f"{prototype.folder}.crate.zip"
-    write_crate(run, prototype.folder, toml_text(settings), inputs, texts, target)
+    write_crate(run, name=prototype.folder, settings=toml_text(settings), inputs=inputs, more=texts, target=target)
     return Exported([target])
 
 
 def _recorded_parameters(run: RunFolder, name: str) -> str:
-    """A file of the parameter set that the run was made with, from its recipes: of the set's file they hold no hash."""
+    """TOML of the parameter set that the run was made with; the recipes hold its values, and no hash of its file."""
     from ..device.parameters import NOMINAL, VECTOR_NAMES, parameter_file
 
     recipes = (record.recipe.settings for record in run.manifest.artifacts.values())
@@ -199,7 +199,7 @@ def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], di
 
 
 def _sources(prototype: Prototype, home: Path) -> Iterator[tuple[str, Path]]:
-    """An artifact that was made of it, and the file, for every raw log, table of measured curves and prior."""
+    """Every raw log, table of measured curves and prior: an artifact that was made of it, and its file."""
     for (role, log, _), (_, path, _) in zip(layout.logs(prototype), layout.raw_logs(prototype, home), strict=True):
         yield layout.signals(role, log), path
     for table, artifact in named_curves(prototype):

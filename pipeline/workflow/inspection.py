@@ -52,9 +52,7 @@ class Shortfall:
 def shortfalls(
     excitation: Excitation, names: Sequence[str], factor: float, unit: str, plant: Device
 ) -> list[Shortfall]:
-    """Everything that falls short; `names` are those of the inputs; q is printed in `unit`, which is `factor` × SI.
-
-    A device other than the joint needs no two wells; two places of rest are no wells yet.
+    """Everything that falls short. A device other than the joint needs no two wells.
 
     Parameters
     ----------
@@ -67,7 +65,7 @@ def shortfalls(
     unit : str
         Unit in which q is printed.
     plant : Device
-        True if it is the joint, which needs two wells.
+        Its inputs, and whether it is the joint.
     """
     return [
         *(_wells(excitation, names) if plant.joint else ()),
@@ -223,8 +221,16 @@ def _excitation(log: Path, prototype: Prototype, parameters: JointParameters | N
     )
     unit, factor = scale(plant.displacement.symbol, float(np.nanmax(np.abs(record.q))))
     names = tuple(channel.channel for channel in prototype.channels.inputs)
-    lacking = shortfalls(excitation, names, factor, unit, plant=plant)
-    return LogExcitation(excitation, names, False, lacking, ingest.sample_interval, factor, unit, plant)
+    return LogExcitation(
+        excitation=excitation,
+        inputs=names,
+        assumed=False,
+        shortfalls=shortfalls(excitation, names, factor, unit, plant=plant),
+        interval=ingest.sample_interval,
+        factor=factor,
+        unit=unit,
+        plant=plant,
+    )
 
 
 def _supposed(inspection: Inspection) -> Prototype:

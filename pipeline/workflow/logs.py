@@ -98,11 +98,11 @@ def corrections(prototype: Prototype) -> dict[tuple[Role, str], Corrections]:
         if len(plant.inputs) == 1 and part.gain.v2 != 1.0:
             raise InputError(f"{where}: gain.v2 is stated, but [channels] has no v2; leave it out")
         stated[role, log] = Corrections(
-            (part.gain.v1, part.gain.v2)[: len(plant.inputs)],
-            parse_quantity(part.zero, (plant.displacement.symbol,), f"{where}: zero"),
-            part.gain.q,
-            parse_quantity(part.delay, TIME, f"{where}: delay"),
-            part.clock,
+            gains=(part.gain.v1, part.gain.v2)[: len(plant.inputs)],
+            zero=parse_quantity(part.zero, (plant.displacement.symbol,), f"{where}: zero"),
+            gain_q=part.gain.q,
+            delay=parse_quantity(part.delay, TIME, f"{where}: delay"),
+            clock=part.clock,
         )
     return stated
 

@@ -212,7 +212,15 @@ def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
         path = layout.source(name, prototype_file)
         work = partial(write, path=path)
         return Task(
-            "ingest", title, ALGORITHM, settings, (), (artifact,), work, sources={path.name: path}, named_in=key
+            stage="ingest",
+            title=title,
+            algorithm=ALGORITHM,
+            settings=settings,
+            inputs=(),
+            outputs=(artifact,),
+            work=work,
+            sources={path.name: path},
+            named_in=key,
         )
 
     measured = {"displacement": plant.displacement.symbol}

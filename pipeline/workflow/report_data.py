@@ -197,14 +197,15 @@ def load_scores(root: Path) -> list[dict[str, Any]]:
 
 
 def instruments_shown(root: Path) -> tuple[list[dict[str, Any]], Mapping[tuple[str, str], LogPart], str]:
-    """The errors of the instruments of a run's logs, what the settings state of each log, and the unit of q."""
-
-    def shown(run: RunFolder) -> tuple[list[dict[str, Any]], Mapping[tuple[str, str], LogPart], str]:
-        """Of one snapshot."""
-        parts: Mapping[tuple[str, str], LogPart] = {(r, log): part for r, log, part in layout.log_parts(run.prototype)}
-        return list(_instruments(run)), parts, device(run.prototype).displacement.symbol
-
-    return in_snapshot(root, shown)
+    """The errors of the instruments of a run's logs, the settings of each log, and the unit of q."""
+    return in_snapshot(
+        root,
+        lambda run: (
+            list(_instruments(run)),
+            dict[tuple[str, str], LogPart](((role, log), part) for role, log, part in layout.log_parts(run.prototype)),
+            device(run.prototype).displacement.symbol,
+        ),
+    )
 
 
 def load_datasheet(root: Path) -> dict[str, Any]:
@@ -222,16 +223,19 @@ def load_datasheet(root: Path) -> dict[str, Any]:
 
 def ingested(run: RunFolder) -> list[dict[str, Any]]:
     """Ingest results of each log: rows of its uniform record, their interval [s], masked rows, and gaps in time."""
+    logs = [
+        (log_title(role, true_name(path)), run.record(layout.signals(role, log)).notes)
+        for role, log, path in layout.logs(run.prototype)
+    ]
     return [
         {
-            "log": log_title(role, true_name(path)),
+            "log": title,
             "rows": notes["rows"],
             "masked_rows": notes["masked_rows"],
             "interval_s": notes["interval"],
             "gaps": notes["gaps_in_time"],
         }
-        for role, log, path in layout.logs(run.prototype)
-        for notes in [run.record(layout.signals(role, log)).notes]
+        for title, notes in logs
     ]
 
 

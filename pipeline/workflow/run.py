@@ -97,7 +97,12 @@ def _report(planned: Planned) -> list[Task]:
     figures = planned.typeface or stage_report.made_figures(run)
     studies = stage_report.made_studies(run)
     return stage_report.tasks(
-        planned.prototype, planned.parameters, planned.scored, studies, figures, made_control(run)
+        planned.prototype,
+        planned.parameters,
+        models=planned.scored,
+        studies=studies,
+        figures=figures,
+        control=made_control(run),
     )
 
 
@@ -181,12 +186,11 @@ def run_prototype(
     place = given if isinstance(given, Place) else place_of(given, output)
     prototype = place.prototype
     prototype_file = place.prototype_file
-    root = place.root
     before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
     stages = [only] if only else [name for name in STAGE_NAMES if with_report or name != "report"]
-    with run_lock(root):
-        run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
-        sweep(root)
+    with run_lock(place.root):
+        run = RunFolder.create(place.root, prototype.model_dump(mode="json"), prototype_file)
+        sweep(place.root)
         _strike_lost(run, observer)
         planned = Planned(run, prototype, prototype_file, jobs=jobs)
         observer.planned([task.stage for task in tasks_of(of_stages(plan(planned), stages))])
@@ -198,8 +202,6 @@ def run_stage(
 ) -> list[TaskStatus]:
     """Bring one stage of an existing run up to date, by the settings that the run holds.
 
-    `figures` is the typeface of the figures for a paper, which the report makes if given, or if the run holds some.
-
     Parameters
     ----------
     root : Path
@@ -209,7 +211,7 @@ def run_stage(
     observer : Observer
         Receives what happens.
     figures : {"sans", "serif"}, optional
-        Typeface of the figures for a paper, which the report then makes; without one it keeps those of the run.
+        Typeface of the figures for a paper, which the report then makes; without one it renews those of the run.
     jobs : int
         Processes at a time.
 

@@ -131,7 +131,7 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> Subject:
     role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
     check = load_motion(run, prototype, role, log).longest_part()
     logs = load_logs(run, prototype, "train")
-    return subject_on(check, model, prototype, logs, chosen, run.record(artifact).content_hash)
+    return subject_on(check, model, prototype, logs=logs, name=chosen, origin=run.record(artifact).content_hash)
 
 
 def subject_on(

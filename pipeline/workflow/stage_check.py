@@ -1,4 +1,4 @@
-"""Check: is every log what the settings say, before anything is differentiated or fitted?"""
+"""Check of every log against the settings, before anything is differentiated or fitted."""
 
 import json
 from collections.abc import Mapping
@@ -80,18 +80,24 @@ def examine(run: RunFolder, prototype: Prototype) -> list[Finding]:
 
 def signals(run: RunFolder, prototype: Prototype) -> list[LogSignals]:
     """The ingested logs of a run as the checks take them."""
-    return [
-        log_signals(log_title(role, true_name(path)), run.read_table(name), run.record(name).notes)
-        for role, log, path in layout.logs(prototype)
-        for name in [layout.record(role, log)]
-    ]
+    records = {layout.record(role, log): log_title(role, true_name(path)) for role, log, path in layout.logs(prototype)}
+    return [log_signals(title, run.read_table(name), run.record(name).notes) for name, title in records.items()]
 
 
 def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> LogSignals:
     """A uniform record as the checks take it, with what was noted when it was ingested."""
     sketch = tuple((int(value), float(stamp)) for value, stamp in notes.get("sketch", ()))
-    facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"), notes.get("held", 1), sketch)
-    return LogSignals(name, table["t"], table["q"], voltages(table), *facts)
+    return LogSignals(
+        name=name,
+        t=table["t"],
+        q=table["q"],
+        v=voltages(table),
+        raw_step=notes["raw_step"],
+        noise=notes.get("noise"),
+        resolution=notes.get("resolution"),
+        held=notes.get("held", 1),
+        sketch=sketch,
+    )
 
 
 def assess(findings: list[Finding], prototype: Prototype) -> list[str]:

@@ -63,24 +63,35 @@ def tasks(
     from ..reporting.log_figures import LOG_FIGURES
 
     prepared = partial(prepare, prototype=prototype, models=models, studies=studies, control=control)
-    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     inputs = _inputs(prototype, models, studies, control)
-    settings = {"parameters": parameter_values(parameters), "models": list(models)}
-    written = prototype.model_dump(mode="json")
-    shown = {**settings, "prototype": written}
-    drawn = {**settings, "plant": written["plant"], "identify": written["identify"], "typeface": figures}
-    drawings = tuple(
-        layout.figure(f"{role}-{log}-{kind}", ending)
-        for role, log in logs
-        for kind in LOG_FIGURES
-        for ending in FORMATS
+    common = {"parameters": parameter_values(parameters), "models": list(models)}
+    settings = prototype.model_dump(mode="json")
+    page = Task(
+        stage="report",
+        title="page",
+        algorithm=ALGORITHM,
+        settings={**common, "prototype": settings},
+        inputs=inputs,
+        outputs=(layout.REPORT, layout.DATASHEET),
+        work=partial(_page, prepared=prepared),
     )
-    pages = (layout.REPORT, layout.DATASHEET)
-    page = Task("report", "page", ALGORITHM, shown, inputs, pages, partial(_page, prepared=prepared))
     if figures is None:
         return [page]
-    work = partial(_drawings, prepared=prepared, typeface=figures)
-    return [page, Task("report", "figures", ALGORITHM, drawn, inputs, drawings, work)]
+    drawings = Task(
+        stage="report",
+        title="figures",
+        algorithm=ALGORITHM,
+        settings={**common, "plant": settings["plant"], "identify": settings["identify"], "typeface": figures},
+        inputs=inputs,
+        outputs=tuple(
+            layout.figure(f"{role}-{log}-{kind}", ending)
+            for role, log, _ in layout.logs(prototype)
+            for kind in LOG_FIGURES
+            for ending in FORMATS
+        ),
+        work=partial(_drawings, prepared=prepared, typeface=figures),
+    )
+    return [page, drawings]
 
 
 def _inputs(

@@ -1,6 +1,7 @@
 """Validate: free runs of models on every log, from its first valid sample on, and their scores.
 
-Beside each run stands what it leaves open: errors by horizon, pulses whose well is not sure, states never trained on.
+The notes of each run hold its errors by horizon, the pulses whose well is not sure, and the share of samples in states
+that were never trained.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -82,7 +83,9 @@ def _predict(
     model = model_from_tree(name, run.read_tree(source, name))
     rotation = rotation_map(parameters)
     written: dict[str, Written] = {}
-    logs = {(role, name): load_motion(run, prototype, role, name) for role, name, _ in layout.logs(prototype)}
+    logs = {
+        (role, log_name): load_motion(run, prototype, role, log_name) for role, log_name, _ in layout.logs(prototype)
+    }
     trained = [log for (role, _), log in logs.items() if role == "train"]
     seen = stable_rests(model, [log.q for log in trained])
     wells = believed_wells(wells_of(list(logs.values()), plant=plant), name, seen, plant=plant)
@@ -147,16 +150,17 @@ def _score(
     from ..models.analytical.statics import rotation_map
 
     rotation = rotation_map(parameters)
-    names = [(role, log) for role, log, _ in layout.logs(prototype)]
-    logs = [(role, log, log_of(run.read_table(layout.kinematics(role, log)))) for role, log in names]
+    logs = [
+        (role, log, log_of(run.read_table(layout.kinematics(role, log)))) for role, log, _ in layout.logs(prototype)
+    ]
     plant = device(prototype)
     rows = []
     wells = _wells(run, [measured for _, _, measured in logs], plant, layout.logs(prototype)[0][:2], models)
     for role, log, measured in logs:
+        predictions = {model: layout.predictions(role, log, model) for model in models}
         runs = {
             model: ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
-            for model in models
-            for name in [layout.predictions(role, log, model)]
+            for model, name in predictions.items()
         }
         rows += [
             {"log": log, "role": role, "headline": row["model"] == models[0]} | row
@@ -187,23 +191,28 @@ def _pairs(
 def score_text(root: Path, form: Format) -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
     if form == "csv":
-        return scores_csv(
-            *in_snapshot(root, lambda run: ((records := run.read_records(layout.SCORES)), _times(run, records)))
-        )
+        scores, _, times = in_snapshot(root, _timed_scores)
+        return scores_csv(scores, times)
     return "\n".join(render(table, form) for table in score_tables(root))
 
 
 def score_tables(root: Path) -> tuple[NrmseTable, ...]:
     """Errors with fitting and simulation times, and behaviour of all models on all logs."""
-    times, shown = in_snapshot(
-        root, lambda run: (_times(run, records := run.read_records(layout.SCORES)), _shown(run, records))
-    )
+    _, shown, times = in_snapshot(root, _timed_scores)
     return tuple(table for table in (nrmse_table(shown, times), behaviour_table(shown)) if table.rows)
 
 
 def shown_scores(root: Path) -> list[dict[str, Any]]:
     """The score rows of a run for readers: the logs by their true names."""
     return in_snapshot(root, lambda run: _shown(run, run.read_records(layout.SCORES)))
+
+
+def _timed_scores(
+    run: RunFolder,
+) -> tuple[list[dict[str, Any]], list[dict[str, Any]], dict[str, dict[str, float | None]]]:
+    """The score rows as stored and as shown to readers, and the times of their models."""
+    scores = run.read_records(layout.SCORES)
+    return scores, _shown(run, scores), _times(run, scores)
 
 
 def _shown(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:

@@ -36,7 +36,7 @@ class Verified:
 
     @property
     def intact(self) -> bool:
-        """Every file is as it was written, and there are no others."""
+        """True if every file is as it was written, and there are no others."""
         return not (self.problems or self.unknown or self.leftover)
 
 
@@ -67,6 +67,7 @@ def verified(run: RunFolder) -> Verified:
 
 
 def _artifacts(run: RunFolder, names: Iterable[str]) -> Iterator[tuple[str, str, str]]:
+    """Name, stage and problem of each artifact that is not as written."""
     for name in names:
         try:
             problem = run.problem(name)
@@ -77,7 +78,7 @@ def _artifacts(run: RunFolder, names: Iterable[str]) -> Iterator[tuple[str, str,
 
 
 def _stage_manifests(run: RunFolder) -> Iterator[tuple[str, str, str]]:
-    """Workflow engines trust them."""
+    """File, stage and problem of each stage manifest that is not as written; workflow engines trust these."""
     for stage in sorted(run.manifest.stages):
         if problem := run.stage_problem(stage):
             yield stage_file(stage), stage, f"{problem}; `debist run` writes it anew"

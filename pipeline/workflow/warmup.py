@@ -74,7 +74,15 @@ def _without_parameter_set() -> None:
 
     v = np.zeros((3, 2))
     lagged_rbf_run(LaggedEquation(np.zeros(2), np.zeros((2, 4)), 1.0, 1.0), v, _DT, 1, (0.0, 0.0), (-1.0, 1.0))
-    still = PolynomialDynamics(np.zeros((1, 7), dtype=np.int64), np.zeros((2, 1)), np.ones(7), (), True, -1.0, 1.0)
+    still = PolynomialDynamics(
+        exponents=np.zeros((1, 7), dtype=np.int64),
+        coefficients=np.zeros((2, 1)),
+        scales=np.ones(7),
+        lags=(),
+        squared=True,
+        low=-1.0,
+        high=1.0,
+    )
     free_run(still, v, _DT, 0.0, 0.0)
     narx = NarxModel(
         structure=np.array([1, 1, 1, 2]),
@@ -93,17 +101,30 @@ def _network() -> None:
     from ..models.rbf.observed_run import Coupling, Drive, observed_run
     from ..models.rbf.structure import drive_at_nodes
 
-    x = np.zeros(2)
     single = np.ones(1)
-    none = np.zeros(0)
     two = np.zeros(2)
     curves = np.zeros((5, 5))
-    joint = Coefficients(curves, single, single, single, two, single, 1.0, -1.0, 1.0, two, 0.0, none, curves[:2], two)
+    joint = Coefficients(
+        curves=curves,
+        rates=single,
+        slip_force=single,
+        slip_length=single,
+        inertia=two,
+        centres=single,
+        bend=1.0,
+        low=-1.0,
+        high=1.0,
+        arm=two,
+        drag=0.0,
+        stops=np.zeros(0),
+        ends=curves[:2],
+        at_ends=two,
+    )
     drive = Drive(np.zeros((3, 2)), np.zeros((0, 3, 2)), np.zeros(2), False)
-    observed_run(joint, drive, Coupling(x, x, 0.0), (0.0, 0.0), _DT, 1, no_sensitivities())
+    observed_run(joint, drive, Coupling(two, two, 0.0), (0.0, 0.0), _DT, 1, no_sensitivities())
     drive_at_nodes(np.zeros((2, 1, 1)), _DT, 1, "record")
-    basis_rows(x, joint)
-    slid(x, 1.0)
+    basis_rows(two, joint)
+    slid(two, 1.0)
 
 
 def _analytical() -> None:

@@ -83,12 +83,12 @@ def derivatives(
     measured = "velocity" in fine
     grid = fine["t"]
     interval = sample_interval(grid)
-    how = differentiator(settings, measured=measured, unit=unit)
+    method = differentiator(settings, measured=measured, unit=unit)
     rates = np.full((2, len(grid)), np.nan)
     segments = []
     for number in np.unique(fine["segment"][fine["segment"] >= 0]):
         rows = fine["segment"] == number
-        result = differentiate(fine["velocity" if measured else "q"][rows], interval, **how)
+        result = differentiate(fine["velocity" if measured else "q"][rows], interval, **method)
         rates[:, rows] = (result.q_smooth, result.qdot) if measured else (result.qdot, result.qddot)
         segments.append(
             {
@@ -104,7 +104,7 @@ def derivatives(
     notes = {
         "method": settings.method,
         "of": "velocity" if measured else "q",
-        **({"order": how["order"]} if settings.method == "tvregdiff" else {}),
+        **({"order": method["order"]} if settings.method == "tvregdiff" else {}),
         "interval_s": interval,
         "unit_si": unit,
         "stretches": segments,

@@ -13,7 +13,7 @@ from ...control.design import Settings, design as design_law
 from ...control.ensemble import INTERVAL, Converters, Ensemble, ensemble_of
 from ...control.law import Law
 from ...control.margins import Margins, margins
-from ...control.plant import ASSUMED_LAG, LinearModel, equilibria, wells_and_saddle
+from ...control.plant import ASSUMED_LAG, LinearModel, equilibria
 from ...control.pulses import design_pulse
 from ...control.switching_map import PULSES, TYPICAL, lowest_voltage, switching_map, with_voltage_error
 from ...device.device import JOINT
@@ -68,14 +68,14 @@ def bode(model: LinearModel) -> dict[str, list[float]]:
     """Transfer from the squared voltages [V²] to the reading [m], from 0.05 to 200 Hz: dB and degrees."""
     f = np.geomspace(0.05, 200.0, 200)
     identity = np.eye(len(model.a))
-    answers = np.array(
+    response = np.array(
         [(model.c @ np.linalg.solve(2j * np.pi * hertz * identity - model.a, model.b_squared))[0] for hertz in f]
     )
-    answer = {"f_Hz": f.tolist()}
+    columns = {"f_Hz": f.tolist()}
     for side, name in enumerate(("left", "right")):
-        answer[f"{name}_dB"] = (20.0 * np.log10(np.abs(answers[:, side]) * 1e9)).tolist()
-        answer[f"{name}_deg"] = np.degrees(np.unwrap(np.angle(answers[:, side]))).tolist()
-    return answer
+        columns[f"{name}_dB"] = (20.0 * np.log10(np.abs(response[:, side]) * 1e9)).tolist()
+        columns[f"{name}_deg"] = np.degrees(np.unwrap(np.angle(response[:, side]))).tolist()
+    return columns
 
 
 def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
@@ -168,8 +168,7 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
 def _one_map(joint_run: ControlRun, converters: Converters, to: Well, on_progress: OnProgress) -> dict[str, Any]:
     """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
     model = joint_run.model
-    left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
-    places = (left, saddle, right)
+    places = joint_run.places
     on_progress(f"lowest voltages to the {to}", 0.0)
     lowest = [lowest_voltage(model, converters, places, to, duration) for duration in PULSES]
     joint = with_voltage_error(ensemble_of(model, DRAWS, converters), lowest)
@@ -203,7 +202,7 @@ def pulse(
 
     def work(joint_run: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
         """The pulse and what the model and its posterior make of it."""
-        left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
+        left, saddle, right = joint_run.places
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
         joint = with_draws(joint_run.model, converters, (left, saddle, right), to)
@@ -302,7 +301,7 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         plant = joint_run.plant
         converters, lags_known = joint_run.converters(settings)
         law = design_law(plant, Settings(highest, converters.lags, settings.slew, settings.average))
-        left, saddle, right = (model.q for model in wells_and_saddle(plant))
+        left, saddle, right = joint_run.places
         predicted = _predicted(law, (left, saddle, right))
         _refuse_stuck(root, predicted, highest, right - left)
         held = margins(plant, law, saddle)

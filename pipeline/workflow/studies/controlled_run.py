@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ...control.ensemble import Converters
-from ...control.plant import ASSUMED_LAG, ControlledJoint, plant_of
+from ...control.plant import ASSUMED_LAG, ControlledJoint, plant_of, wells_and_saddle
 from ...device.device import JOINT, device
 from ...diagnostics.events import converter_lag
 from ...errors import DataRefusedError, InputError
@@ -76,6 +76,12 @@ class ControlRun:
     def plant(self) -> ControlledJoint:
         """The identified joint and the rests that its logs show."""
         return plant_of(self.model, self.rests)
+
+    @property
+    def places(self) -> tuple[float, float, float]:
+        """Left rest, unstable equilibrium and right rest [m]."""
+        left, saddle, right = (equilibrium.q for equilibrium in wells_and_saddle(self.plant))
+        return left, saddle, right
 
     @property
     def origin(self) -> dict[str, str]:
@@ -218,6 +224,15 @@ def kept_document(
             return {name: run.write_text(name, document + "\n", {})}
 
         inputs = (joint_run.artifact, *joint_run.records)
-        task = Task("control", title, ALGORITHM, settings, inputs, (name,), write, reports=True)
+        task = Task(
+            stage="control",
+            title=title,
+            algorithm=ALGORITHM,
+            settings=settings,
+            inputs=inputs,
+            outputs=(name,),
+            work=write,
+            reports=True,
+        )
         bring_up_to_date(joint_run.run, [task], observer)
         return joint_run.run.read_document(name)

@@ -1,4 +1,4 @@
-"""Diff: runs side by side: settings, versions, raw logs, scores, facts of the device and artifacts."""
+"""Runs side by side: settings, versions, raw logs, scores, facts of the device and artifacts."""
 
 import itertools
 import json
@@ -107,11 +107,11 @@ Pairs = Mapping[tuple[str, str], str]
 
 def _log_contents(run: RunFolder) -> dict[tuple[str, str], str]:
     """Hash of each raw log of a run, by role and name; empty where nothing was read."""
-    return {
-        (role, name): ", ".join(record.recipe.inputs.values()) if record else ""
+    records = {
+        (role, name): run.manifest.artifacts.get(layout.record(role, name))
         for role, name, _ in layout.logs(run.prototype)
-        for record in [run.manifest.artifacts.get(layout.record(role, name))]
     }
+    return {log: ", ".join(record.recipe.inputs.values()) if record else "" for log, record in records.items()}
 
 
 def paired_logs(

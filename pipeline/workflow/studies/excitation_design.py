@@ -1,14 +1,15 @@
 """Excitation design (§5.1): a voltage sequence that determines the weights of eq. 40 as well as possible.
 
 The sequence is built burst by burst. At each step candidates are drawn (pulses, both sides on, chirps, random steps,
-multisines), played on a simulator from the start, and the one that adds most to the criterion per second is kept: a
-greedy D-optimal design with experiments as candidates (Fedorov 1972; Wynn 1970, doi:10.1214/aoms/1177696809). The
-simulator is not the device, and near the separatrix a little more voltage sends the joint into the other well, so the
-criterion is the mean over several simulators that differ as devices of one drawing do (Pronzato & Walter 1985,
-doi:10.1016/0025-5564(85)90068-9).
+multisines) and played on a simulator from the start. The one that adds most to the criterion per second is kept. This
+is a greedy D-optimal design with experiments as candidates (Fedorov 1972; Wynn 1970, doi:10.1214/aoms/1177696809).
 
-The next log of an identified joint is built in the same way, but starts from the posterior that the run has: the
-criterion is the expected standard deviation of the free run in a stated programme (`pipeline.models.hybrid.next_log`).
+The simulator is not the device, and near the separatrix a little more voltage sends the joint into the other well. The
+criterion is therefore the mean over several simulators that differ as devices of one drawing do (Pronzato & Walter
+1985, doi:10.1016/0025-5564(85)90068-9).
+
+The next log of an identified joint is built in the same way, but starts from the posterior of the run. Its criterion is
+the expected standard deviation of the free run in a stated programme (`pipeline.models.hybrid.next_log`).
 """
 
 from collections.abc import Callable, Sequence
@@ -176,12 +177,12 @@ def design_excitation(
     wells = probed_wells(simulators[0], wanted.voltage)
     bursts = greedy_bursts(partial(_criterion, simulators, weights), rng, wanted, report=report)
     return Design(
-        wanted,
-        bursts,
-        weights,
-        wells,
-        assess(simulators, weights, wells, bursts, wanted.duration),
-        assess(simulators, weights, wells, plain, wanted.duration),
+        wanted=wanted,
+        bursts=bursts,
+        weights=weights,
+        wells=wells,
+        designed=assess(simulators, weights, wells, bursts, wanted.duration),
+        plain=assess(simulators, weights, wells, plain, wanted.duration),
     )
 
 
@@ -193,8 +194,6 @@ def greedy_bursts(
     report: Callable[[float], None] | None = None,
 ) -> list[Burst]:
     """Bursts that are chosen one after the other, each the candidate that adds most per second to the criterion.
-
-    `criterion` takes bursts and where they end [s]; −∞ refuses them.
 
     Parameters
     ----------
@@ -212,25 +211,35 @@ def greedy_bursts(
     InputError
         No candidate is accepted.
     """
-    bursts = [Burst("pulse", wanted.rest, 1.2, wanted.voltage, 0.0, np.empty(0), np.empty(0))]
+    bursts = [
+        Burst(
+            shape="pulse",
+            start=wanted.rest,
+            duration=1.2,
+            left=wanted.voltage,
+            right=0.0,
+            frequencies=np.empty(0),
+            levels=np.empty(0),
+        )
+    ]
     end = wanted.rest + 1.2 + 0.5
     side = 1
     before = criterion(bursts, end)
     while wanted.duration - _FADE_OUT - end > _SHORTEST:
         best = None
         best_rate = -np.inf
-        reached = before
         for _ in range(wanted.candidates):
             burst, stop = _candidate(rng, wanted, end, side)
             value = criterion([*bursts, burst], stop)
-            if (value - before) / (stop - end) > best_rate:
-                best = (burst, stop)
-                best_rate = (value - before) / (stop - end)
-                reached = value
+            rate = (value - before) / (stop - end)
+            if rate > best_rate:
+                best = (burst, stop, value)
+                best_rate = rate
         if best is None:
             raise InputError("no candidate could be simulated; take another model or a lower voltage")
-        bursts.append(best[0])
-        end, side, before = best[1], 1 - side, reached
+        burst, end, before = best
+        bursts.append(burst)
+        side = 1 - side
         if report is not None:
             report(end / wanted.duration)
     return bursts
@@ -260,7 +269,14 @@ def assess(
     mean = float(np.mean([log_information(matrix) for matrix in information]))
     covered = float(np.mean([_covered(coverage) for coverage in coverages]))
     crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
-    return Assessment(mean + covered, mean, covered, coverages[0], conditioning(information[0]), crossings)
+    return Assessment(
+        criterion=mean + covered,
+        log_information=mean,
+        covered=covered,
+        visits=coverages[0],
+        conditioning=conditioning(information[0]),
+        crossings=crossings,
+    )
 
 
 def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
@@ -304,8 +320,9 @@ def _criterion(
 
 def _coverage(weights: ScaledRegressor, run: tuple[FloatArray, FloatArray, FloatArray]) -> Coverage:
     """Visits at 10 ms, the interval on which models are identified."""
+    q, _, v = run
     every = slice(None, None, round(1e-2 / INTERVAL))
-    return coverage(weights.centres, [run[0][every]], [run[2][every]])
+    return coverage(weights.centres, [q[every]], [v[every]])
 
 
 def _covered(visits: Coverage) -> float:
@@ -422,7 +439,15 @@ def design_next_log(
         for _ in range(DRAWS)
     ]
     designed = expected(bursts, wanted.duration)
-    return NextLog(wanted, bursts, programme, unsure.error(), designed, float(np.mean(usual)), 1e-3 * unsure.stroke)
+    return NextLog(
+        wanted=wanted,
+        bursts=bursts,
+        programme=programme,
+        now=unsure.error(),
+        designed=designed,
+        usual=float(np.mean(usual)),
+        stroke=1e-3 * unsure.stroke,
+    )
 
 
 def _expected(unsure: Uncertainty, start: float, bursts: list[Burst], duration: float) -> float:

@@ -148,18 +148,19 @@ def _work(
 ) -> Mapping[str, Written]:
     logs = load_logs(run, prototype)
     deal = block_folds if split.by == "blocks" else log_folds
-    numbers = deal([log.segment for log in logs], split.count)
+    folds_of_rows = deal([log.segment for log in logs], split.count)
     judge = _Judge(
-        prototype,
-        parameters,
-        model,
-        signal_ranges(_segments(logs)),
-        wells_of(logs, plant=device(prototype)),
-        prior_knowledge_of(run, prototype, parameters),
+        prototype=prototype,
+        parameters=parameters,
+        model=model,
+        ranges=signal_ranges(_segments(logs)),
+        wells=wells_of(logs, plant=device(prototype)),
+        prior_knowledge=prior_knowledge_of(run, prototype, parameters),
     )
-    dealt = list(zip(logs, numbers, strict=True))
+    dealt = list(zip(logs, folds_of_rows, strict=True))
     cuts = [
-        ([_cut(log, n != k) for log, n in dealt], [_cut(log, n == k) for log, n in dealt]) for k in range(split.count)
+        ([_cut(log, rows != fold) for log, rows in dealt], [_cut(log, rows == fold) for log, rows in dealt])
+        for fold in range(split.count)
     ]
     results = list(in_processes(judge, cuts, jobs))
     if all(why for _, why, _ in results):
@@ -179,7 +180,7 @@ def _cut(log: Log, keep: BoolArray) -> Log:
 
 @dataclass(frozen=True)
 class _Judge:
-    """Fits a model to one part and scores it on the other; goes to worker processes."""
+    """Worker that fits a model to one part of the logs and scores it on the other."""
 
     prototype: Prototype
     parameters: JointParameters | None
@@ -189,9 +190,16 @@ class _Judge:
     prior_knowledge: PriorKnowledge
 
     def __call__(self, cut: tuple[list[Log], list[Log]]) -> tuple[dict[str, Any], str, float]:
-        """Row of the table, why it was refused, processor time of the fit [s]."""
+        """Row of the table, why the fold was refused (empty if it was not), processor time of the fit [s].
+
+        Parameters
+        ----------
+        cut : (list of Log, list of Log)
+            The logs without the fold, and the fold alone.
+        """
         logs = [log for log in cut[0] if np.any(log.valid)]
-        samples = sum(len(x.t) for x in _segments(cut[1]))
+        held_out = _segments(cut[1])
+        samples = sum(len(x.t) for x in held_out)
         began = time.process_time()
         row: dict[str, Any] = dict.fromkeys((*NRMSE_COLUMNS, "well_agreement")) | {"samples": samples}
         if not samples:
@@ -203,7 +211,7 @@ class _Judge:
         seconds = time.process_time() - began
         rests = stable_rests(fitted, [log.q for log in logs])
         wells = believed_wells(self.wells, self.model, rests, plant=device(self.prototype))
-        score = fold_score(fitted, _segments(cut[1]), self.ranges, wells)
+        score = fold_score(fitted, held_out, self.ranges, wells)
         row |= {
             **{key: score.nrmse[signal] for key, signal in NRMSE_COLUMNS.items()},
             "well_agreement": score.well_agreement,
@@ -217,7 +225,7 @@ def _segments(logs: Sequence[Log]) -> list[Log]:
 
 
 def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
-    """All models in one table, with what the folds say of each."""
+    """All models in one table, with a summary of the folds of each."""
     name = layout.study("folds")
 
     def work(run: RunFolder) -> Mapping[str, Written]:
@@ -230,7 +238,15 @@ def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
         }
 
     settings = {"folds": vars(split), "models": list(models)}
-    return Task("study", "all folds", ALGORITHM, settings, tuple(map(layout.folds, models)), (name,), work)
+    return Task(
+        stage="study",
+        title="all folds",
+        algorithm=ALGORITHM,
+        settings=settings,
+        inputs=tuple(map(layout.folds, models)),
+        outputs=(name,),
+        work=work,
+    )
 
 
 def _summary(tables: Mapping[str, Table]) -> list[dict[str, Any]]:

@@ -124,19 +124,21 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
     observer : Observer
         Receives every task.
     """
-    prototype, prototype_file, root = _opened(source)
-    recipe, root = paper_settings(prototype), output or root
+    prototype, prototype_file, usual = _opened(source)
+    recipe = paper_settings(prototype)
+    root = output or usual
     with run_lock(root):
         run = RunFolder.create(root, recipe.model_dump(mode="json"), prototype_file)
         stages = [name for name in STAGE_NAMES if name != "report"]
         tasks = tasks_of(of_stages(plan(Planned(run, recipe, prototype_file)), stages))
-        own = (study_task(recipe, "basis", 1), _task(recipe, prototype_file))
-        done = bring_up_to_date(run, [*tasks, *own], observer)
+        done = bring_up_to_date(
+            run, [*tasks, study_task(recipe, "basis", jobs=1), _task(recipe, prototype_file)], observer
+        )
     return PaperRun(root, root / layout.PAPER, done, run.record(layout.PAPER).notes["table_2"])
 
 
 def _opened(source: Path) -> tuple[Prototype, Path, Path]:
-    """Settings, their file, and the folder of the recipe's run."""
+    """Settings, their file, and the usual folder of the recipe's run."""
     if source.is_dir():
         run = RunFolder.open(source)
         return run.prototype, Path(run.manifest.prototype_file), source.with_name(f"{source.name}-paper")
@@ -160,13 +162,13 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
     names = [name for name in FIGURES if name != "fig-15" or prototype.logs.validation]
     outputs = (layout.PAPER, *(layout.paper_figure(name, ending) for name in names for ending in ENDINGS))
     return Task(
-        "paper",
-        "figures and page",
-        ALGORITHM,
-        {"prototype": prototype.model_dump(mode="json")},
-        inputs,
-        outputs,
-        lambda run: _work(run, prototype, parameters),
+        stage="paper",
+        title="figures and page",
+        algorithm=ALGORITHM,
+        settings={"prototype": prototype.model_dump(mode="json")},
+        inputs=inputs,
+        outputs=outputs,
+        work=lambda run: _work(run, prototype, parameters),
     )
 
 
@@ -210,8 +212,9 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         for role in ROLES
         if (logs := data.role(role))
     }
-    study = schemas.STUDIES["basis"], (prototype.identify.basis_functions, prototype.identify.smoothing)
-    units = {column.key: column.unit for column in schemas.schema_of(study[0], device(prototype)).columns}
+    chosen = (prototype.identify.basis_functions, prototype.identify.smoothing)
+    schema = schemas.schema_of(schemas.STUDIES["basis"], device(prototype))
+    units = {column.key: column.unit for column in schema.columns}
     begin = float(training.motion.t[0])
     q = np.linspace(network.centres[0], network.centres[-1], 241)
     drawn = {name: data.models[name] for name in DRAWN if name in data.models}
@@ -220,7 +223,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         "fig-08": draw.basis_figure(q, basis_values(q, network.centres, network.width), network.weights[0]),
         "lag-search": draw.lag_figure(network.diagnostics["lag_search"]),
         "fig-11a": draw.signals_figure(training),
-        "fig-11b": draw.basis_study_figure(run.read_table(layout.study("basis")), units, study[1]),
+        "fig-11b": draw.basis_study_figure(run.read_table(layout.study("basis")), units, chosen),
         "fig-11c": draw.alpha_figure(*_alpha_study(training.motion), float(RECIPE.alpha)),
         "fig-12": compared["train"],
         "fig-13": window(compared["train"], *(begin + at for at in draw.ZOOM)),

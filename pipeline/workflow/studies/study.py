@@ -1,6 +1,6 @@
 """Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -136,17 +136,18 @@ def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
 
 def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mapping[str, Written]:
     plant = device(prototype)
-    columns, notes = {"alpha": _alpha, "basis": _basis, "data": _data, "online": _online}[name](
-        run, prototype, plant, jobs
-    )
-    return {
-        layout.study(name): run.write_table(
-            layout.study(name), schemas.schema_of(schemas.STUDIES[name], plant), columns, notes
-        )
+    studies: dict[Sweep, Callable[[RunFolder, Prototype, Device], tuple[Columns, dict[str, Any]]]] = {
+        "alpha": _alpha,
+        "basis": partial(_basis, jobs=jobs),
+        "data": _data,
+        "online": _online,
     }
+    columns, notes = studies[name](run, prototype, plant)
+    schema = schemas.schema_of(schemas.STUDIES[name], plant)
+    return {layout.study(name): run.write_table(layout.study(name), schema, columns, notes)}
 
 
-def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+def _alpha(run: RunFolder, prototype: Prototype, plant: Device) -> tuple[Columns, dict[str, Any]]:
     log = next(log for role, log, _ in layout.logs(prototype) if role == "train")
     table = run.read_table(layout.record("train", log))
     longest = max(np.unique(table["segment"][table["segment"] >= 0]), key=lambda n: np.sum(table["segment"] == n))
@@ -175,17 +176,15 @@ def _held_out(run: RunFolder, prototype: Prototype) -> list[Log]:
 
 
 def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    logs = (_segments(run, prototype, "train"), _held_out(run, prototype))
     grid = [(count, smoothing) for count in BASIS_FUNCTIONS for smoothing in SMOOTHINGS]
-    work = partial(_one_basis, *logs, _asked(prototype, plant))
+    work = partial(_one_basis, _segments(run, prototype, "train"), _held_out(run, prototype), _recipe(prototype, plant))
     mse, condition, nrmse = np.array(list(in_processes(work, grid, jobs))).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
-    return {"basis_functions": counts, "smoothing": smoothings, "mse": mse, "condition": condition, "nrmse": nrmse}, {
-        "model": "rbf-paper"
-    }
+    columns = {"basis_functions": counts, "smoothing": smoothings, "mse": mse, "condition": condition, "nrmse": nrmse}
+    return columns, {"model": "rbf-paper"}
 
 
-def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
+def _recipe(prototype: Prototype, plant: Device) -> dict[str, Any]:
     """Arguments of `identify_rbf_paper` by the settings."""
     return {
         "basis_functions": prototype.identify.basis_functions,
@@ -196,23 +195,23 @@ def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
 
 
 def _one_basis(
-    data: list[Log], held_out: list[Log], asked: dict[str, Any], point: tuple[int, float]
+    data: list[Log], held_out: list[Log], recipe: dict[str, Any], point: tuple[int, float]
 ) -> tuple[float, float, float]:
-    model = identify_rbf_paper(data, **asked | {"basis_functions": point[0], "smoothing": point[1]})
+    """Training MSE of q̈, condition number and held-out NRMSE of q for one pair (M, σₙ)."""
+    model = identify_rbf_paper(data, **recipe | {"basis_functions": point[0], "smoothing": point[1]})
     residual = np.concatenate([model.accelerate(x.t, x.v, x.q, x.qdot) - x.qddot for x in data])
     return float(np.mean(residual**2)), float(model.diagnostics["condition"]), held_out_error(model, held_out)
 
 
-def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+def _data(run: RunFolder, prototype: Prototype, plant: Device) -> tuple[Columns, dict[str, Any]]:
     data = _segments(run, prototype, "train")
     held_out = _held_out(run, prototype)
-    identify = partial(identify_rbf_paper, **_asked(prototype, plant))
-
-    how = differentiator(prototype.differentiate, measured=False, unit=ALPHA_UNIT[plant.displacement.symbol][1])
+    identify = partial(identify_rbf_paper, **_recipe(prototype, plant))
+    method = differentiator(prototype.differentiate, measured=False, unit=ALPHA_UNIT[plant.displacement.symbol][1])
 
     def smooth(samples: FloatArray, interval: float) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Smoothed samples and their derivatives."""
-        result = differentiate(samples, interval, **how)
+        result = differentiate(samples, interval, **method)
         return result.q_smooth, result.qdot, result.qddot
 
     total = sum(len(x.t) for x in data)
@@ -231,9 +230,9 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
     return columns, {"model": "rbf-paper", "repeats": REPEATS, "refused": sum(p.refused for _, _, p in points)}
 
 
-def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+def _online(run: RunFolder, prototype: Prototype, plant: Device) -> tuple[Columns, dict[str, Any]]:
     data = _segments(run, prototype, "train")
-    model = identify_rbf_paper(data, **_asked(prototype, plant))
+    model = identify_rbf_paper(data, **_recipe(prototype, plant))
     rows = np.concatenate([model.regressors(x) for x in data])
     target = plant.mass * np.concatenate([x.qddot for x in data])
     q = np.linspace(model.centres[0], model.centres[-1], 101)
@@ -261,6 +260,7 @@ def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> t
 
 
 def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
+    """Median, least and largest error of the repeats; NaN where all were refused."""
     return (float(np.median(errors)), min(errors), max(errors)) if errors else (np.nan, np.nan, np.nan)
 
 
