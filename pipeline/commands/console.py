@@ -47,11 +47,15 @@ def with_units(values: Mapping[str, Any], units: Mapping[str, str]) -> dict[str,
 def emit_json(document: Any) -> None:
     """Print one JSON document; a number that is not finite would be a bug and raises."""
     printed.append(document)
-    typer.echo(json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False, default=_jsonable))
-
-
-def _jsonable(value: Any) -> Any:
-    return str(value) if isinstance(value, Path) else value.tolist()
+    typer.echo(
+        json.dumps(
+            document,
+            indent=1,
+            ensure_ascii=False,
+            allow_nan=False,
+            default=lambda value: str(value) if isinstance(value, Path) else value.tolist(),
+        )
+    )
 
 
 def emit_text(text: str, *, indent: str = "") -> None:
