@@ -114,8 +114,8 @@ class JointScales:
     speed: Annotated[Real, Field(ge=0.0), Unit("1/s")] = 0.0
     """RMS velocity over half the range of q."""
     slope: Annotated[Real, Field(ge=0.0), Unit("1/s²")] = 0.0
-    """RMS slope of the velocity between samples over half the range of q. Unlike accelerations it holds no noise that is
-    faster than the samples."""
+    """RMS slope of the velocity between samples over half the range of q. Unlike accelerations it holds no noise that
+    is faster than the samples."""
 
     @property
     def frequency(self) -> float:
