@@ -28,8 +28,10 @@ RUN = [
     if page != OF_PROGRAM
     and any(b.language in ("sh", "python") and b.not_run is None and b.copy is None for b in blocks(page))
 ]
-MAKES_ITS_RUN = re.compile(r"debist (?:run|ingest) (\S+)\.toml -o runs/\1(?!\S)")
-"""A page that makes a run of its own begins without one."""
+MAKES_ITS_OWN = re.compile(
+    r"debist (?:run|ingest) (?P<name>\S+)\.toml -o (runs/(?P=name))(?!\S)|debist init .*-o (\S+)"
+)
+"""A page that makes a run or settings of its own, before anything else names them, begins without them."""
 
 
 @pytest.mark.parametrize("block", SHELL, ids=lambda block: block.place)
@@ -83,7 +85,9 @@ def test_code_in_a_page_is_that_of_its_script(block: Block) -> None:
     assert text.strip() and block.text.strip() == text.strip()
 
 
-SIMULATED = "debist rig simulate -o {} --rate 2000 --kind nominal --excitation mixed --seed 4"
+SIMULATED = """echo 'excitation = "mixed"' > mixed.toml
+debist rig simulate -o {} --rate 2000 --kind nominal --experiment mixed.toml --seed 4
+rm mixed.toml"""
 BEFORE = {"docs/how-to/control.md": SIMULATED.format("rig")}
 """What a page takes from the tutorial, beside the workshop."""
 
@@ -126,8 +130,11 @@ def shell(folder: Path, script: str) -> str:
 def test_the_blocks_of_a_page_run_in_order(page: str, workshop: Path, tmp_path: Path) -> None:
     folder = tmp_path / "page"
     shutil.copytree(workshop, folder, symlinks=True)
-    for name in {name for block in blocks(page) for name in MAKES_ITS_RUN.findall(block.text)}:
-        shutil.rmtree(folder / "runs" / name)
+    text = "".join(block.text for block in blocks(page) if block.language == "sh")
+    for made in MAKES_ITS_OWN.finditer(text):
+        place = folder / (made[2] or made[3])
+        if (made[2] or made[3]) not in text[: made.start()] and place.exists():
+            shutil.rmtree(place) if made[2] else place.unlink()
     shell(folder, BEFORE.get(page, "true"))
     for block in blocks(page):
         if block.file is not None:

@@ -79,8 +79,8 @@ def _same(one: Recording, other: Recording) -> bool:
 
 
 def _with_gaps(found: Recording, intact: Recording) -> bool:
-    """Whether a note names missing values, and all others are those of the intact log."""
-    noted = any("missing values" in note for note in found.notes)
+    """Whether a warning names missing values, and all others are those of the intact log."""
+    noted = any("missing values" in note for note in found.warnings)
     same = [(c.name, c.unit, len(c.samples)) for c in found.channels]
     if not noted or same != [(c.name, c.unit, len(c.samples)) for c in intact.channels]:
         return False

@@ -19,4 +19,5 @@ def test_damaged_logs_are_read_or_refused(kind):
 @pytest.mark.parametrize("kind", KINDS)
 def test_many_damaged_logs_are_read_or_refused(kind):
     died = fuzz(kind, 2000, number=3).outcomes["died, contained"]
-    assert died == 0 or (kind == "mdf4" and died < 10)  # asammdf's C code dies of some; the child contains it
+    # The C code of asammdf and SciPy's reader of MAT 5 die of some; the child contains it.
+    assert died == 0 or (kind in ("mdf4", "mat5") and died < 10)
