@@ -22,7 +22,7 @@ from .logs import load_logs, sources
 from .prior_knowledge import known_inputs, prior_knowledge_of
 from .steps.identify import CHOICE, IDENTIFIED, identified, training
 
-ALGORITHM = "61"
+ALGORITHM = "62"
 
 
 def tasks(prototype: Prototype, parameters: JointParameters | None, jobs: int) -> list[Task]:

@@ -248,7 +248,7 @@ class RbfModel:
         rates = np.tile(c.rates, (len(q), 1))
         for i in range(p.structure.shape_elements):
             rates[:, i] += curves[:, p.rows[f"relaxation{i}"]]
-        damping = curves[:, DAMPING] + np.where(rates > s.pace, couplings**2 / rates, 0.0).sum(axis=1)
+        damping = curves[:, DAMPING] + np.where(rates > self.parameters.pace, couplings**2 / rates, 0.0).sum(axis=1)
         gains = curves[:, INPUT : INPUT + inputs]
         result = {"F": -self.mass_kg * s.half * curves[:, FORCE], "d": self.mass_kg * damping}
         for k in range(inputs):

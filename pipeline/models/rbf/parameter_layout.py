@@ -69,6 +69,17 @@ class ParameterLayout:
         return self.scales.overdamped if self.structure.overdamped else self.scales
 
     @property
+    def pace(self) -> float:
+        """Rate [rad/s] that integration steps resolve, at least the frequency scale.
+
+        A joint between two membranes rests between its motions. RMS slope of the velocity over RMS velocity is the
+        angular frequency of its vibrations, however long it rests. Other devices move all the time, and their sensors
+        may be noisy.
+        """
+        rests = self.signs in ((1, -1), (-1, 1)) and self.scales.speed > 0.0
+        return max(self.scales.frequency, self.scales.slope / self.scales.speed) if rests else self.scales.frequency
+
+    @property
     def bend(self) -> float:
         """1/(2σ²) of the dimensionless Gaussians."""
         return 0.5 / (self.structure.smoothing * float(self.centres[1] - self.centres[0])) ** 2

@@ -102,7 +102,7 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
         touching = float(np.sqrt(stiffness)) / COARSE_STEP
         fastest = max(fastest, float(resistance))
     fastest = min(fastest, FASTEST / interval) / STABLE
-    rate = max(p.scales.pace / step, min(touching, FASTEST / interval), fastest)
+    rate = max(p.pace / step, min(touching, FASTEST / interval), fastest)
     if interval * rate > MOST_STEPS:
         raise InputError(
             f"the model moves {interval * rate:.3g} steps in a sample interval of {interval:g} s; resample"
@@ -328,7 +328,7 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
     s = p.scales
     hold = p.structure.hold
     past = 0
-    every = min(thinning, max(1, int(step / (s.pace * record.interval))))
+    every = min(thinning, max(1, int(step / (p.pace * record.interval))))
     observe = record.valid[::every].astype(np.float64)
     measured = bridged((record.q - s.middle) / s.half, record.valid)
     if record.fine is not None:  # then the samples have been low-pass filtered, and runs are not

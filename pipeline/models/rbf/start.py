@@ -69,14 +69,14 @@ def data_scales(
     speed, acceleration = (
         rms(np.concatenate([getattr(r, name)[r.valid] for r in records])) / half for name in ("qdot", "qddot")
     )
-    slopes = [np.gradient(np.where(r.valid, r.qdot, np.nan), r.interval) for r in records]
+    slopes = np.concatenate([np.gradient(np.where(r.valid, r.qdot, np.nan), r.interval) for r in records])
     return JointScales(
         middle=middle,
         half=half,
         volts=volts,
         stiffness=acceleration,
         speed=speed,
-        slope=float(np.sqrt(np.nanmean(np.concatenate(slopes) ** 2))) / half,
+        slope=rms(slopes[np.isfinite(slopes)]) / half,
     )
 
 

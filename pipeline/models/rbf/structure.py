@@ -123,14 +123,6 @@ class JointScales:
         return float(np.sqrt(2.0 * self.stiffness))
 
     @property
-    def pace(self) -> float:
-        """RMS slope of the velocity over RMS velocity [rad/s], at least the frequency scale.
-
-        A vibration has its own angular frequency by it, however long the joint rests between.
-        """
-        return max(self.frequency, self.slope / self.speed if self.speed > 0.0 else 0.0)
-
-    @property
     def overdamped(self) -> "JointScales":
         """Scales for an overdamped device: the force scale follows from the speed, by damping of `OVERDAMPED`."""
         return replace(self, stiffness=2.0 * (OVERDAMPED * self.speed) ** 2)

@@ -300,7 +300,7 @@ def _coupled(records: Sequence[Log], setting: Setting, first: Candidate) -> tupl
 
 def excerpts(records: Sequence[Log]) -> list[Log]:
     """The logs, cut where together they take more than `EXCERPT` coarse steps."""
-    step = COARSE_STEP / data_scales(records, centred=False).pace
+    step = COARSE_STEP / data_scales(records, centred=False).frequency
     total = sum(len(r.t) * max(1, np.ceil(r.interval / step)) for r in records)
     thinning = max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES)
     return cut(records, EXCERPT * max(1.0, min(thinning, min(step / r.interval for r in records))) / total)
