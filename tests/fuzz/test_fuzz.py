@@ -19,6 +19,6 @@ def test_damaged_logs_are_read_or_refused(kind):
 @pytest.mark.parametrize("kind", KINDS)
 def test_many_damaged_logs_are_read_or_refused(kind):
     died = fuzz(kind, 2000, number=3).outcomes["died, contained"]
-    # C code of asammdf and of SciPy's reader of MAT 5 dies of some damaged files. SciPy's deaths vary: 6 and 10 of 2,000
-    # equal damages in two runs. A child must contain each of them, which `Target.check` asserts.
+    # C code of asammdf and of SciPy's reader of MAT 5 dies of some damaged files. SciPy's deaths vary: 6 and 10 of
+    # 2,000 equal damages in two runs. A child must contain each of them, which `Target.check` asserts.
     assert died == 0 or kind == "mat5" or (kind == "mdf4" and died < 10)
