@@ -61,10 +61,11 @@ def opened(here: Path, *arguments: str) -> set[str]:
     "arguments",
     [
         ("run", "../small.toml", "-o", "../run"),  # and the report, which is missing
-        pytest.param(("show", "../run"), marks=pytest.mark.long),  # its datasheet
         pytest.param(("inspect", "../train.csv"), marks=pytest.mark.long),
         pytest.param(("verify", "../run"), marks=pytest.mark.long),
+        # The report comes before what reads its datasheet.
         pytest.param(("report", "../run", "--figures", "sans"), marks=pytest.mark.long),
+        pytest.param(("show", "../run"), marks=pytest.mark.long),
         pytest.param(("plot", "../run"), marks=pytest.mark.long),
         pytest.param(("export", "../run", "--to", "fmu", "-o", "../out"), marks=pytest.mark.long),
         pytest.param(("export", "../run", "--to", "matlab", "-o", "../out"), marks=pytest.mark.long),
