@@ -23,7 +23,7 @@ from ..numerics.arrays import FloatArray
 from ..numerics.metrics import fit_percent
 from ..scoring.wells import wells_of
 from ..settings.models import AUTO, ENTRIES, entry, names
-from ..settings.prototype import Prototype, parse_prototype
+from ..settings.prototype import Plant, Prototype, parse_prototype
 from ..signals.columns import code_remarks, codes_in, masked
 from ..signals.findings import scale_suspicion
 from ..signals.log import UNKNOWN, Log, RawLog, log_of
@@ -117,17 +117,18 @@ def settings(
         raise InputError(
             f"settings is {more!r}; give a mapping of tables, as {{'ingest': {{'sample_interval': 0.005}}}}"
         )
-    if taken := sorted(more.keys() & {"name", "logs", "channels"}):
-        raise InputError(f"settings has {', '.join(taken)}; the arguments give these: signals in SI units")
+    of_plant = {f"plant.{key}" for key, value in plant.items() if value != getattr(Plant(), key)}
+    keys = {f"{name}.{key}" for name, table in more.items() if isinstance(table, Mapping) for key in table}
+    if taken := sorted((keys | more.keys()) & {"name", "logs", "channels", "identify.models", *of_plant}):
+        raise InputError(f"settings has {', '.join(taken)}; the arguments of the function give these: leave them out")
     for name, table in more.items():
-        if name == "identify" and isinstance(table, Mapping) and "models" in table:
-            raise InputError("settings has identify.models; the argument `model` names the model")
         document[name] = {**document.get(name, {}), **_plain(table)} if isinstance(table, Mapping) else table
     prototype = parse_prototype(document, "debist.identify")
     compared = model in names("compare")
     not_taken = f"which the model {model!r} does not take"
     unread = (
         ("compare.curves", prototype.compare.curves, "which only the report of a run draws"),
+        ("compare.models", prototype.compare.models, "but the argument `model` names the model"),
         ("ingest.sample_rate", prototype.ingest.sample_rate, "but t has the time of each sample"),
         ("plant.curves", prototype.plant.curves if compared else None, not_taken),
         ("plant.siblings", prototype.plant.siblings if compared else None, not_taken),

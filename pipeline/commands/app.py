@@ -62,6 +62,8 @@ def main(
 ) -> None:
     """From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model."""
     settle_machine()
+    from ..system import linear_algebra  # noqa: F401 - which takes its memory
+
     # A tenth of the time of figures and compilation goes into looking for cycles that are hardly ever there.
     gc.set_threshold(500_000, 20, 20)
 

@@ -244,9 +244,7 @@ def _operation(builder: Builder, kind: int, operands: list[int]) -> int:
     if kind == ca.OP_DIV:
         # As a product: the reciprocal is often wanted again, and where it is a constant it is prepared.
         return builder.add("mul", operands[0], builder.add("div", builder.constant(1.0), operands[1]))
-    if kind == ca.OP_ADD:
-        return _sum(builder, *operands)
-    return builder.add(_NAMES[kind], *operands)
+    return _sum(builder, *operands) if kind == ca.OP_ADD else builder.add(_NAMES[kind], *operands)
 
 
 def _sum(builder: Builder, a: int, b: int) -> int:

@@ -38,8 +38,7 @@ def words(text: str) -> str:
     plain = unicodedata.normalize("NFKD", named).translate(_SPELT)
     spelt = "".join(c for c in plain if not unicodedata.combining(c))
     one_line = "".join(c if " " <= c <= "~" else " " if c.isspace() or not c.isprintable() else "?" for c in spelt)
-    apart_from_the_template = _AT_END.sub(r"\g<0> ", _AT_START.sub(r" \g<0>", one_line))
-    return _ENDS.sub(" ", apart_from_the_template)
+    return _ENDS.sub(" ", _AT_END.sub(r"\g<0> ", _AT_START.sub(r" \g<0>", one_line)))
 
 
 def in_xml(text: str) -> str:

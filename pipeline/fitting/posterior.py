@@ -188,10 +188,10 @@ def first_order_curves(
     moved = np.flatnonzero(np.any(spread, axis=1))
     ahead = [curves(mean + step) for step in PARAMETER_STEP * np.eye(len(mean))[moved]]
     deviations = posterior_draws(np.zeros(len(moved)), spread[moved], count, seed) / PARAMETER_STEP
-    drawn = {}
-    for name, middle in best.items():
-        slopes = np.array([each[name] - middle for each in ahead]).reshape(len(moved), middle.size)
-        drawn[name] = middle + deviations @ slopes
+    drawn = {
+        name: middle + deviations @ np.array([each[name] - middle for each in ahead]).reshape(len(moved), middle.size)
+        for name, middle in best.items()
+    }
     return drawn | {name: np.maximum(drawn[name], 0.0) for name in nonnegative}
 
 

@@ -40,9 +40,7 @@ def compiled(function: Any = None, /, **options: Any) -> Any:
     options
         Further options of ``numba.njit``, as ``@compiled(forceinline=True)``.
     """
-    if function is None:
-        return partial(_kernel, options=options)
-    return _kernel(function, options)
+    return partial(_kernel, options=options) if function is None else _kernel(function, options)
 
 
 def inner(function: Kernel, **options: Any) -> Kernel:

@@ -303,5 +303,4 @@ def terms(equation: str) -> list[str]:
     if len(parts) == 1:
         return parts
     # The first term needs no plus, and stands beside the equals sign.
-    first = parts[1].removeprefix("+ ").replace("− ", "−", 1)
-    return [f"{parts[0]} {first}", *parts[2:]]
+    return [f"{parts[0]} {parts[1].removeprefix('+ ').replace('− ', '−', 1)}", *parts[2:]]

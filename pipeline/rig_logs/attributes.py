@@ -28,13 +28,14 @@ _RATIO = re.compile(
 )
 _START = re.compile(r"(?i)(.*[./])?([tx]_?0|x_?(org|origin|zero)|((wf|x)_?)?(start|begin)(_?(time|offset))?)")
 
-_SAMPLING = "(sampl(e|ing)|scan|acquisition|abtast|measuring)[_ ]?"
+_SAMPLING = "(samp(l(e|ing))?|scan|acquisition|abtast|measuring)[_ ]?"
 _RATE = re.compile(
-    rf"(?i)(.*[./])?(f_?s|s?rate|samples?[_ ]?per[_ ]?sec(ond)?|{_SAMPLING}(rate|freq(uency)?|frequenz))"
+    rf"(?i)(.*[./])?(f_?s(amp(l(e|ing))?)?|s_?r|sps|((daq|data|log(ging)?|mess|record(ing)?|update)[_ ]?|s)?rate|"
+    rf"samples?([_ ]?per[_ ]?|/)s(ec(ond)?)?|{_SAMPLING}(rate|freq(uency)?|frequenz))"
 )
 _STEP = re.compile(
-    rf"(?i)(.*[./])?(t_?s|dt|delta[_ ][xt]|((x|wf)[_ ]?)?increment|[tx]_?inc|t(ime)?[_ ]?(step|interval)|"
-    rf"{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit))"
+    rf"(?i)(.*[./])?(t_?s(amp(l(e|ing))?)?|dt|delta[_ ]?[xt]|((x|wf)[_ ]?)?increment|[tx]_?inc|"
+    rf"t(ime)?[_ ]?(step|interval)|{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit))"
 )
 """Names of single numbers that say how often a log was sampled …"""
 _FREQUENCY = re.compile(r"(?i)(.*[./])?(freq(uency)?|frequenz)")
@@ -166,7 +167,7 @@ def _number(value: Any, *, quantity: bool = False) -> float | None:
         return None
 
 
-_PER_SECOND = re.compile(r"(?i)(s|sa|samples)/s(ec)?$|sps$")
+_PER_SECOND = re.compile(r"(?i)(s|sa|samples)(/| per )s(ec(ond)?)?$|sps$")
 
 
 def number_with_unit(text: str, unit: str) -> float:

@@ -184,9 +184,13 @@ def _clocks(names: Sequence[str], times: Sequence[str], sizes: Mapping[str, int]
     return clocks
 
 
-def clocks_beside(names: Sequence[str]) -> dict[str, str]:
-    """The column of time over which each channel may run; empty where fewer than two are called so."""
-    times = [name for name in names if is_called("time", name) or any(_after(name, other) for other in names)]
+def clocks_beside(names: Sequence[str], time: str) -> dict[str, str]:
+    """The column of time over which each channel may run; empty where fewer than two are called so, or as `time`."""
+    times = [
+        name
+        for name in names
+        if is_called("time", name) or time in (name, name.rpartition(" (")[0]) or any(_after(name, o) for o in names)
+    ]
     return _clocks(names, times, dict.fromkeys(names, 0)) if len(times) > 1 else {}
 
 
@@ -217,8 +221,7 @@ def _best(
     by_unit = [name for name in names if units[name].lower() in pint_names]
     by_name = [name for name in names if is_called(word, name)]
     by_name = by_name or [name for name in names if words[name] and is_called(word, words[name])]
-    both = [name for name in by_unit if name in by_name]
-    return tuple(both or by_unit or by_name)
+    return tuple([name for name in by_unit if name in by_name] or by_unit or by_name)
 
 
 def is_called(word: str, name: str) -> bool:

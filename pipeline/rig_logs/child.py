@@ -26,6 +26,7 @@ from ..errors import disk_failure
 from ..system.isolation import Send, limit
 from ..system.package import module_at
 from .source import (
+    MEGABYTE,
     CsvOptions,
     Entry,
     Limits,
@@ -73,7 +74,8 @@ def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
         system = disk_failure(error)
         reason = f"{path}: damaged or not what it claims to be ({type(error).__name__}: {error})"
         if isinstance(error, MemoryError) or getattr(error, "errno", 0) == errno.ENOMEM:
-            reason = f"{path}: reading it needs more than {limits.memory(size) >> 20} MB of memory"
+            most = limits.memory(size) // MEGABYTE
+            reason = f"{path}: reading it needs more than {most} MB of memory, or than `ulimit -v` leaves"
         elif system is not None:
             reason = f"{path}: cannot be read: {system}"
     return {"error": " ".join(reason.split())[:_LONGEST_ERROR]}  # libraries write paragraphs; a failure is one line

@@ -34,6 +34,7 @@ from .csv_dialect import SAMPLE_BYTES, find_dialect
 from .csv_heading import stated_frequencies, stated_rates, stated_scales
 from .csv_text import as_utf8, text_of, whole_rows, written
 from .source import (
+    MEGABYTE,
     CsvOptions,
     Entry,
     Source,
@@ -43,7 +44,6 @@ from .source import (
     unique_names,
 )
 
-_BLOCK_BYTES = 1 << 20
 _LARGEST_HEAD = 1 << 24
 _FEWEST_LINES = 20
 _MOST_NAMED = 3
@@ -69,7 +69,7 @@ class CsvSource(Source):
             size *= 4
             start = read_start(path, size)
         self._dialect = find_dialect(start, whole=len(start) < size, options=options)
-        self._block = max(_BLOCK_BYTES, 2 * size)
+        self._block = max(MEGABYTE, 2 * size)
         self._columns = unique_names(list(self._dialect.header))
         self._origins: dict[str, int] = {}
         preamble = self._dialect.preamble
@@ -99,11 +99,11 @@ class CsvSource(Source):
 
     def _left_out(self) -> dict[str, str]:
         """Content of the columns that are no numbers, by name."""
-        left_out = {}
-        for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True):
-            if text or not cell or not is_value(cell, self._dialect.decimal):
-                left_out[name] = text or (repr(cell[:40]) if cell else _EMPTY)
-        return left_out
+        return {
+            name: text or (repr(cell[:40]) if cell else _EMPTY)
+            for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True)
+            if text or not cell or not is_value(cell, self._dialect.decimal)
+        }
 
     def entries(self) -> list[Entry]:
         """The columns whose first rows are numbers; `count` is an estimate from the first rows."""
@@ -225,8 +225,8 @@ class CsvSource(Source):
 
         clocks = _clocks(self._firsts, self._clocks)
         looked_at = self._dialect.numeric[0] and not self._rewritten
-        first = [name for name in self._columns[:1] if looked_at and name not in names]
-        every = [*names, *first]  # words in the first column show that a row is none of numbers
+        # Words in the first column show that a row is none of numbers.
+        every = [*names, *(name for name in self._columns[:1] if looked_at and name not in names)]
         for batch in self._batches(every, {name: self._kind(name) for name in every}):
             for name, column in zip(names, batch.columns, strict=False):
                 samples = pa.chunked_array([column])

@@ -247,7 +247,7 @@ class Dialect:
 
     def check_same_segment(self, cells: Sequence[str], line: int) -> None:
         """Refuse a further segment of a LabVIEW measurement, which has a header and a start of its own."""
-        if self.is_labview and cells[0] == "Channels":
+        if self.is_labview and cells[0] in ("Channels", _LABVIEW):
             raise UnreadableLogError(
                 f"line {line} is the header of another segment (LabVIEW's Multi_Headings), whose time begins anew: cut "
                 "the file there, and put the header of the file above each segment"
@@ -323,7 +323,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         or (header_row is not None and len(above[header_row]) == width + 1),
         above=frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
         - {("",) * width},
-        is_labview=lines[0].startswith(_LABVIEW),
+        is_labview=any(line.startswith(_END_OF_HEADER) for line in lines[: table.first]),
     )
 
 

@@ -19,7 +19,8 @@ _QUANTITY = re.compile(rf"{NUMBER.pattern.removesuffix('$')} ?[A-Za-zµμ%]{{0,3
 _ROW_KEY = re.compile(r"(?i)(units?|names?|channels?|labels?|einheit(en)?)\s*[:=]\s*(?=\S)")
 """Mark before a row of units or names, as in ``#UNITS:s,V,V`` of Hantek."""
 _RATE_IN_WORDS = re.compile(
-    r"(?i)(sampl|scan|\brate|abtast)[^\d]*(?P<number>\d+([.,]\d+)?) ?(?P<unit>k?Hz|(s|sa|samples)/s(ec)?)\b"
+    r"(?i)((sampl|scan|\w*rate\b|abtast|recorded)[^\d]*|(?=[\d.,]+ ?s))"
+    r"(?P<number>\d+([.,]\d+)?) ?(?P<unit>k?Hz|(s|sa|samples)(/| per )s(ec(ond)?)?|sps)\b"
 )
 """A sample rate as in ``sampled at 500 Hz``."""
 _ALONE = re.compile(r"(?i)\d+([.,]\d+)? ?k?Hz")

@@ -173,8 +173,7 @@ def _last_rows(content: bytes | mmap.mmap, end: int, encoding: str) -> tuple[lis
     if width == 1:  # line ends are single bytes in all of these, whatever stands between them
         codec = "latin-1"
     text = content[start:end].decode(codec)
-    last = max(text.rfind("\n"), text.rfind("\r")) + 1
-    return rows_of(text), len(text[last:].encode(codec))
+    return rows_of(text), len(text[max(text.rfind("\n"), text.rfind("\r")) + 1 :].encode(codec))
 
 
 def _written(content: bytes | mmap.mmap) -> int:

@@ -152,10 +152,11 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
     lengths: list[tuple[str, int]] = []
     channels = []
     if isinstance(axes, MatStruct):
-        names = []
-        for i in range(axes.count):
-            raster = text_of(axes.get(i, "Raster")) or str(i + 1)
-            names.append(text_of(axes.get(i, "Name")) or ("time" if axes.count == 1 else f"time ({raster})"))
+        rasters = [text_of(axes.get(i, "Raster")) or f"{i + 1}" for i in range(axes.count)]
+        names = [
+            text_of(axes.get(i, "Name")) or ("time" if axes.count == 1 else f"time ({raster})")
+            for i, raster in enumerate(rasters)
+        ]
         for i, name in enumerate(unique_names(names)):
             data = axes.get(i, "Data")
             unit = text_of(axes.get(i, "Unit")).strip() or "s"

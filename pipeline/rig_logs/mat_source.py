@@ -8,7 +8,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from ..units.units import SECONDS, time_unit
-from .attributes import is_unit, note_on_rate, possible_rate, scales_among, starts_among, stated_rate
+from .attributes import is_unit, note_on_rate, possible_rate, rates_among, scales_among, starts_among, stated_rate
 from .channel_roles import is_called
 from .mat_recorders import (
     TABLES,
@@ -106,6 +106,7 @@ class MatSource(Source):
             self.texts[name] = f"a MATLAB {value.kind}: {advice}"
         elif isinstance(value, str) and value:
             self.texts[name] = f"the text {value[:40]!r}"
+            self.note_rates(rates_among({name: value}, ""))
             self.heading = "; ".join(filter(None, (self.heading, value)))
         elif isinstance(value, MatArray):
             self._note_scalar(name, value, second)

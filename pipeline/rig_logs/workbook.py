@@ -159,9 +159,7 @@ def _text(cell: Any, number: Any, mark: str, clock: str) -> str:
     if clock and _is_time(cell):
         day, of_day = _stamp(number if isinstance(number, float | int) else cell)
         return of_day if clock == "day" else f"{day} {of_day}"
-    if isinstance(cell, float):
-        return repr(cell).replace(".", mark)
-    return f"{cell}"
+    return repr(cell).replace(".", mark) if isinstance(cell, float) else f"{cell}"
 
 
 def _stamp(cell: date | time | timedelta | float) -> tuple[date, str]:

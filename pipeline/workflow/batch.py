@@ -4,6 +4,7 @@ import csv
 import io
 import itertools
 import math
+import mmap
 import sys
 import time
 from collections.abc import Callable, Iterable, Sequence
@@ -224,6 +225,7 @@ def run_batch(
     Cost: that of the runs, and once 2 s of processor time for the imports where processes are forked (Linux),
     elsewhere as much for each; for a prototype that is up to date some milliseconds and the hashing of its files.
     """
+    mmap.mmap(-1, 1 << 30).close()  # room for what its processes import, else an OSError
     make_folder(output)
     preload([full_name("workflow.preloaded"), program.__module__])
     own = [member for member in members if shard is None or shard.holds(member.name)]

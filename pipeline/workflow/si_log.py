@@ -179,15 +179,18 @@ def _within(time: FloatArray, span: tuple[float, float]) -> "slice | BoolArray":
 
 
 def _clocks_beside(recording: Recording, prototype: Prototype) -> dict[str, str]:
-    """The column of time that stands beside each channel, where the log has several and the settings name one."""
+    """The column of time that stands beside each channel, where the log has several and the settings name one.
+
+    It may be one for all that the settings do not name.
+    """
     channels = prototype.channels
     used = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]
     if channels.time is None or all(each.time for each in used):
         return {}
-    own = clocks_beside(recording.listed)
+    own = clocks_beside(recording.listed, channels.time.channel)
     beside = {each.channel: own[each.channel] for each in used if not each.time and each.channel in own}
-    several = len({*beside.values(), *(each.time.channel for each in used if each.time)}) > 1
-    return beside if several else {}
+    named = {each.time.channel for each in used if each.time}
+    return {} if named and {*beside.values()} <= named else beside
 
 
 def _clocks_unnamed(recording: Recording, prototype: Prototype) -> list[str]:
@@ -274,6 +277,11 @@ def _si(recording: Recording, log_column: LogColumn, unit: SiUnit, name: str, no
     if log_column.scale == 1.0:  # else the log's own unit is that of its data acquisition
         _check_unit(recording.path, read.name, read.unit, log_column.unit, unit)
         notes += [f"{name}: {note}" for note in recording.unapplied(log_column.channel) if not log_column.offset]
+    notes += [
+        f"{name}: the log has {each!r} too, which is not read"
+        for each in recording.listed
+        if each == f"{log_column.channel} (2)" and name != "time"
+    ]
     codes = codes_in(read.samples, log_column.missing, of_time=unit.symbol == "s")
     notes += [f"{name}: {text}" for text in code_remarks(codes)]
     samples = scaled(masked(read.samples, codes), unit.factor * log_column.scale, unit.factor * log_column.offset)
@@ -307,6 +315,7 @@ def _bases(
     without = [each for each in channels.values() if not (each.time or prototype.channels.time)]
     own = _own_bases(recording, without, prototype.ingest.sample_rate)
     read: dict[LogColumn, FloatArray] = {}
+    several = len({*clocks.values(), *(each.time.channel for each in channels.values() if each.time)}) > 1
 
     def seconds(clock: LogColumn) -> FloatArray:
         """The stamps of a column, read once."""
@@ -325,30 +334,31 @@ def _bases(
         if beside != clock.channel:
             stated = suggested_unit(beside, recording.channel(beside).unit)
             column_beside = {"channel": beside, "unit": stated if stated in SECONDS else clock.unit}
-            base = _of_two(name, base, seconds(clock.model_copy(update=column_beside)), (clock.channel, beside), notes)
+            own_base = seconds(clock.model_copy(update=column_beside))
+            base = _of_two(name, base, own_base, (clock.channel, beside), notes, own=several)
         bases.append(next((other for other in bases if other is not base and equal(other, base)), base))
     return bases
 
 
 def _of_two(
-    name: str, of_all: FloatArray, beside: FloatArray, columns: tuple[str, str], notes: list[str]
+    name: str, of_all: FloatArray, beside: FloatArray, columns: tuple[str, str], notes: list[str], *, own: bool
 ) -> FloatArray:
-    """The time base [s] of a signal: the column beside it where that runs over the same time as that of all."""
+    """The time base [s] of a signal: the column beside it where that is its `own` and runs over the time of all."""
     rises = all(np.all(np.diff(beside[rows][np.isfinite(beside[rows])]) >= 0.0) for rows in chunks(beside.size))
     if beside.size != of_all.size or equal(beside, of_all) or not rises or np.nanmax(beside) == np.nanmin(beside):
         return of_all
     (begin, end), (own_begin, own_end) = span(of_all), span(beside)
     shared = min(end, own_end) - max(begin, own_begin)
     what = f"{name} stands beside a clock of its own, {columns[1]!r}"
+    way_out = f"give that of {name} in [channels] as time = {{ channel, unit }}"
     if 2.0 * shared > max(end - begin, own_end - own_begin):
         filled = np.isnan(beside).any() or np.isnan(of_all).any()  # with blanks: rows are not of one time
         apart = "" if filled else f", up to {quantity(float(np.abs(beside - of_all).max()), 's')} from {columns[0]!r}"
-        notes.append(f"{what}{apart}: it is used for {name}")
-        return beside
-    notes.append(
-        f"{what}, which differs from {columns[0]!r}, and is not used: it runs from {own_begin:.6g} to {own_end:.6g} s; "
-        f"give that of {name} in [channels] as time = {{ channel, unit }}"
-    )
+        then = f"it is used for {name}" if own else f"which of them is that of {name} is not known; {way_out}"
+        notes.append(f"{what}{apart}: {then}")
+        return beside if own else of_all
+    apart = f", which differs from {columns[0]!r}, and is not used: it runs from {own_begin:.6g} to {own_end:.6g} s"
+    notes += [f"{what}{apart}; {way_out}"] if own else []
     return of_all
 
 

@@ -200,7 +200,23 @@ def test_an_angle_is_in_radians_and_curves_without_a_mass_have_no_unit(log):
         (lambda c: c | {"model": "hibrid"}, "hybrid"),
         (lambda c: c | {"t": c["t"][::-1].copy()}, "time|t "),
         (lambda c: c | {"v1": c["v1"] / 1e3, "v2": c["v2"] / 1e3}, "give SI units, or if they are, accept it"),
-        (lambda c: c | {"settings": {"identify": {"models": ["rbf"]}}}, "the argument `model` names the model"),
+        (
+            lambda c: c | {"settings": {"identify": {"models": ["rbf"]}}},
+            "identify.models; the arguments of the function",
+        ),
+        (
+            lambda c: c | {"settings": {"plant": {"mass": {"value": 0.08, "unit": "kg"}}}},
+            "settings has plant.mass; the",
+        ),
+        (
+            lambda c: c | {"parameters": "nominal", "settings": {"plant": {"parameters": "table1"}}},
+            "settings has plant.parameters; the",
+        ),
+        (
+            lambda c: c | {"inputs": "linear", "settings": {"plant": {"inputs": "squared"}}},
+            "settings has plant.inputs; the",
+        ),
+        (lambda c: c | {"settings": {"compare": {"models": ["sindy"]}}}, "compare.models, but the argument `model`"),
     ],
 )
 def test_mistakes_are_one_line(log, change, told):

@@ -116,6 +116,11 @@ def test_a_decimal_mark_behind_whole_numbers_is_seen_or_to_be_set(tmp_path, deli
         ("# sample rate: 2 kHz\nn,q,v", 2000.0),
         ("# sampled at 2 kHz\nq,v", 2000.0),
         ("# Rate 2000 S/s\nq,v", 2000.0),
+        ("# 2000 samples per second\nq,v", 2000.0),
+        ("# recorded at 2 kHz\nq,v", 2000.0),
+        ("Messrate 2000 Hz\nq,v", 2000.0),
+        ("data rate: 2000 SPS\nq,v", 2000.0),
+        ("f_sample: 2000\nq,v", 2000.0),
     ],
 )
 def test_a_rate_above_the_data_is_told(tmp_path, above, rate):
@@ -137,11 +142,15 @@ def test_rates_that_differ_are_all_told(tmp_path):
     assert open_here(tmp_path / "log.lvm").rates == pytest.approx({"Delta_X": 500.0, "Delta_X (2)": 250.0})
 
 
-def test_a_second_segment_of_labview_is_refused(tmp_path):
+@pytest.mark.parametrize("how", ["further header", "whole file behind another", "no header of the file"])
+def test_a_second_segment_of_labview_is_refused(tmp_path, how):
     rows = _plain("\t").splitlines(True)
     again = LVM.partition("\n\t\n")[2]
-    (tmp_path / "log.lvm").write_text(LVM + "".join(rows[:300]) + again + "".join(rows[300:]))
-    with pytest.raises(UnreadableLogError, match=r"line 309 is the header of another segment .*: cut the file there"):
+    head = again if how.startswith("no") else LVM
+    text = head + "".join(rows[:300]) + (LVM if how.startswith("whole") else again) + "".join(rows[300:])
+    (tmp_path / "log.lvm").write_text(text)
+    place = head.count("\n") + 300 + 1
+    with pytest.raises(UnreadableLogError, match=rf"line {place} is the header of another segment .*: cut the file"):
         load(open_here(tmp_path / "log.lvm"), "q")
 
 

@@ -172,7 +172,8 @@ def test_units_in_structs_of_matlab(tmp_path):
     series = {"Time": 1e3 * TIME, "Data": Q, "TimeInfo": {"Units": "milliseconds"}, "DataInfo": {"Units": "mm"}}
     savemat(
         tmp_path / "log.mat",
-        {**log, "series": series, "all": both, "id": {"y": Q, "Ts": 2.0, "TimeUnit": "milliseconds"}},
+        {**log, "series": series, "all": both, "id": {"y": Q, "Ts": 2.0, "TimeUnit": "milliseconds"}}
+        | {"SamplingRate": "0.4 kHz"},
     )
     source = open_here(tmp_path / "log.mat")
     units = {entry.name: entry.unit for entry in source.entries()}
@@ -180,7 +181,7 @@ def test_units_in_structs_of_matlab(tmp_path):
         "series.Time": "milliseconds",
         "series.Data": "mm",
     }
-    assert source.rates == {"id.Ts": 500.0} and "q.scale = 0.5, not applied" in source.notes[0]
+    assert source.rates == {"id.Ts": 500.0, "SamplingRate": 400.0} and "q.scale = 0.5, not applied" in source.notes[0]
 
 
 @pytest.mark.parametrize("holder", ["", "rig", "rig/q"])

@@ -78,15 +78,44 @@ def test_one_stamp_far_ahead_is_refused_before_a_record_of_that_length_is_made(t
     assert "holds 8 s of samples within 1e+12 s" in told
 
 
+def test_two_clocks_before_all_channels_are_named_and_neither_is_chosen(tmp_path):
+    """Nothing shows which of them is that of the input; a clock of the same times is none to name."""
+    channels = 'time = { channel = "time_a", unit = "s" }\nq = { channel = "q", unit = "mm" }\n'
+    late = {"time_a": T, "time_b": T + 0.012, "q": Q, "v": V}
+    warnings, record = ingested(tmp_path, late, channels + 'v1 = { channel = "v", unit = "V" }')
+    assert sum("'time_b', up to 12.0 ms from 'time_a': which of them is that of" in text for text in warnings) == 2
+    np.testing.assert_allclose(record["q"], 1e-3 * np.interp(record["t"], T, Q), atol=1e-5)
+    own = 'v1 = { channel = "v", unit = "V", time = { channel = "time_b", unit = "s" } }'
+    for columns, input_ in ((late, own), (late | {"time_b": T}, own), (late | {"time_b": T + 1.7e9}, own[:32] + "}")):
+        warnings, _ = ingested(tmp_path, columns, channels + input_)
+        assert not [text for text in warnings if "which of them" in text or "is not used" in text]
+
+
+def test_a_second_channel_of_one_name_is_told(tmp_path):
+    """As where a second recording has a group or columns of its own beside the first."""
+    rows = "".join(f"{t:.4f},{q:.4f},{v:.1f},{t:.4f},{q:.4f},{v:.1f}\n" for t, q, v in zip(T, Q, V, strict=True))
+    (tmp_path / "log.csv").write_text("t,q,v,t,q,v\n" + rows)
+    (tmp_path / "d.toml").write_text(
+        f'name = "d"\n[logs]\ntrain = ["log.csv"]\n[channels]\n{TIME}q = {{ channel = "q", unit = "mm" }}\n'
+        'v1 = { channel = "v", unit = "V" }\n[plant]\ninputs = "linear"\n'
+    )
+    result = RUNNER.invoke(app, ["ingest", str(tmp_path / "d.toml"), "-o", str(tmp_path / "run")])
+    said = " ".join(result.output.split())
+    assert "q: the log has 'q (2)' too, which is not read" in said and "'v (2)' too" in said and "'t (2)' t" not in said
+
+
 def test_clocks_may_stand_behind_their_channels():
-    assert clocks_beside(["q", "time", "v1", "time (2)"]) == {"q": "time", "v1": "time (2)"}
-    assert clocks_beside(["time", "q", "time (2)", "v1"]) == {"q": "time", "v1": "time (2)"}
-    assert clocks_beside(["clock", "q", "clock_v", "v1"]) == {"q": "clock", "v1": "clock_v"}
+    assert clocks_beside(["X", "q", "X (2)", "v1"], "X") == {"q": "X", "v1": "X (2)"}
+    assert clocks_beside(["q", "time", "v1", "time (2)"], "time") == {"q": "time", "v1": "time (2)"}
+    assert clocks_beside(["time", "q", "time (2)", "v1"], "time") == {"q": "time", "v1": "time (2)"}
+    assert clocks_beside(["clock", "q", "clock_v", "v1"], "time") == {"q": "clock", "v1": "clock_v"}
 
 
 @pytest.mark.parametrize(
     ("name", "number", "rate"),
-    [("fs", 500.0, 500.0), ("Fs_Hz", 500.0, 500.0), ("sample rate [kHz]", 0.5, 500.0), ("dt_ms", 2.0, 500.0),
+    [("f_sample", 500.0, 500.0), ("SampFreq", 500.0, 500.0), ("sr", 500.0, 500.0), ("log.daq_rate", 500.0, 500.0),
+     ("Samples/s", 500.0, 500.0), ("deltaT", 2e-3, 500.0), ("T_sample_ms", 2.0, 500.0), ("birate", 2.0, None),
+     ("fs", 500.0, 500.0), ("Fs_Hz", 500.0, 500.0), ("sample rate [kHz]", 0.5, 500.0), ("dt_ms", 2.0, 500.0),
      ("t_s", 2e-3, 500.0), ("sampling_interval_us", 2000.0, 500.0), ("gain_ms", 2.0, None), ("frequency", 2.0, None)],
 )  # fmt: skip
 def test_single_numbers_that_state_a_sample_rate(name, number, rate):
