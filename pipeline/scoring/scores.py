@@ -217,7 +217,6 @@ def horizon_errors(
     -----
     Cost: a simulation of the record, one of at most as much for each horizon, and the call overhead of the restarts.
     """
-    q = path.q
     interval = sample_interval(path.t)
     aheads = [samples_of(horizon, interval) for horizon in horizons]
     starts = [_starts(path, ahead, most_starts) for ahead in aheads]
@@ -225,10 +224,10 @@ def horizon_errors(
     for ahead, chosen in zip(aheads, starts, strict=True):
         farthest |= {start: max(ahead, farthest.get(start, 0)) for start in chosen.tolist()}
     paths = dict(_predictions(predict, path, farthest))
-    span = signal_range(q)
+    span = signal_range(path.q)
     return [
         _error(
-            np.array([paths[start][ahead] - q[start + ahead] for start in chosen.tolist()]),
+            np.array([paths[start][ahead] - path.q[start + ahead] for start in chosen.tolist()]),
             chosen,
             ahead,
             interval,

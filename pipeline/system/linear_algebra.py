@@ -8,7 +8,10 @@ import mmap
 
 from .isolation import resource
 
-if resource is not None and resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY:
+LIMITED = resource is not None and resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY
+"""True under a limit of address space."""
+
+if LIMITED:
     mmap.mmap(-1, 1 << 28).close()  # room for what follows, else an OSError
     import numpy as np
     from scipy.linalg.blas import dgemm

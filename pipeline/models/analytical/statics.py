@@ -7,7 +7,7 @@ solution of eq. 15 for every q, stable or not, with F as the unknown. It carries
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, lru_cache, partial
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -413,18 +413,19 @@ def unactuated_path(parameters: JointParameters, reach: float = 0.03, count: int
     return _kept_path(_without_dynamics(parameters), reach, count)
 
 
+_READ = {
+    operation.place[1]
+    for graph in (STATICS, TIP, CAPACITANCE)
+    for operation in graph.operations
+    if operation.place[0] == "p"
+}
+"""Places of the parameters that the static kernels read."""
+
+
 @lru_cache(maxsize=64)
 def _without_dynamics(parameters: JointParameters) -> JointParameters:
-    """The joint of equal statics, with nominal viscosities, inertia and friction."""
-    return parameters.with_values(_dynamic_values())
-
-
-@cache
-def _dynamic_values() -> dict[str, float]:
-    """Nominal values of the parameters that no static kernel reads."""
-    operations = (operation for graph in (STATICS, TIP, CAPACITANCE) for operation in graph.operations)
-    read = {operation.place[1] for operation in operations if operation.place[0] == "p"}
-    return {name: NOMINAL.value(name) for i, name in enumerate(VECTOR_NAMES) if i not in read}
+    """The joint of equal statics, with nominal viscosities, inertia and friction, which no static kernel reads."""
+    return parameters.with_values({n: NOMINAL.value(n) for i, n in enumerate(VECTOR_NAMES) if i not in _READ})
 
 
 @lru_cache(maxsize=64)
