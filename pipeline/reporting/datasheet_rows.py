@@ -303,4 +303,5 @@ def terms(equation: str) -> list[str]:
     if len(parts) == 1:
         return parts
     # The first term needs no plus, and stands beside the equals sign.
-    return [f"{parts[0]} {parts[1].removeprefix('+ ').replace('− ', '−', 1)}", *parts[2:]]
+    first = parts[1].removeprefix("+ ").replace("− ", "−", 1)
+    return [f"{parts[0]} {first}", *parts[2:]]

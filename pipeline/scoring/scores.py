@@ -332,7 +332,8 @@ def voltage_steps(v: FloatArray, interval: float, plant: Device) -> IntArray:
     lag = samples_of(STEP_WINDOW, interval)
     jump = np.zeros(len(v), dtype=bool)
     jump[lag:] = np.any(np.abs(v[lag:] - v[:-lag]) > STEP * plant.peaks(v), axis=1)
-    return np.asarray(np.flatnonzero(jump & ~np.concatenate([[False], jump[:-1]])) - 1, dtype=np.int64)
+    rises = np.flatnonzero(jump & ~np.concatenate([[False], jump[:-1]]))
+    return np.asarray(rises - 1, dtype=np.int64)
 
 
 def step_response(q: FloatArray, interval: float) -> tuple[float | None, float | None]:

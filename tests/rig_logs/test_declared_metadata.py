@@ -172,8 +172,9 @@ def test_units_in_structs_of_matlab(tmp_path):
     series = {"Time": 1e3 * TIME, "Data": Q, "TimeInfo": {"Units": "milliseconds"}, "DataInfo": {"Units": "mm"}}
     savemat(
         tmp_path / "log.mat",
-        {**log, "series": series, "all": both, "id": {"y": Q, "Ts": 2.0, "TimeUnit": "milliseconds"}}
-        | {"SamplingRate": "0.4 kHz"},
+        log
+        | {"series": series, "all": both, "SamplingRate": "0.4 kHz"}
+        | {"id": {"y": Q, "Ts": 2.0, "TimeUnit": "milliseconds"}},
     )
     source = open_here(tmp_path / "log.mat")
     units = {entry.name: entry.unit for entry in source.entries()}
