@@ -12,6 +12,7 @@ from typing import Annotated
 import typer
 
 from ..errors import BatchFailedError, InputError
+from ..system.linear_algebra import load_linear_algebra
 from ..system.machine import settle_machine
 from . import control, inspection, outcome, physics, results, rig, whole_run
 from .boundary import ErrorBoundary, Program, with_options
@@ -62,8 +63,7 @@ def main(
 ) -> None:
     """From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model."""
     settle_machine()
-    from ..system import linear_algebra  # noqa: F401 - which takes its memory
-
+    load_linear_algebra()
     # A tenth of the time of figures and compilation goes into looking for cycles that are hardly ever there.
     gc.set_threshold(500_000, 20, 20)
 

@@ -290,7 +290,9 @@ def begin() -> None:
     """End this process with its parent, which alone decides what Ctrl-C means."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
-    from . import linear_algebra  # noqa: F401 - which takes its memory
+    from .linear_algebra import load_linear_algebra
+
+    load_linear_algebra()
 
 
 def _end_with_parent() -> None:

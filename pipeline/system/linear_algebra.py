@@ -1,4 +1,4 @@
-"""Linear algebra takes its memory when this is imported, where address space is limited (`ulimit -v`).
+"""Memory of linear algebra, where the address space is limited (`ulimit -v`).
 
 OpenBLAS needs room for its buffer while it is loaded, or at its first product. Without that room it tries for ever, or
 ends the process without an error.
@@ -8,12 +8,38 @@ import mmap
 
 from .isolation import resource
 
-LIMITED = resource is not None and resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY
-"""True under a limit of address space."""
+BUFFERS = 2**28
+"""Address space [bytes] that OpenBLAS and what is imported with it need; tried at limits from 120 to 700 MB."""
 
-if LIMITED:
-    mmap.mmap(-1, 1 << 28).close()  # room for what follows, else an OSError
-    import numpy as np
-    from scipy.linalg.blas import dgemm
 
-    dgemm(1.0, np.eye(3), np.eye(3) @ np.eye(3))
+def is_limited() -> bool:
+    """True under a limit of address space."""
+    return resource is not None and resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY
+
+
+def claim_room(size: int) -> None:
+    """Claim so much address space [bytes] for a moment, if it is limited.
+
+    Raises
+    ------
+    OSError
+        There is less.
+    """
+    if is_limited():
+        mmap.mmap(-1, size).close()
+
+
+def load_linear_algebra() -> None:
+    """Have OpenBLAS take its memory now, if the address space is limited.
+
+    Raises
+    ------
+    OSError
+        There is too little.
+    """
+    if is_limited():
+        claim_room(BUFFERS)
+        import numpy as np
+        from scipy.linalg.blas import dgemm
+
+        dgemm(1.0, np.eye(3), np.eye(3) @ np.eye(3))

@@ -4,7 +4,6 @@ import csv
 import io
 import itertools
 import math
-import mmap
 import sys
 import time
 from collections.abc import Callable, Iterable, Sequence
@@ -21,13 +20,16 @@ from ..store.manifest import MANIFEST
 from ..store.outputs import note_written
 from ..store.run_folder import RunFolder
 from ..system.isolation import Isolated, Send, death, largest_memory, next_ready, preload
-from ..system.linear_algebra import LIMITED
+from ..system.linear_algebra import claim_room
 from ..system.package import full_name
 from .members import FLEET_CSV, FLEET_FACTS, FLEET_FILES, FLEET_REPORT, FLEET_TABLE, Member, Shard
 from .progress import failure, failure_file, forget_failure, keep_failure
 from .report_data import load_datasheet, load_scores
 
 Program = Callable[[list[str]], object]
+
+ROOM = 2**30
+"""Address space [bytes] that the imports of a run's process need."""
 
 
 @dataclass(frozen=True)
@@ -226,8 +228,7 @@ def run_batch(
     Cost: that of the runs, and once 2 s of processor time for the imports where processes are forked (Linux),
     elsewhere as much for each; for a prototype that is up to date some milliseconds and the hashing of its files.
     """
-    if LIMITED:
-        mmap.mmap(-1, 1 << 30).close()  # room for what its processes import, else an OSError
+    claim_room(ROOM)
     make_folder(output)
     preload([full_name("workflow.preloaded"), program.__module__])
     own = [member for member in members if shard is None or shard.holds(member.name)]

@@ -7,8 +7,9 @@ from pathlib import Path
 
 signal.signal(signal.SIGINT, signal.SIG_IGN)  # the batch alone decides what Ctrl-C means, and imports take seconds
 
-from ..system import linear_algebra  # noqa: E402, F401, I001 - which takes its memory
+from ..system.linear_algebra import load_linear_algebra  # noqa: E402
 
+load_linear_algebra()
 import numpy as np  # noqa: E402
 
 from ..signals.differentiate import differentiate  # noqa: E402

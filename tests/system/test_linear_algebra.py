@@ -11,7 +11,8 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="only Linux limi
 ROOT = Path(__file__).resolve().parents[2]
 FULL = """
 import mmap
-import pipeline.system.linear_algebra
+from pipeline.system.linear_algebra import load_linear_algebra
+load_linear_algebra()
 import numpy as np, scipy.linalg.blas
 held = []
 for size in (1 << 24, 1 << 20):
