@@ -30,6 +30,13 @@ KEYS = {
     "zero_q": 'zero = "{}"', "delay": 'delay = "{}"', "clock": "clock = {}",
 }  # fmt: skip
 """Setting of a log in `[logs]` by quantity of the instruments."""
+READINGS = {
+    "gain_v1": "gain of v1",
+    "gain_v2": "gain of v2",
+    "zero_q": "zero of q",
+    "gain_q": "gain of q",
+}
+"""Printed names of readings, where they differ from those in files."""
 
 
 def sentences(finding: Finding) -> tuple[str, str]:

@@ -13,6 +13,7 @@ from ..numerics.metrics import NORMAL_90
 from ..signals.log import Log
 from .calibrated import calibrated
 from .instruments import InstrumentTest
+from .sentences import READINGS
 
 ALARM = 0.05
 """Probability that any change is claimed in a series of an unchanged device."""
@@ -27,14 +28,6 @@ _QUANTITIES = {
     "laser offset, change": "zero of the laser",
 }
 """Quantities of `hybrid` that age, and their names for readers."""
-
-READINGS = {
-    "gain_v1": "gain of v1",
-    "gain_v2": "gain of v2",
-    "zero_q": "zero of q",
-    "gain_q": "gain of q",
-}
-"""Printed names of readings, where they differ from those in files."""
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics.instruments import SIGNIFICANCE
-from ..diagnostics.sentences import correction_text
-from ..diagnostics.series import READINGS
+from ..diagnostics.sentences import READINGS, correction_text
 from ..settings.logs import LogPart
 from ..system.names import log_title
 from ..units.quantity import quantity
@@ -141,6 +139,8 @@ def entry(part: LogPart, rows: Sequence[Row], displacement: str) -> str:
 
 def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     """Errors of all logs in units of their limits, a line for each quantity; None where nothing was measured."""
+    from ..diagnostics.instruments import SIGNIFICANCE
+
     measured = [row for row in main_rows(rows) if row["status"] == "measured"] if rows else []
     if not measured:
         return None
