@@ -23,6 +23,9 @@ COUPLED = GAINS[2]
 """Gain at which a chaotic device stays, because less coupled simulations diverge. A bistable one stays there because
 single passages near the separatrix decide its free run."""
 
+LEVEL_TOLERANCE = 1e-3
+"""Relative fall of the cost below which a level before the last one ends, and a trial fit that another one follows."""
+
 LEAST_STEPS = 3
 """Steps of the last level that are taken even when the effort is spent."""
 
@@ -82,7 +85,9 @@ class Schedule:
     iterations, last_iterations : int
         Steps per level, and at the last one.
     tolerance : float
-        Relative fall of the cost below which the last level has converged.
+        Relative fall of the cost below which the last level has converged. The cost is a negative log posterior, of
+        some hundreds: a step that lowers it by a few hundredths moves no parameter by more than a few tenths of its
+        standard error.
     noise_inflation : float
         Factor on the noise level: above 1 where residuals are not independent, so that the prior weighs more.
     """
@@ -90,7 +95,7 @@ class Schedule:
     gains: Sequence[float] = GAINS
     iterations: int = 8
     last_iterations: int = 25
-    tolerance: float = 1e-5
+    tolerance: float = 1e-4
     noise_inflation: float = 1.0
 
 
@@ -207,5 +212,5 @@ def _descend(level: Descent, schedule: Schedule, calls: Callbacks, *, last: bool
     done = False
     while level.iterations < most and not done and not (calls.enough() and level.iterations >= LEAST_STEPS):
         calls.on_progress(level.gain, rms(level.residual))
-        done = not level.step(schedule.tolerance if last else 1e-3)
+        done = not level.step(schedule.tolerance if last else LEVEL_TOLERANCE)
     return done

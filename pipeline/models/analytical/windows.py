@@ -154,7 +154,7 @@ def _window(motion: Log, drive: VoltageKnots, begin: int, end: int) -> Window:
 UNREACHABLE = 0.03
 """Error [m] of a sample that the model does not reach: no static path, or a run that diverged."""
 
-NODE = 5e-4
+NODE = 1e-3
 """Distance [m] of the nodes of the static path from which windows start."""
 
 

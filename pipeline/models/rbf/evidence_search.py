@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...fitting.homotopy import GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
+from ...fitting.homotopy import GAINS, LEVEL_TOLERANCE, Callbacks, HomotopyFit, Schedule, fit_homotopy
 from ...fitting.posterior import log_evidence
 from ...numerics.metrics import rms
 from ...signals.log import Log
@@ -25,11 +25,6 @@ ODDS = 20.0
 
 LAST_ITERATIONS = 300
 """Steps at the last level of a fit; most converge within 60."""
-
-
-TOLERANCE = 1e-4
-"""Relative fall of the cost below which a fit has converged. The cost is a negative log posterior, of some hundreds: a
-step that lowers it by a few hundredths moves no parameter by more than a few tenths of its standard error."""
 
 
 @dataclass(frozen=True)
@@ -99,7 +94,7 @@ def _trial(records: Sequence[Log], setting: Setting, option: Candidate, near: Tr
     if near is not None and near.begun[0] == p:
         start = near.begun[1]
     schedule = Schedule(
-        GAINS[:1], last_iterations=LAST_ITERATIONS, tolerance=TOLERANCE, noise_inflation=option.noise_inflation
+        GAINS[:1], last_iterations=LAST_ITERATIONS, tolerance=LEVEL_TOLERANCE, noise_inflation=option.noise_inflation
     )
     fit = fit_homotopy(
         JointProblem(p, records, effort=setting.effort),

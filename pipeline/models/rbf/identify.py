@@ -30,7 +30,7 @@ from .candidates import (
     joint_offers,
     offers,
 )
-from .evidence_search import LAST_ITERATIONS, TOLERANCE, search_by_evidence
+from .evidence_search import LAST_ITERATIONS, search_by_evidence
 from .model import RbfModel
 from .parameter_layout import ParameterLayout
 from .prior import population
@@ -174,7 +174,7 @@ def _fit_joint(
     )
     best, trials = search_by_evidence(records, setting, first, offered)
     gains = GAINS[1:] if best.fit.levels else GAINS
-    fitted = _fit_to_all(records, setting, best.option, best.begun, gains, TOLERANCE)
+    fitted = _fit_to_all(records, setting, best.option, best.begun, gains)
     return fitted, {label: trial.rms for label, trial in trials.items()}
 
 
@@ -184,7 +184,6 @@ def _fit_to_all(
     option: Candidate,
     begun: Begun,
     levels: Sequence[float] = GAINS,
-    tolerance: float = Schedule.tolerance,
 ) -> _Fitted:
     """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
     p, start, prior = begun
@@ -201,7 +200,6 @@ def _fit_to_all(
                 gains=gains,
                 iterations=ITERATIONS,
                 last_iterations=LAST_ITERATIONS,
-                tolerance=tolerance,
                 noise_inflation=option.noise_inflation,
             ),
             callbacks=Callbacks(

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ...fitting.descent import Prior
-from ...fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
+from ...fitting.homotopy import COUPLED, GAINS, LEVEL_TOLERANCE, Callbacks, HomotopyFit, Schedule, fit_homotopy
 from ...fitting.posterior import surely_smaller
 from ...fitting.regression import InputAction
 from ...numerics.arrays import FloatArray
@@ -407,7 +407,7 @@ def _quick_fit(
                 gains=strong,
                 iterations=steps,
                 last_iterations=2 * steps,
-                tolerance=1e-3,
+                tolerance=LEVEL_TOLERANCE,
                 noise_inflation=option.noise_inflation,
             ),
             callbacks=Callbacks(
