@@ -40,7 +40,7 @@ SIGNIFICANCE = 4.0
 """Standard errors beyond which an error counts: one false alarm in 16,000 quantities of normal errors."""
 
 LIMITS = {"gain": 5e-3, "zero_q": 5e-4, "gain_q": 5e-3, "delay": 0.05, "clock": 3e-3}
-"""Errors below these are of no practical interest, and central differences take them as steps. High-voltage probes and
+"""Errors below these are of no practical interest, and differences take them as steps. High-voltage probes and
 lasers are calibrated to 0.5 %; a good laser is linear to 0.05 % of its range (here: the range of q); a twentieth of the
 sample interval is less than the filter before the sampler leaves uncertain; a clock that is 0.3 % off is defective."""
 
@@ -143,7 +143,7 @@ class InstrumentTest:
 
     Notes
     -----
-    Cost of a log with K quantities: one Jacobian and 2 K runs for each step; two steps are usual.
+    Cost of a log with K quantities: one Jacobian and K runs for each step; two steps are usual.
     """
 
     def __init__(self, model: ObservedModel, training: Sequence[Sequence[Log]]) -> None:
@@ -265,15 +265,14 @@ class InstrumentTest:
 
     def _linearised(self, parts: Sequence[Log], delta: FloatArray) -> Linearised | None:
         """A log near δ [limits]; None where a run fails."""
-        units = np.eye(len(delta))
-        ahead, behind = ([self._residual(parts, delta + side * unit) for unit in units] for side in (1.0, -1.0))
-        if any(run is None for run in (*ahead, *behind)):
+        moved = [self._residual(parts, delta + unit) for unit in np.eye(len(delta))]
+        if any(run is None for run in moved):
             return None
         problem, gain, scale = self._problem(parts, delta)
         residual, by_theta = (scale * each for each in problem.jacobian(self._model.theta, gain))
         by_parameters = by_theta @ self._model.spread
         finite = np.isfinite(residual).all() and np.isfinite(by_parameters).all()
-        return Linearised(residual, 0.5 * (np.array(ahead) - np.array(behind)).T, by_parameters) if finite else None
+        return Linearised(residual, (np.array(moved) - residual).T, by_parameters) if finite else None
 
     def _residual(self, parts: Sequence[Log], delta: FloatArray) -> FloatArray | None:
         problem, gain, scale = self._problem(parts, delta)

@@ -22,7 +22,7 @@ from .logs import load_logs, sources
 from .prior_knowledge import known_inputs, prior_knowledge_of
 from .steps.identify import CHOICE, IDENTIFIED, identified, training
 
-ALGORITHM = "62"
+ALGORITHM = "63"
 
 
 def tasks(prototype: Prototype, parameters: JointParameters | None, jobs: int) -> list[Task]:
@@ -78,7 +78,7 @@ def _identify(
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}
 
 
-BASELINE_ALGORITHM = "15"
+BASELINE_ALGORITHM = "16"
 
 
 def baseline_task(prototype: Prototype, parameters: JointParameters | None, name: str) -> Task:

