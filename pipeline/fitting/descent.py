@@ -147,11 +147,7 @@ class Descent:
         return fall > tolerance * cost
 
     def _lower(self, full: FloatArray, slope: FloatArray, cost: float) -> tuple[FloatArray, FloatArray, float] | None:
-        """θ and residual of a lower cost, and by how much; None if no damping leads to one.
-
-        A damping that had to be raised stays for the next step: lowered at once, it would mostly be refused again.
-        """
-        raised = False
+        """θ and residual of a lower cost, and by how much; None if no damping leads to one."""
         scale = 1.0 / np.sqrt(np.diag(full))
         scaled = scale[:, None] * full * scale
         while self.damping < STRONGEST:
@@ -160,11 +156,9 @@ class Descent:
             residual = self.problem.residual(trial, self.gain)
             fall = -np.inf if residual is None else cost - self._cost(residual, trial)
             if fall > 0.0:
-                if not raised:
-                    self.damping = max(self.damping / 5.0, WEAKEST)
+                self.damping = max(self.damping / 5.0, WEAKEST)
                 return trial, residual, fall
             self.damping *= 5.0
-            raised = True
         return None
 
     def _rms(self) -> float:
