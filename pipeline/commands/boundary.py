@@ -102,6 +102,7 @@ OPTIONS = {
     "series --format": "--json",
     "series -o": "--page",
     "status --watch": "`watch debist status DIR`",
+    "verify --against": "`debist diff RUN RUN`, whose exit code is 0; its --json has `equal`",
     "verify --all": "a loop of the shell over the runs",
     "verify --subset": "leave it out: all files are checked",
     "physics calibrate --set": 'a TOML file for --parameters: base = "nominal", then the values',

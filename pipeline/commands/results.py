@@ -95,33 +95,6 @@ def _text(value: object) -> str:
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 
-def _emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *, as_json: bool) -> None:
-    """Print what is not equal, and how many artifacts are.
-
-    Raises
-    ------
-    CorruptArtifactError
-        An artifact differs by more than rounding, or is missing.
-    """
-    from ..workflow.studies.diff import STATES
-
-    if as_json:
-        emit_json({"artifacts": [asdict(comparison) for comparison in compared]})
-    else:
-        unequal = [c for c in compared if c.state != "equal"]
-        _emit_artifacts(f"{run} and {other}", unequal)
-        for state in dict.fromkeys(c.state for c in unequal):
-            emit_text(f"{state}: {STATES[state]}")
-        emit_text(f"{len(compared) - len(unequal)} of {len(compared)} artifacts have the same content hash")
-    apart = [comparison.artifact for comparison in compared if comparison.state in ("differs", "missing")]
-    if apart:
-        more = f" and {len(apart) - 3} more" if len(apart) > 3 else ""
-        raise CorruptArtifactError(
-            f"{run}: not the content of {other}: {', '.join(apart[:3])}{more}; compare settings and versions in both "
-            "manifests"
-        )
-
-
 def export(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.", callback=run_of)],
     target: Annotated[Target, typer.Option("--to", help="Form of the export.")],
@@ -252,29 +225,16 @@ def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -
 _MOST_NAMED = 20
 
 
-def verify(
-    run: Run,
-    against: Annotated[
-        Path | None, typer.Option("--against", metavar="RUN", help="Compare the content with that of another run.")
-    ] = None,
-    as_json: Json = False,
-) -> None:
+def verify(run: Run, as_json: Json = False) -> None:
     """Check every file of a run; exit code 4 if one does not have the bytes that were written or does not belong there.
 
-    With --against also whether another run, of another machine for instance, holds the same content; where floating
-    point forbids that, whether it is the same to 6 digits (of the largest magnitude of a column); exit code 4 if not.
-    Example: debist verify runs/P1 --against crate/run
+    Example: debist verify runs/P1
     """
     from ..workflow import verify as tool
 
     checked = tool.verify_everything(run)
-    if against is not None and checked.intact:
-        from ..workflow.studies.diff import compare_runs
-
-        _emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
-    else:
-        _emit(checked, as_json)
-        _fail(run, checked)
+    _emit(checked, as_json)
+    _fail(run, checked)
 
 
 def _emit(checked: "Verified", as_json: bool) -> None:
