@@ -335,10 +335,6 @@ def series(
         str | None,
         typer.Option("--at", metavar="TIME,…", help="Date (2026-03-01) or day of each run [default: in this order]."),
     ] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("--page", metavar="FILE", help="Write a page with a figure of each fact."),
-    ] = None,
     as_json: Json = False,
 ) -> None:
     """Drift and steps of the facts of one device over several runs, with 95 % intervals; SI units in JSON.
@@ -346,17 +342,14 @@ def series(
     Rests, barriers, switching voltages, stiffness, capacitance gains, charging time, creep and the laser's zero. A
     change is claimed where chance explains it in one of twenty series at most; four runs are the least.
 
-    Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30 --page series.html
+    Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30
     """
-    from ..reporting.series_page import COLUMNS, conclusion, series_page, series_rows
-    from ..store.atomic import write_text
+    from ..diagnostics.series import COLUMNS, conclusion, series_rows
     from ..workflow.studies.fleet import series_of
 
     facts = series_of(runs, at)
-    if output is not None:
-        write_text(output, series_page(facts))
     if as_json:
-        emit_json(asdict(facts) | {"page": output})
+        emit_json(asdict(facts))
     else:
         emit_table(f"{len(facts.names)} runs of one device, ± 95 %", COLUMNS, series_rows(facts))
         emit_text(conclusion(facts))
