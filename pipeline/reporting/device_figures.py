@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..diagnostics.calibrated import AmongSiblings, places_among
 from ..diagnostics.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
 from ..diagnostics.data_quality import centre_visits
 from ..diagnostics.datasheet import Datasheet
@@ -21,10 +20,9 @@ from ..diagnostics.phase_plane import (
 )
 from ..diagnostics.run_data import Columns, RunData, Study
 from ..numerics.arrays import BoolArray, FloatArray
-from ..numerics.metrics import NORMAL_95
 from ..units.quantity import power, prefixed, quantity
 from .datasheet_rows import NOT_USED
-from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points, error_bars, rows_panel
+from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points
 from .instrument_table import instruments_figure
 from .log_figures import residual_figures
 from .recipe_figures import study_figure
@@ -45,39 +43,13 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     if sheet.curves:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
-    places = places_among(data.models.get(sheet.main_model), data.siblings)
     others = {
         "phase-portrait": _phase_portrait(data, sheet),
-        "siblings": siblings_figure(places) if places else None,
         "instruments": instruments_figure(data.instruments),
         **residual_figures(data, sheet.wells),
         **{f"study-{study.name}": _study(data, study) for study in data.studies},
     }
     return figures | {name: figure for name, figure in others.items() if figure is not None}
-
-
-def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
-    """Quantities of the joint below one another, in standard deviations of the other joints."""
-    rows = np.arange(len(places), dtype=np.float64)[::-1]
-    at = np.array([p.distance for p in places])
-    half = NORMAL_95 * np.array([p.error for p in places])
-    bars = error_bars("what its logs leave open (95 %)", at, half, rows)
-    usual = np.array([-NORMAL_95, NORMAL_95])
-    points = (Points("this joint", "measured", at, rows),)
-    panel = rows_panel([place.name for place in reversed(places)], bars, "95 % of other joints", usual, points)
-    caption = (
-        "The quantities that other joints determine best. Where they were the prior of the fit, it has drawn the "
-        "joint towards them."
-    )
-    return Figure(
-        "siblings",
-        "The joint among other joints",
-        caption=caption,
-        x_name="standard deviations of the other joints from their mean",
-        x_unit="1",
-        panels=(panel,),
-        tall=1.2,
-    )
 
 
 def _study(data: RunData, study: Study) -> Figure:
