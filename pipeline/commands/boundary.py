@@ -24,6 +24,7 @@ from ..errors import WARNING, DebistError, InputError, interrupted, memory_failu
 from .console import emit_json, printable, printed
 
 COMMANDS = {
+    "plot": "`debist report RUN --figures sans` writes every figure; `debist.open_run(RUN).plot(FIGURE)` draws one",
     "repair": "`debist run PROTOTYPE.toml -o RUN` sets aside what is damaged and makes it anew",
     "study settings": "`debist batch TABLE.csv -o DIR` runs a row for each combination of settings",
 }
@@ -151,7 +152,7 @@ _FULL = (errno.EMFILE, errno.ENFILE)
 ORDER = (
     "demo", "init", "inspect", "check", "run",
     "ingest", "differentiate", "identify", "validate", "compare", "report",
-    "show", "plot", "status", "verify", "diff", "series",
+    "show", "status", "verify", "diff", "series",
     "batch", "fleet", "study", "export", "paper", "control", "rig", "physics", "warmup",
 )  # fmt: skip
 

@@ -7,10 +7,12 @@ from pathlib import Path
 import numpy as np
 import pyarrow.parquet as pq
 import pytest
+from matplotlib import pyplot
 from typer.testing import CliRunner
 
 from cli import app
 from pipeline.api.run import open_run
+from pipeline.errors import InputError
 from pipeline.models.model_type import model_from_tree
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.store.run_folder import RunFolder
@@ -105,6 +107,24 @@ def test_scores_are_as_the_contract_says(demo: tuple[Path, Path]) -> None:
     for row in (row for row in rows if row["signal"] == "q"):
         assert row["nrmse_one_step"] < min(row["nrmse_100ms"], row["nrmse_1s"])
         assert row["nrmse_low"] <= row["nrmse"] <= row["nrmse_high"]
+
+
+def test_a_figure_is_drawn_as_a_whole_or_as_a_segment(demo: tuple[Path, Path]) -> None:
+    run = open_run(demo[1])
+    name = "validation-validation-models"
+    assert run.figures[name] == "Measured against models, validation log"
+    whole, part = (run.plot(name, **segment)[0] for segment in ({}, {"start": 2.0, "stop": 3.0}))
+    low, high = whole.get_xlim()
+    assert low < 2.0 < 3.0 < high and part.get_xlim() == pytest.approx((2.0, 3.0), abs=0.011)
+    for arguments, message in (
+        ({"figure": "validation-validation-model"}, f"did you mean {name!r}"),
+        ({"figure": name, "models": ["narx"]}, "has no model 'narx'; it has rbf-paper"),
+        ({"figure": name, "start": 3.0, "stop": 2.0}, "start 3 is not below stop 2"),
+        ({"figure": name, "start": 1e4}, "choose a segment inside"),
+    ):
+        with pytest.raises(InputError, match=message):
+            run.plot(**arguments)
+    pyplot.close("all")
 
 
 def test_the_stages_one_by_one_come_to_the_same(demo: tuple[Path, Path], tmp_path: Path) -> None:
