@@ -26,6 +26,7 @@ from .console import emit_json, printable, printed
 COMMANDS = {
     "plot": "`debist report RUN --figures sans` writes every figure; `debist.open_run(RUN).plot(FIGURE)` draws one",
     "repair": "`debist run PROTOTYPE.toml -o RUN` sets aside what is damaged and makes it anew",
+    "study folds": "`debist batch` with a settings file for each fold, whose logs have `start` and `stop`",
     "study settings": "`debist batch TABLE.csv -o DIR` runs a row for each combination of settings",
 }
 _NO_FORCE = "name another place, or remove the file"

@@ -28,7 +28,6 @@ from .console import (
 from .outcome import emit_table_2
 
 if TYPE_CHECKING:
-    from ..store.columns import Sweep
     from ..workflow.studies.diff import Comparison, RunDifferences
     from ..workflow.studies.fleet import LearntFile
     from ..workflow.studies.study import StudyResult
@@ -151,50 +150,36 @@ def paper(
 
 
 def study(
-    kind: Annotated[Literal["alpha", "basis", "data", "online", "folds"], typer.Argument(help="What is studied.")],
+    kind: Annotated[Literal["alpha", "basis", "data", "online"], typer.Argument(help="What is studied.")],
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.", callback=run_of)],
-    by: Annotated[
-        Literal["blocks", "logs"] | None, typer.Option(help="Of folds: leave out blocks of time, or whole logs.")
-    ] = None,
-    count: Annotated[
-        int | None, typer.Option("--folds", help="Of folds: how many [default: 5 blocks, or every log once].")
-    ] = None,
-    model: Annotated[
-        list[str] | None, typer.Option(help="Of folds: a model of the run; repeat for more [default: all].")
-    ] = None,
-    jobs: Annotated[int, typer.Option("--jobs", min=1, help="Processes at a time, for basis and folds.")] = 1,
+    jobs: Annotated[int, typer.Option("--jobs", min=1, help="Processes at a time, for basis.")] = 1,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Study one thing on the logs of a run: alpha, basis, data, online, or folds.
+    """Study one thing on the logs of a run: alpha, basis, data, or online.
 
     alpha: over- and under-smoothing against the regularisation parameter (figure 11c), and the one that is chosen.
     basis: number M and width of the basis functions of rbf-paper (figure 11b).
     data: free-run NRMSE of rbf-paper against the amount of training data and added noise [m].
     online: recursive least squares over the training logs (§ 4.1), and a planted drift of 10 %.
-    folds: k-fold cross-validation; every model is fitted anew without each fold of all logs, and run freely over it.
 
-    NRMSE in percent for folds, else as fractions; alpha in the unit of the settings, the rest in SI units. Writes
-    studies/KIND.parquet (SI units) and .svg.
+    NRMSE as fractions; alpha in the unit of the settings, the rest in SI units. Writes studies/KIND.parquet (SI units)
+    and .svg.
 
-    Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
+    Example: debist study alpha runs/P1
     """
-    if kind != "folds":
-        given = {"--by": by, "--folds": count, "--model": model}
-        for option in (name for name, value in given.items() if value):
-            raise InputError(f"{option}: is for `debist study folds`; leave it out")
-        _study(run, kind, jobs, as_json=as_json, quiet=quiet)
-        return
-    from ..reporting.tables import FOLD_EXPLANATION, fold_table
-    from ..workflow.studies.folds import run_folds
+    from ..reporting.tables import study_conclusion
+    from ..workflow.studies.study import run_study
 
     with Progress(quiet=quiet or as_json) as progress:
-        result = run_folds(run, progress, by=by or "blocks", folds=count, models=model or (), jobs=jobs)
+        result = run_study(run, kind, progress, jobs=jobs)
     if as_json:
         emit_json(_study_document(result))
     else:
-        emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
-        emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
+        columns, conclusion = study_conclusion(kind, result.columns, result.units, result.notes)
+        rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
+        emit_table(f"Study of {kind}", list(columns), rows, numeric_from=0)
+        emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
 
 
 def _study_document(result: "StudyResult") -> Any:
@@ -205,21 +190,6 @@ def _study_document(result: "StudyResult") -> Any:
     of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
     notes = with_units(result.notes, of_notes)
     return to_json({"columns": with_units(result.columns, units), "figure": result.figure, "notes": notes})
-
-
-def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:
-    from ..reporting.tables import study_conclusion
-    from ..workflow.studies.study import run_study
-
-    with Progress(quiet=quiet or as_json) as progress:
-        result = run_study(run, name, progress, jobs=jobs)
-    if as_json:
-        emit_json(_study_document(result))
-    else:
-        columns, conclusion = study_conclusion(name, result.columns, result.units, result.notes)
-        rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
-        emit_table(f"Study of {name}", list(columns), rows, numeric_from=0)
-        emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
 
 
 _MOST_NAMED = 20

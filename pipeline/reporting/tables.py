@@ -9,7 +9,6 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ..scoring.cross_validation import NRMSE_COLUMNS
 from ..scoring.intervals import BLOCK, FEWEST_BLOCKS, MEMORIES
 from ..scoring.scores import SHORTEST_HORIZON
 from ..store.columns import SCORE_COLUMNS, TIME_COLUMNS, Column
@@ -288,14 +287,6 @@ def _escape(text: str) -> str:
     return "".join(special.get(c, c) for c in _one_line(text.replace("^", "")))
 
 
-FOLD_EXPLANATION = (
-    "Free-run NRMSE in % of the range in all data, each segment of a fold from its measured first state; a run that "
-    "diverged counts as 100. Mean over folds [95 % interval, t-test corrected for shared training data]. * lowest, all "
-    "others higher fold by fold; ≈ not distinguishable from the lowest."
-)
-_MARKS = {"lowest": BEST, "tied": TIED, "": ""}
-
-
 @dataclass(frozen=True)
 class MainTable:
     """The table as text: where the errors were measured, the headings, and a line of cells for each model."""
@@ -365,41 +356,6 @@ def _least(rows: Sequence[ScoreRow], column: Column) -> str:
     if not values or column.cell is None:
         return "–"
     return f"{column.cell.factor * min(values):.0f}" + (" %" if column.cell.unit == "%" else "")
-
-
-def fold_table(summary: Sequence[Mapping[str, Any]]) -> tuple[list[str], list[list[str]]]:
-    """Header and rows.
-
-    Parameters
-    ----------
-    summary : sequence of records
-        Per model: ``nrmse``, ``nrmse_qdot``, ``nrmse_qddot`` with ``_low``, ``_high`` and ``_rank``, the q errors of
-        the ``folds``, ``well_agreement`` and how many folds ``diverged``. Without wells their column is left out.
-    """
-    wells = any(record["well_agreement"] is not None for record in summary)
-    errors = [f"{HEADINGS[s]} [%]" for s in NRMSE_COLUMNS.values()]
-    header = ["model", *errors, *["wells [%]"] * wells, "diverged", "q, fold by fold"]
-    return header, [_row(record, wells=wells) for record in summary]
-
-
-def _row(record: Mapping[str, Any], *, wells: bool) -> list[str]:
-    folds = " ".join(prefixed(value, "%", 2, "refused") for value in record["folds"])
-    return [
-        record["model"],
-        *(_fold_cell(record, key) for key in NRMSE_COLUMNS),
-        *[prefixed(record["well_agreement"], "%", 1)] * wells,
-        str(record["diverged"]),
-        folds,
-    ]
-
-
-def _fold_cell(record: Mapping[str, Any], key: str) -> str:
-    if record[key] is None:
-        return "–"
-    low = record[f"{key}_low"]
-    high = record[f"{key}_high"]
-    band = "" if low is None else f" [{prefixed(low, '%', 2)}, {prefixed(high, '%', 2)}]"
-    return f"{prefixed(record[key], '%', 2)}{band}{_MARKS[record[f'{key}_rank']]}"
 
 
 def study_conclusion(

@@ -241,9 +241,7 @@ FLEET_FACT_COLUMNS = (
     _text("fact_unit", "SI unit of the value"),
 )
 
-Sweep = Literal["alpha", "basis", "data", "online"]
-"""A study that repeats the fit with something else."""
-StudyName = Literal[Sweep, "folds"]
+StudyName = Literal["alpha", "basis", "data", "online"]
 STUDY_COLUMNS: dict[StudyName, tuple[Column, ...]] = {
     "alpha": (
         Column("alpha", "α", "{q}·s^order", "regularisation parameter"),
@@ -271,16 +269,6 @@ STUDY_COLUMNS: dict[StudyName, tuple[Column, ...]] = {
         Column("curve_error", "error of the curve", "1", "RMS error of the restoring force over its range"),
         Column("prediction_error", "prediction error", "1",
                "error of the acceleration before each sample, over its RMS"),
-    ),
-    "folds": (
-        _text("model", "name of the model"),
-        Column("fold", "fold", "1", "number of the fold that was left out", dtype="int64"),
-        Column("samples", "samples", "1", "samples of the fold", dtype="int64"),
-        _text("status", "ok, diverged, refused (no fit without the fold) or empty"),
-        Column("nrmse", "q", "1", "free-run NRMSE of q on the fold, over the range in all data, at most 1"),
-        Column("nrmse_qdot", "q̇", "1", "that of the velocity"),
-        Column("nrmse_qddot", "q̈", "1", "that of the acceleration"),
-        Column("well_agreement", "wells", "1", "share of the fold's samples in the right well"),
     ),
 }  # fmt: skip
 

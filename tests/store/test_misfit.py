@@ -31,6 +31,13 @@ def test_a_table_of_other_columns_is_refused(change: dict, text: str | None) -> 
     assert found is None if text is None else found is not None and text in found
 
 
+def test_tables_without_a_schema_hold_numbers_where_they_are_read() -> None:
+    """Studies of earlier releases are compared, not read."""
+    names = {"q": np.zeros(2), "model": np.array(["rbf", "sindy"], dtype=object)}
+    assert misfit("curves.parquet", names) == "model does not hold numbers"
+    assert misfit("studies/folds.parquet", names) is None
+
+
 def test_a_missing_key_of_a_document_names_file_key_and_remedy() -> None:
     document = Document({"rows": [{"log": "a"}], "grades": {"data": "good"}}, "run/check.json", "`debist run` makes it")
     assert document["grades"] == {"data": "good"} and document.get("model") is None

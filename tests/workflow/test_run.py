@@ -165,22 +165,6 @@ def test_a_study_is_a_table_and_a_figure(copy: tuple[Path, Path], study: str, mo
     else:
         assert np.all(columns["nrmse_low"] <= columns["nrmse"])
         assert np.all(columns["nrmse"] <= 1.0)
-
-
-def test_folds_are_fitted_once_and_judged_on_what_they_left_out(copy: tuple[Path, Path]) -> None:
-    command = ["study", "folds", str(copy[1]), "--folds", "3", "--model", "rbf-paper"]
-    result = RUNNER.invoke(app, [*command, "--json"])
-    assert result.exit_code == 0, result.output
-    document = json.loads(result.stdout)
-    columns, (summary,) = document["columns"], document["notes"]["summary"]
-    assert columns["fold"] == [0, 1, 2] and columns["status"] == ["ok"] * 3
-    rows = sum(pq.read_metadata(path).num_rows for path in copy[1].rglob("kinematics.parquet"))
-    assert 0.98 * rows < sum(columns["samples"]) <= rows
-    assert summary["nrmse"] == pytest.approx(np.mean(columns["nrmse"]))
-    assert summary["nrmse_low"] <= summary["nrmse"] <= summary["nrmse_high"] and summary["nrmse"] < 0.2
-    assert (copy[1] / "studies" / "folds.svg").read_text().startswith("<?xml")
-    again = RUNNER.invoke(app, command)
-    assert "3 folds over blocks" in again.stdout and "first time" not in again.stderr
-    quiet = RUNNER.invoke(app, ["study", "folds", str(copy[1]), "--folds", "2", "--model", "rbf-paper", "-q"])
-    assert "2 folds over blocks" in quiet.stdout and "folds" not in quiet.stderr
+    again = RUNNER.invoke(app, ["study", study, str(copy[1])])
+    assert f"Study of {study}" in again.stdout and "first time" not in again.stderr
     assert RUNNER.invoke(app, ["verify", str(copy[1])]).exit_code == 0
