@@ -30,6 +30,7 @@ COMMANDS = {
     "study settings": "`debist batch TABLE.csv -o DIR` runs a row for each combination of settings",
 }
 _NO_FORCE = "name another place, or remove the file"
+_NO_RUN = "leave it out: a sequence is designed for the joint of --parameters"
 _IN_FILES = {
     "physics calibrate": ("search", {"starts": "starts", "seed": "seed", "jobs": "threads"}),
     "rig": (
@@ -49,7 +50,6 @@ _IN_FILES = {
     "rig excite": (
         "design",
         {
-            "model": "model",
             "joints": "joints",
             "seed": "seed",
             "max-field": "max_field_V_per_um",
@@ -112,6 +112,9 @@ OPTIONS = {
     "physics calibrate --force": _NO_FORCE,
     "physics calibrate --figure": "the table, or the correlations of --json",
     "rig --force": _NO_FORCE,
+    "rig excite --run": _NO_RUN,
+    "rig excite --programme": _NO_RUN,
+    "rig excite --model": _NO_RUN,
 }
 """Advice by the option, alone or after the command or group that had it."""
 

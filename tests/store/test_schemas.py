@@ -7,7 +7,7 @@ from pipeline.store.columns import FACT_COLUMNS, SCHEMA_VERSION
 from pipeline.store.schemas import Schema, resolve
 
 VERSIONS = {"1": "6759345cecf59ad9", "2": "fde4d6e534d82f3a"}
-"""Digests of the columns by schema version: a change of columns needs a new version, a table more or less a new digest."""
+"""Digests of the columns by schema version: other columns need a new version, a table more or less a new digest."""
 
 
 def _schemas() -> list[Schema]:
