@@ -266,6 +266,4 @@ Parameters = Annotated[
 Output = Annotated[Path | None, typer.Option("-o", metavar="RUN", help="Run folder [default: runs/NAME].")]
 Form = Annotated[Literal["text", "csv", "latex", "markdown"], typer.Option("--format", help="Form of the table.")]
 NoReport = Annotated[bool, typer.Option("--no-report", help="Make no report.")]
-Details = Annotated[
-    bool, typer.Option("--details", help="The whole tables: every log, intervals, horizons, switching times.")
-]
+Details = Annotated[bool, typer.Option("--details", help="The whole tables: every log, intervals, horizons.")]

@@ -149,7 +149,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
 
 
 def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
-    """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`."""
+    """Errors by horizon and what a run notes of itself, each with its interval; `scores` as in `nrmse_table`."""
     of_q = [row for row in scores if row["signal"] == "q"]
     columns = _columns("behaviour", of_q)
     rows = (Row(r["role"], r["log"], r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q)
@@ -193,8 +193,7 @@ def _cell(record: ScoreRow, column: Column) -> TableCell:
 
 
 def _number(record: ScoreRow, key: str, factor: float, digits: int | None) -> TableCell:
-    name, unit = (key.removesuffix("_s"), "_s") if key.endswith("_s") else (key, "")
-    value, low, high = (record.get(k) for k in (key, f"{name}_low{unit}", f"{name}_high{unit}"))
+    value, low, high = (record.get(name) for name in (key, f"{key}_low", f"{key}_high"))
     if value is None:
         return TableCell("–")
     form = ".3g" if digits is None else f".{digits}f"

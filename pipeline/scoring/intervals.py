@@ -19,8 +19,6 @@ SEED = 0
 """Of the bootstrap: equal errors have equal intervals."""
 LEVEL = 0.95
 _TAILS = [(1.0 - LEVEL) / 2.0, 1.0 - (1.0 - LEVEL) / 2.0]
-FEWEST = 4
-"""Events: a median of fewer has no spread worth printing."""
 
 
 @dataclass(frozen=True)
@@ -209,21 +207,6 @@ def share_interval(right: int, events: int) -> Interval | None:
         return None
     low, high = betaincinv(right + 0.5, events - right + 0.5, _TAILS)
     return Interval(0.0 if right == 0 else float(low), 1.0 if right == events else float(high))
-
-
-def median_interval(values: Sequence[float], rng: np.random.Generator) -> Interval | None:
-    """Percentile interval of the median of independent events; None with fewer than `FEWEST`.
-
-    Parameters
-    ----------
-    values : sequence of float, length n
-        One value per event.
-    rng : numpy.random.Generator
-        Draws the resamples. Cost: O(1000 n).
-    """
-    if len(values) < FEWEST:
-        return None
-    return interval_of(np.median(rng.choice(np.asarray(values), size=(RESAMPLES, len(values))), axis=1))
 
 
 def excess_over_lowest(

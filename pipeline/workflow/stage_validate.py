@@ -108,7 +108,7 @@ def _predict(
     return written
 
 
-SCORES_ALGORITHM = "11"
+SCORES_ALGORITHM = "12"
 
 
 def scores_task(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> Task:

@@ -6,7 +6,7 @@ from pipeline.store import schemas
 from pipeline.store.columns import FACT_COLUMNS, SCHEMA_VERSION
 from pipeline.store.schemas import Schema, resolve
 
-VERSIONS = {"1": "6759345cecf59ad9", "2": "0ca3f9e57b9bf8ea"}
+VERSIONS = {"1": "6759345cecf59ad9", "2": "0ca3f9e57b9bf8ea", "3": "5206e0a3724fb636"}
 """Digests of the columns by schema version: a change of columns needs a new version, a new table a new digest."""
 
 
