@@ -196,7 +196,7 @@ TIME_COLUMNS = (
     Column("fit_s", "fit", "s", "processor time of the model's fit", Cell("errors", "s", 1.0, None)),
     Column("simulate_s", "run", "s", "processor time of the model's longest free run", Cell("errors", "s", 1.0, None)),
 )
-"""Columns that the printed table and the CSV of the scores have beside those of the file."""
+"""Columns that the printed table of the scores has beside those of the file."""
 
 INSTRUMENT_COLUMNS = (
     _text("log", "name of the log"),
