@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..reporting.figure import Figure
     from ..reporting.plotted import Format
 
-ALGORITHM = "36"
+ALGORITHM = "37"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 
