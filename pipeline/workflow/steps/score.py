@@ -173,7 +173,7 @@ def _above_lowest(
         for model, (measured, calculated) in pairs.items()
         if (span := signal_range(measured))
     }
-    return excess_over_lowest(errors, interval, SEED, plant=plant)
+    return excess_over_lowest(errors, interval, plant=plant)
 
 
 def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells | NoWells) -> list[dict[str, Any]]:
