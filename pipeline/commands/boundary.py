@@ -31,6 +31,7 @@ COMMANDS = {
 }
 _NO_FORCE = "name another place, or remove the file"
 _NO_RUN = "leave it out: a sequence is designed for the joint of --parameters"
+_IN_PANDAS = "`debist.open_run(RUN).scores()` in Python, then `.to_csv()` or `.to_latex(escape=True)`"
 _IN_FILES = {
     "physics calibrate": ("search", {"starts": "starts", "seed": "seed", "jobs": "threads"}),
     "rig": (
@@ -99,6 +100,8 @@ OPTIONS = {
     "--keep-going": "leave it out: the others go on unless --fail-fast is given",
     "--capabilities": "`debist --help`, and the README",
     "batch --set": "a table with a row for each combination of settings, and `debist diff` for its runs",
+    "validate --format": _IN_PANDAS,
+    "compare --format": _IN_PANDAS,
     "diff --format": "--json",
     "diff --page": '`debist.open_run(RUN).plot("curves")` in Python, whose axes take the curves of another run',
     "series --format": "--json",

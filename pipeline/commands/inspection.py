@@ -92,18 +92,14 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
 
 
 def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
-    """The excitation in SI, without the signals themselves."""
+    """The excitation in SI."""
     left_out = ("factor", "unit", "plant", "excitation")
     shown = {name: value for name, value in asdict(excitation).items() if name not in left_out}
     q, v = excitation.plant.displacement.symbol, excitation.plant.inputs[0].symbol
     facts = asdict(excitation.excitation)
-    values = {name: value for name, value in facts.items() if name not in ("signals", "displacement")} | {
-        "wells": with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q)),
-        "bandwidth": excitation.excitation.bandwidth,
-        "ringing": excitation.excitation.ringing,
-    }
-    units = {"centres": q, "largest": v, "interval": "s", "bandwidth": "Hz", "ringing": "Hz"}
-    return {"excitation": with_units(values, units)} | with_units(shown, units)
+    facts["wells"] = with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q))
+    units = {"centres": q, "largest": v}
+    return {"excitation": with_units(facts, units)} | with_units(shown, {"interval": "s"})
 
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:

@@ -14,7 +14,6 @@ from .boundary import with_options
 from .console import (
     Details,
     Force,
-    Form,
     Json,
     NoReport,
     Output,
@@ -220,27 +219,23 @@ def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
     outcome.emit_tasks(_done(run, "identify", quiet), as_json=as_json, results=in_snapshot(run, identified))
 
 
-def validate(
-    run: Run, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
-) -> None:
+def validate(run: Run, details: Details = False, as_json: Json = False, quiet: Quiet = False) -> None:
     """Free run of the identified models on every log, and the NRMSE table (scores.parquet).
 
     NRMSE is the root mean square error over the measured range (eq. 41), printed in percent, a fraction in JSON.
     Example: debist validate runs/P1
     """
     _done(run, "validate", quiet)
-    outcome.emit_scores(run, as_json=as_json, form=form, details=details)
+    outcome.emit_scores(run, as_json=as_json, details=details)
 
 
-def compare(
-    run: Run, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
-) -> None:
+def compare(run: Run, details: Details = False, as_json: Json = False, quiet: Quiet = False) -> None:
     """Fit the baselines (SINDy, analytical, black boxes) on the same logs and add them to the scores.
 
     NRMSE in percent. Example: debist compare runs/P1
     """
     _done(run, "compare", quiet)
-    outcome.emit_scores(run, as_json=as_json, form=form, details=details)
+    outcome.emit_scores(run, as_json=as_json, details=details)
 
 
 def report(

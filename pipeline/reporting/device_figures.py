@@ -1,7 +1,6 @@
 """The figures of the device: curves with bands (fig. 14), energy landscape, phase portrait with basins, studies."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
@@ -18,11 +17,11 @@ from ..diagnostics.phase_plane import (
     unforced,
     visited_range,
 )
-from ..diagnostics.run_data import Columns, RunData, Study
+from ..diagnostics.run_data import Columns, RunData
 from ..numerics.arrays import BoolArray, FloatArray
-from ..units.quantity import power, prefixed, quantity
+from ..units.quantity import prefixed, quantity
 from .datasheet_rows import NOT_USED
-from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points
+from .figure import Band, Cells, Figure, Line, Panel, Points
 from .instrument_table import instruments_figure
 from .log_figures import residual_figures
 from .recipe_figures import study_figure
@@ -47,24 +46,9 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
         "phase-portrait": _phase_portrait(data, sheet),
         "instruments": instruments_figure(data.instruments),
         **residual_figures(data, sheet.wells),
-        **{f"study-{study.name}": _study(data, study) for study in data.studies},
+        **{f"study-{study.name}": study_figure(study.name, study.columns, study.units) for study in data.studies},
     }
     return figures | {name: figure for name, figure in others.items() if figure is not None}
-
-
-def _study(data: RunData, study: Study) -> Figure:
-    """A study; that of α is marked where the logs have been differentiated."""
-    figure = study_figure(study.name, study.columns, study.units)
-    notes = [log.kinematics_notes for log in data.logs if log.kinematics_notes.get("method") == "tvregdiff"]
-    if study.name != "alpha" or not notes:
-        return figure
-    order = int(notes[0]["order"])
-    chosen = {s["alpha"] * n["unit_si"] for n in notes for s in n.get("stretches", ()) if s.get("alpha") is not None}
-    low = float(study.columns["alpha"].min())
-    high = float(study.columns["alpha"].max())
-    marks = np.array(sorted(alpha for alpha in chosen if low <= alpha <= high))
-    unit = figure.x_unit.replace("^order", power(order) if order > 1 else "")
-    return replace(figure, x_unit=unit, marks={CHOSEN: marks} if marks.size else {})
 
 
 def _curves(data: RunData, sheet: Datasheet) -> Figure:

@@ -389,13 +389,11 @@ class Style:
     dash: Dash = "role"
 
 
-CHOSEN = "chosen for the logs"
 MARKS = {
     "voltage switched": Style("mark"),
     "voltage steps": Style("mark"),
     "input steps": Style("mark"),
     "device snaps over": Style("snap"),
-    CHOSEN: Style("snap"),
 }
 
 

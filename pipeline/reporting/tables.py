@@ -1,11 +1,8 @@
-"""Tables of scores as records and as text: terminal, CSV, LaTeX, Markdown; nothing is ranked inside its own noise."""
+"""Tables of scores as records and as text; nothing is ranked inside its own noise."""
 
-import csv
-import io
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -17,11 +14,8 @@ from ..units.quantity import moment, prefixed
 from ..units.units import ALPHA_UNIT, HORIZONS, SIGNALS
 
 ScoreRow = Mapping[str, Any]
-Form = Literal["latex", "markdown"]
-Format = Literal["csv", "latex", "markdown"]
 
 HEADINGS = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
-LATEX_HEADINGS = {"q": "$q$", "phi": r"$\varphi$", "qdot": r"$\dot q$", "qddot": r"$\ddot q$"}
 
 _ERRORS = (
     "NRMSE in % of the measured range (eq. 41) of a free run from the first sample; a run that diverged has no error "
@@ -148,7 +142,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
 
 
 def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
-    """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`."""
+    """Errors by horizon and what a run notes of itself, each with its interval; `scores` as in `nrmse_table`."""
     of_q = [row for row in scores if row["signal"] == "q"]
     columns = _columns("behaviour", of_q)
     rows = (Row(r["role"], r["log"], r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q)
@@ -192,8 +186,7 @@ def _cell(record: ScoreRow, column: Column) -> TableCell:
 
 
 def _number(record: ScoreRow, key: str, factor: float, digits: int | None) -> TableCell:
-    name, unit = (key.removesuffix("_s"), "_s") if key.endswith("_s") else (key, "")
-    value, low, high = (record.get(k) for k in (key, f"{name}_low{unit}", f"{name}_high{unit}"))
+    value, low, high = (record.get(name) for name in (key, f"{key}_low", f"{key}_high"))
     if value is None:
         return TableCell("–")
     form = ".3g" if digits is None else f".{digits}f"
@@ -201,13 +194,8 @@ def _number(record: ScoreRow, key: str, factor: float, digits: int | None) -> Ta
     return TableCell(f"{factor * value:{form}}", band, is_number=True)
 
 
-def render(table: NrmseTable, form: Form) -> str:
-    """The table as text of the given form, ending with a line break."""
-    return (_latex if form == "latex" else _markdown)(table)
-
-
-def lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
-    """Heading and rows as strings; `best` wraps or follows the best ones through ``{}``."""
+def lines(table: NrmseTable) -> list[list[str]]:
+    """Heading and rows as strings."""
     heading = [
         "log",
         "model",
@@ -218,26 +206,11 @@ def lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
         [
             log_title(row.role, row.log),
             row.model,
-            *(best.format(cell.text) if cell.best else cell.text + TIED * cell.tied for cell in row.cells),
+            *(cell.text + BEST * cell.best + TIED * cell.tied for cell in row.cells),
         ]
         for row in table.rows
     ]
     return [heading, *rows]
-
-
-def scores_csv(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow]) -> str:
-    """Every number of the scores, one row per log, model and signal; SI units and fractions, empty where undefined.
-
-    Formulas are disarmed: a spreadsheet would run a name that begins with =.
-    """
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    names = [*scores[0], *(column.key for column in TIME_COLUMNS)]
-    writer.writerow(map(disarmed, names))
-    for score in scores:
-        row = {**times.get(score["model"], {}), **score}
-        writer.writerow([disarmed(row.get(name)) for name in names])
-    return out.getvalue()
 
 
 def disarmed(value: Any) -> Any:
@@ -245,46 +218,6 @@ def disarmed(value: Any) -> Any:
     if isinstance(value, str) and value.lstrip()[:1] in ("=", "+", "-", "@"):
         return f"'{value}"
     return "" if value is None else value
-
-
-def _markdown(table: NrmseTable) -> str:
-    heading, *rows = lines(table, "**{}**")
-    rule = ["---", "---", *["---:"] * (len(heading) - 2)]
-    markup = re.compile(r"[\\`*_<>&|\[\]~!]")  # of names: HTML, links, code and columns
-    named = [[*(markup.sub(r"\\\g<0>", _one_line(name)) for name in line[:2]), *line[2:]] for line in rows]
-    return "".join("| " + " | ".join(line) + " |\n" for line in (heading, rule, *named))
-
-
-def _one_line(text: str) -> str:
-    return "".join(c if c.isprintable() else " " for c in text)
-
-
-def _latex(table: NrmseTable) -> str:
-    """A booktabs table, one block per log."""
-    columns = "ll" + "r" * (len(table.signals) + len(table.extras))
-    extras = [_escape(column.heading) for column in table.extras]
-    heading = ["log", "model", *(rf"{LATEX_HEADINGS[s]} [\%]" for s in table.signals), *extras]
-    body = []
-    last = ""
-    for r in table.rows:
-        place = log_title(r.role, r.log)
-        if last and place != last:
-            body.append(r"\midrule")
-        cells = [rf"\textbf{{{_escape(c.text)}}}" if c.best else _escape(c.text + TIED * c.tied) for c in r.cells]
-        body.append(" & ".join([_escape(place) if place != last else "", _escape(r.model), *cells]) + r" \\")
-        last = place
-    head = [rf"\begin{{tabular}}{{{columns}}}", r"\toprule", " & ".join(heading) + r" \\", r"\midrule"]
-    return "\n".join([*head, *body, r"\bottomrule", r"\end{tabular}"]) + "\n"
-
-
-def _escape(text: str) -> str:
-    special = {c: f"\\{c}" for c in "&%$#_{}"} | {
-        "\\": r"\textbackslash{}",
-        "~": r"\textasciitilde{}",
-        "–": "--",
-        "≈": r"$\approx$",
-    }
-    return "".join(special.get(c, c) for c in _one_line(text.replace("^", "")))
 
 
 @dataclass(frozen=True)
