@@ -10,6 +10,7 @@ Examples
 >>> run.simulate("hybrid", "validation").plot("t_s", ["q_m", "q_measured_m"])  # doctest: +SKIP
 """
 
+import difflib
 from collections.abc import Sequence
 from dataclasses import asdict
 from functools import cached_property, partial
@@ -27,15 +28,16 @@ from ..models.free_runs import drawn_runs, free_run, wanted_tubes
 from ..settings.prototype import Prototype
 from ..signals.differentiate import differentiate as differentiated
 from ..store import layout
-from ..store.run_folder import RunFolder
+from ..store.run_folder import RunFolder, in_snapshot
 from ..system.machine import one_thread
 from ..workflow.engine import Unheard
 from ..workflow.inspection import check as check_tool
 from ..workflow.logs import load_motion
 from ..workflow.place import load_settings
 from ..workflow.report_data import instruments_shown, load_datasheet, load_scores
-from ..workflow.run_models import compared_models, identified_models, load_run_model, subject
+from ..workflow.run_models import compared_models, identified_models, load_run_model, made_control, subject
 from ..workflow.si_log import read_si
+from ..workflow.stage_validate import scored_models
 from .in_memory import OF_RUN, frame, seconds, si_symbols
 from .model import Model, identify
 
@@ -44,7 +46,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ..control.plant import LinearModel
-    from ..workflow.plot import RunFigures
+    from ..reporting.figure import Figure
+    from ..workflow.stage_report import Prepared
 
 
 _EVEN = 1e-3
@@ -214,7 +217,7 @@ class Run:
     @property
     def figures(self) -> dict[str, str]:
         """Title of each figure by its name."""
-        return self._figures.titles
+        return {name: figure.title for name, figure in self._report.figures.items()}
 
     def scores(self) -> pd.DataFrame:
         """One row per log, model and signal; `nrmse` is a fraction."""
@@ -324,9 +327,24 @@ class Run:
         """
         from matplotlib import pyplot
 
-        from ..workflow.plot import Excerpt
+        from ..reporting.figure import of_models
+        from ..reporting.plotted import paper_look, plotted
 
-        return self._figures.plot(figure, pyplot.figure, Excerpt(start, stop, models, typeface))
+        whole = self._figure(figure)
+        names = self._report.data.model_names
+        if unknown := [model for model in models if model not in names]:
+            raise InputError(f"{self.root}: has no model {unknown[0]!r}; it has {', '.join(names)}")
+        chosen = of_models(whole, names, models) if models else whole
+        part = _segment(chosen, start, stop)
+        return plotted(part, names, paper_look(part, typeface), pyplot.figure()).axes
+
+    def _figure(self, name: str) -> "Figure":
+        figures = self._report.figures
+        if name not in figures:
+            close = difflib.get_close_matches(name, figures, n=1)
+            hint = f"did you mean {close[0]!r}? " if close else ""
+            raise InputError(f"{self.root}: has no figure {name!r}; {hint}it has {', '.join(figures)}")
+        return figures[name]
 
     def linear_models(self, v1: float = 0.0, v2: float = 0.0) -> "list[LinearModel]":
         """Equilibria under constant voltages [V], from left to right, with the linear model about each.
@@ -354,10 +372,16 @@ class Run:
         return RunFolder.open(self.root)
 
     @cached_property
-    def _figures(self) -> "RunFigures":
-        from ..workflow.plot import run_figures
+    def _report(self) -> "Prepared":
+        """The run as its report shows it. Cost: 1 to 2 s."""
+        from ..workflow.stage_report import made_studies, prepare
 
-        return run_figures(self.root)
+        def read(run: RunFolder) -> "Prepared":
+            """The run as it is now."""
+            prototype = run.prototype
+            return prepare(run, prototype, scored_models(run, prototype), made_studies(run), made_control(run))
+
+        return in_snapshot(self.root, read)
 
     @cached_property
     def _prototype(self) -> Prototype:
@@ -373,3 +397,19 @@ class Run:
             if name == log:
                 return role
         raise InputError(f"{self.root}: has no log {log!r}; it has {', '.join(self.logs)}")
+
+
+def _segment(figure: "Figure", start: float | None, stop: float | None) -> "Figure":
+    """The figure between two places of its horizontal axis, in SI; up to its ends where one is None."""
+    from ..reporting.figure import window, x_range
+
+    if start is None and stop is None:
+        return figure
+    low, high = x_range(figure)
+    first = low if start is None else start
+    last = high if stop is None else stop
+    if first >= last and start is not None and stop is not None:
+        raise InputError(f"start {start:g} is not below stop {stop:g}; exchange them")
+    if not max(low, first) < min(high, last):
+        raise InputError(f"figure {figure.name!r} spans {low:.6g} to {high:.6g}; choose a segment inside")
+    return window(figure, first, last)

@@ -40,7 +40,7 @@ for command in (
     inspection.check, inspection.init, inspection.inspect,
     results.diff, results.export, results.verify, results.paper, results.study, results.series,
     whole_run.ingest, whole_run.differentiate, whole_run.identify, whole_run.validate, whole_run.compare,
-    whole_run.report, whole_run.plot, whole_run.show, whole_run.demo, whole_run.status, whole_run.warmup,
+    whole_run.report, whole_run.show, whole_run.demo, whole_run.status, whole_run.warmup,
 ):  # fmt: skip
     app.command()(command)
 app.command("run")(whole_run.run_command)

@@ -24,10 +24,14 @@ from ..errors import WARNING, DebistError, InputError, interrupted, memory_failu
 from .console import emit_json, printable, printed
 
 COMMANDS = {
+    "plot": "`debist report RUN --figures sans` writes every figure; `debist.open_run(RUN).plot(FIGURE)` draws one",
     "repair": "`debist run PROTOTYPE.toml -o RUN` sets aside what is damaged and makes it anew",
+    "study folds": "`debist batch` with a settings file for each fold, whose logs have `start` and `stop`",
     "study settings": "`debist batch TABLE.csv -o DIR` runs a row for each combination of settings",
 }
 _NO_FORCE = "name another place, or remove the file"
+_NO_RUN = "leave it out: a sequence is designed for the joint of --parameters"
+_IN_PANDAS = "`debist.open_run(RUN).scores()` in Python, then `.to_csv()` or `.to_latex(escape=True)`"
 _IN_FILES = {
     "physics calibrate": ("search", {"starts": "starts", "seed": "seed", "jobs": "threads"}),
     "rig": (
@@ -47,7 +51,6 @@ _IN_FILES = {
     "rig excite": (
         "design",
         {
-            "model": "model",
             "joints": "joints",
             "seed": "seed",
             "max-field": "max_field_V_per_um",
@@ -97,17 +100,24 @@ OPTIONS = {
     "--keep-going": "leave it out: the others go on unless --fail-fast is given",
     "--capabilities": "`debist --help`, and the README",
     "batch --set": "a table with a row for each combination of settings, and `debist diff` for its runs",
+    "validate --format": _IN_PANDAS,
+    "compare --format": _IN_PANDAS,
     "diff --format": "--json",
     "diff --page": '`debist.open_run(RUN).plot("curves")` in Python, whose axes take the curves of another run',
     "series --format": "--json",
-    "series -o": "--page",
+    "series -o": "the table, or --json",
+    "series --page": "the table, or --json",
     "status --watch": "`watch debist status DIR`",
+    "verify --against": "`debist diff RUN RUN`, whose exit code is 0; its --json has `equal`",
     "verify --all": "a loop of the shell over the runs",
     "verify --subset": "leave it out: all files are checked",
     "physics calibrate --set": 'a TOML file for --parameters: base = "nominal", then the values',
     "physics calibrate --force": _NO_FORCE,
     "physics calibrate --figure": "the table, or the correlations of --json",
     "rig --force": _NO_FORCE,
+    "rig excite --run": _NO_RUN,
+    "rig excite --programme": _NO_RUN,
+    "rig excite --model": _NO_RUN,
 }
 """Advice by the option, alone or after the command or group that had it."""
 
@@ -149,7 +159,7 @@ _FULL = (errno.EMFILE, errno.ENFILE)
 ORDER = (
     "demo", "init", "inspect", "check", "run",
     "ingest", "differentiate", "identify", "validate", "compare", "report",
-    "show", "plot", "status", "verify", "diff", "series",
+    "show", "status", "verify", "diff", "series",
     "batch", "fleet", "study", "export", "paper", "control", "rig", "physics", "warmup",
 )  # fmt: skip
 

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -264,8 +264,5 @@ Parameters = Annotated[
     str, typer.Option("--parameters", metavar="SET", help="table1, nominal, or a TOML file with units.")
 ]
 Output = Annotated[Path | None, typer.Option("-o", metavar="RUN", help="Run folder [default: runs/NAME].")]
-Form = Annotated[Literal["text", "csv", "latex", "markdown"], typer.Option("--format", help="Form of the table.")]
 NoReport = Annotated[bool, typer.Option("--no-report", help="Make no report.")]
-Details = Annotated[
-    bool, typer.Option("--details", help="The whole tables: every log, intervals, horizons, switching times.")
-]
+Details = Annotated[bool, typer.Option("--details", help="The whole tables: every log, intervals, horizons.")]

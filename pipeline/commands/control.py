@@ -51,8 +51,8 @@ def linearise(
 ) -> None:
     """Equilibria (both wells, the unstable one) and the linear models A, B, C, D about them.
 
-    States in SI; writes linear.json, linear.mat and a CSV for each equilibrium. Measured ring-downs stand beside the
-    poles. Example: debist control linearise runs/P1 --v1 1kV
+    States in SI; writes linear.json and linear.mat. Measured ring-downs stand beside the poles.
+    Example: debist control linearise runs/P1 --v1 1kV
     """
     from ..workflow.studies import control
 

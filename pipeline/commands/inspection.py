@@ -16,40 +16,11 @@ if TYPE_CHECKING:
     from ..numerics.arrays import FloatArray, IntArray
     from ..rig_logs.inspection import InspectedChannel, Inspection
     from ..workflow.inspection import LogExcitation
-    from ..workflow.studies.excitation_design import Design, NextLog
+    from ..workflow.studies.excitation_design import Design
 
 
-def emit_design(design: "Design | NextLog", files: Iterable[Path]) -> None:
-    """Print what the design is expected to bring, and the files."""
-    from ..workflow.studies.excitation_design import NextLog
-
-    if isinstance(design, NextLog):
-        _emit_next_log(design)
-    else:
-        _emit_first_log(design)
-    typer.echo("\n".join(map(str, files)))
-
-
-def _emit_next_log(design: "NextLog") -> None:
-    """Print how sure the free run is and will be."""
-    rows = [
-        (what, quantity(sd, "m", like=design.now), f"{100.0 * sd / design.stroke:.3f} %")
-        for what, sd in (
-            ("with the logs of the run", design.now),
-            ("with a usual log as well", design.usual),
-            ("with the designed log as well", design.designed),
-        )
-    ]
-    title = f"Expected standard deviation of the free run, programme {design.programme}"
-    emit_table(title, ("", "RMS", "of its range"), rows)
-    emit_text(
-        f"{len(design.bursts)} bursts; expected error with the designed log over that with a usual one: "
-        f"{design.designed / design.usual:.2f}, as far as the model's equations are those of the device"
-    )
-
-
-def _emit_first_log(design: "Design") -> None:
-    """Print the visits per centre, and the criteria beside those of plain pulses."""
+def emit_design(design: "Design", files: Iterable[Path]) -> None:
+    """Print the visits per centre, the criteria beside those of plain pulses, and the files."""
     designed = design.designed
     plain = design.plain
     title = "Simulated samples per basis centre, one every 10 ms"
@@ -67,6 +38,7 @@ def _emit_first_log(design: "Design") -> None:
     ]
     emit_table("The sequence beside alternating full pulses", ("", "designed", "alternating"), rows)
     emit_text(f"relative D-efficiency {design.efficiency:.2f} ({len(design.bursts)} bursts)")
+    typer.echo("\n".join(map(str, files)))
 
 
 def emit_visits(title: str, centres: "FloatArray", counts: "IntArray", inputs: Sequence[str], unit: str) -> None:
@@ -120,18 +92,14 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
 
 
 def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
-    """The excitation in SI, without the signals themselves."""
+    """The excitation in SI."""
     left_out = ("factor", "unit", "plant", "excitation")
     shown = {name: value for name, value in asdict(excitation).items() if name not in left_out}
     q, v = excitation.plant.displacement.symbol, excitation.plant.inputs[0].symbol
     facts = asdict(excitation.excitation)
-    values = {name: value for name, value in facts.items() if name not in ("signals", "displacement")} | {
-        "wells": with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q)),
-        "bandwidth": excitation.excitation.bandwidth,
-        "ringing": excitation.excitation.ringing,
-    }
-    units = {"centres": q, "largest": v, "interval": "s", "bandwidth": "Hz", "ringing": "Hz"}
-    return {"excitation": with_units(values, units)} | with_units(shown, units)
+    facts["wells"] = with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q))
+    units = {"centres": q, "largest": v}
+    return {"excitation": with_units(facts, units)} | with_units(shown, {"interval": "s"})
 
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:

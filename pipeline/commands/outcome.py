@@ -15,35 +15,23 @@ from ..units.quantity import percent, quantity
 from .console import brief, emit_json, emit_table, emit_text, printable
 
 if TYPE_CHECKING:
-    from typing import Literal
-
-    from ..reporting.tables import Format
     from ..workflow.batch import Outcome
     from ..workflow.engine import TaskStatus
     from ..workflow.members import Member
     from ..workflow.progress import MemberState
 
 
-def emit_scores(
-    run: Path,
-    *,
-    as_json: bool,
-    form: "Format | Literal['text']" = "text",
-    details: bool = False,
-    with_report: bool = False,
-) -> None:
+def emit_scores(run: Path, *, as_json: bool, details: bool = False, with_report: bool = False) -> None:
     """Print the scores: the short table of the scores, or with details both score tables; as records for JSON.
 
     With a report, the JSON document holds its assessment and its path too.
     """
     from ..workflow.report_data import load_datasheet, load_scores
-    from ..workflow.stage_validate import score_text, shown_scores
+    from ..workflow.stage_validate import shown_scores
 
     if as_json:
         page = {"verdict": load_datasheet(run)["verdict"], "report": run / "report.html"} if with_report else {}
         emit_json({"scores": load_scores(run), **page})
-    elif form != "text":
-        typer.echo(score_text(run, form), nl=False)
     elif details:
         _emit_details(run)
     else:

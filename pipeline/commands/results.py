@@ -28,7 +28,6 @@ from .console import (
 from .outcome import emit_table_2
 
 if TYPE_CHECKING:
-    from ..store.columns import Sweep
     from ..workflow.studies.diff import Comparison, RunDifferences
     from ..workflow.studies.fleet import LearntFile
     from ..workflow.studies.study import StudyResult
@@ -95,33 +94,6 @@ def _text(value: object) -> str:
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 
-def _emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *, as_json: bool) -> None:
-    """Print what is not equal, and how many artifacts are.
-
-    Raises
-    ------
-    CorruptArtifactError
-        An artifact differs by more than rounding, or is missing.
-    """
-    from ..workflow.studies.diff import STATES
-
-    if as_json:
-        emit_json({"artifacts": [asdict(comparison) for comparison in compared]})
-    else:
-        unequal = [c for c in compared if c.state != "equal"]
-        _emit_artifacts(f"{run} and {other}", unequal)
-        for state in dict.fromkeys(c.state for c in unequal):
-            emit_text(f"{state}: {STATES[state]}")
-        emit_text(f"{len(compared) - len(unequal)} of {len(compared)} artifacts have the same content hash")
-    apart = [comparison.artifact for comparison in compared if comparison.state in ("differs", "missing")]
-    if apart:
-        more = f" and {len(apart) - 3} more" if len(apart) > 3 else ""
-        raise CorruptArtifactError(
-            f"{run}: not the content of {other}: {', '.join(apart[:3])}{more}; compare settings and versions in both "
-            "manifests"
-        )
-
-
 def export(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.", callback=run_of)],
     target: Annotated[Target, typer.Option("--to", help="Form of the export.")],
@@ -178,50 +150,36 @@ def paper(
 
 
 def study(
-    kind: Annotated[Literal["alpha", "basis", "data", "online", "folds"], typer.Argument(help="What is studied.")],
+    kind: Annotated[Literal["alpha", "basis", "data", "online"], typer.Argument(help="What is studied.")],
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.", callback=run_of)],
-    by: Annotated[
-        Literal["blocks", "logs"] | None, typer.Option(help="Of folds: leave out blocks of time, or whole logs.")
-    ] = None,
-    count: Annotated[
-        int | None, typer.Option("--folds", help="Of folds: how many [default: 5 blocks, or every log once].")
-    ] = None,
-    model: Annotated[
-        list[str] | None, typer.Option(help="Of folds: a model of the run; repeat for more [default: all].")
-    ] = None,
-    jobs: Annotated[int, typer.Option("--jobs", min=1, help="Processes at a time, for basis and folds.")] = 1,
+    jobs: Annotated[int, typer.Option("--jobs", min=1, help="Processes at a time, for basis.")] = 1,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Study one thing on the logs of a run: alpha, basis, data, online, or folds.
+    """Study one thing on the logs of a run: alpha, basis, data, or online.
 
     alpha: over- and under-smoothing against the regularisation parameter (figure 11c), and the one that is chosen.
     basis: number M and width of the basis functions of rbf-paper (figure 11b).
     data: free-run NRMSE of rbf-paper against the amount of training data and added noise [m].
     online: recursive least squares over the training logs (§ 4.1), and a planted drift of 10 %.
-    folds: k-fold cross-validation; every model is fitted anew without each fold of all logs, and run freely over it.
 
-    NRMSE in percent for folds, else as fractions; alpha in the unit of the settings, the rest in SI units. Writes
-    studies/KIND.parquet (SI units) and .svg.
+    NRMSE as fractions; alpha in the unit of the settings, the rest in SI units. Writes studies/KIND.parquet (SI units)
+    and .svg.
 
-    Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
+    Example: debist study alpha runs/P1
     """
-    if kind != "folds":
-        given = {"--by": by, "--folds": count, "--model": model}
-        for option in (name for name, value in given.items() if value):
-            raise InputError(f"{option}: is for `debist study folds`; leave it out")
-        _study(run, kind, jobs, as_json=as_json, quiet=quiet)
-        return
-    from ..reporting.tables import FOLD_EXPLANATION, fold_table
-    from ..workflow.studies.folds import run_folds
+    from ..reporting.tables import study_conclusion
+    from ..workflow.studies.study import run_study
 
     with Progress(quiet=quiet or as_json) as progress:
-        result = run_folds(run, progress, by=by or "blocks", folds=count, models=model or (), jobs=jobs)
+        result = run_study(run, kind, progress, jobs=jobs)
     if as_json:
         emit_json(_study_document(result))
     else:
-        emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
-        emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
+        columns, conclusion = study_conclusion(kind, result.columns, result.units, result.notes)
+        rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
+        emit_table(f"Study of {kind}", list(columns), rows, numeric_from=0)
+        emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
 
 
 def _study_document(result: "StudyResult") -> Any:
@@ -234,47 +192,19 @@ def _study_document(result: "StudyResult") -> Any:
     return to_json({"columns": with_units(result.columns, units), "figure": result.figure, "notes": notes})
 
 
-def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:
-    from ..reporting.tables import study_conclusion
-    from ..workflow.studies.study import run_study
-
-    with Progress(quiet=quiet or as_json) as progress:
-        result = run_study(run, name, progress, jobs=jobs)
-    if as_json:
-        emit_json(_study_document(result))
-    else:
-        columns, conclusion = study_conclusion(name, result.columns, result.units, result.notes)
-        rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
-        emit_table(f"Study of {name}", list(columns), rows, numeric_from=0)
-        emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
-
-
 _MOST_NAMED = 20
 
 
-def verify(
-    run: Run,
-    against: Annotated[
-        Path | None, typer.Option("--against", metavar="RUN", help="Compare the content with that of another run.")
-    ] = None,
-    as_json: Json = False,
-) -> None:
+def verify(run: Run, as_json: Json = False) -> None:
     """Check every file of a run; exit code 4 if one does not have the bytes that were written or does not belong there.
 
-    With --against also whether another run, of another machine for instance, holds the same content; where floating
-    point forbids that, whether it is the same to 6 digits (of the largest magnitude of a column); exit code 4 if not.
-    Example: debist verify runs/P1 --against crate/run
+    Example: debist verify runs/P1
     """
     from ..workflow import verify as tool
 
     checked = tool.verify_everything(run)
-    if against is not None and checked.intact:
-        from ..workflow.studies.diff import compare_runs
-
-        _emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
-    else:
-        _emit(checked, as_json)
-        _fail(run, checked)
+    _emit(checked, as_json)
+    _fail(run, checked)
 
 
 def _emit(checked: "Verified", as_json: bool) -> None:
@@ -375,10 +305,6 @@ def series(
         str | None,
         typer.Option("--at", metavar="TIME,…", help="Date (2026-03-01) or day of each run [default: in this order]."),
     ] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("--page", metavar="FILE", help="Write a page with a figure of each fact."),
-    ] = None,
     as_json: Json = False,
 ) -> None:
     """Drift and steps of the facts of one device over several runs, with 95 % intervals; SI units in JSON.
@@ -386,17 +312,14 @@ def series(
     Rests, barriers, switching voltages, stiffness, capacitance gains, charging time, creep and the laser's zero. A
     change is claimed where chance explains it in one of twenty series at most; four runs are the least.
 
-    Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30 --page series.html
+    Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30
     """
-    from ..reporting.series_page import COLUMNS, conclusion, series_page, series_rows
-    from ..store.atomic import write_text
+    from ..diagnostics.series import COLUMNS, conclusion, series_rows
     from ..workflow.studies.fleet import series_of
 
     facts = series_of(runs, at)
-    if output is not None:
-        write_text(output, series_page(facts))
     if as_json:
-        emit_json(asdict(facts) | {"page": output})
+        emit_json(asdict(facts))
     else:
         emit_table(f"{len(facts.names)} runs of one device, ± 95 %", COLUMNS, series_rows(facts))
         emit_text(conclusion(facts))

@@ -131,16 +131,6 @@ class DesignLimits:
 def excite(
     within: DesignLimits,
     parameters: Parameters = "nominal",
-    run: Annotated[
-        Path | None, typer.Option("--run", metavar="RUN", help="Design the log after those of this run.")
-    ] = None,
-    programme: Annotated[
-        str | None,
-        typer.Option(
-            metavar="KIND|FILE",
-            help="Free runs of --run that shall become more certain: an excitation or voltages [default: validation].",
-        ),
-    ] = None,
     output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Sequence to write: .csv or .mat.")] = Path(
         "excitation.csv"
     ),
@@ -148,8 +138,6 @@ def excite(
     quiet: Quiet = False,
 ) -> None:
     """Design a voltage sequence that visits every basis centre in both wells and determines the curves best.
-
-    With `--run` and its model `hybrid`, the one after which its free run in a programme is expected to be surest.
 
     Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
@@ -160,9 +148,8 @@ def excite(
     from .inspection import emit_design
 
     rare = read_options(within.file, excitation.DesignFile)
-    field = None if rare.max_field_V_per_um is None else 1e6 * rare.max_field_V_per_um
     voltage = parse_quantity(within.max_voltage, ("V",), "--max-voltage")
-    source = excitation.ExcitationSource(parameters, run, rare.model, rare.joints, rare.seed, programme)
+    source = excitation.ExcitationSource(parameters, rare.joints, rare.seed)
     wanted = Requirements(
         duration=parse_quantity(within.duration, ("s",), "--duration"),
         rest=rare.rest_s,
@@ -173,7 +160,13 @@ def excite(
     with progress_report("designing", quiet=quiet) as report:
         shown = None if report is None else partial(report, "designing")
         design, files = excitation.excite(
-            output, source, wanted, rare.rate_Hz, voltage=voltage, field=field, report=shown
+            output,
+            source,
+            wanted,
+            rare.rate_Hz,
+            voltage=voltage,
+            field=1e6 * rare.max_field_V_per_um,
+            report=shown,
         )
     if as_json:
         emit_json({"files": files, **excitation.description(design)})

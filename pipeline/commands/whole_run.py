@@ -1,4 +1,4 @@
-"""A run: made as a whole or stage by stage, looked at, drawn."""
+"""A run: made as a whole or stage by stage, looked at."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -14,7 +14,6 @@ from .boundary import with_options
 from .console import (
     Details,
     Force,
-    Form,
     Json,
     NoReport,
     Output,
@@ -31,51 +30,6 @@ from .console import (
 if TYPE_CHECKING:
     from ..workflow.engine import TaskStatus
     from ..workflow.run import StageName
-
-
-@dataclass(frozen=True)
-class Shown:
-    """Contents and typography of a figure of a run."""
-
-    start: Annotated[float | None, typer.Option("--from", help="Start of the segment, in s or SI.")] = None
-    stop: Annotated[float | None, typer.Option("--to", help="End of the segment, in s or SI.")] = None
-    typeface: Annotated[Typeface, typer.Option("--typeface", help="Typeface of the figure.")] = "sans"
-    model: Annotated[
-        list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
-    ] = None
-
-
-@with_options
-def plot(
-    run: Run,
-    shown: Shown,
-    figure: Annotated[str | None, typer.Option("--figure", help="Name of the figure [default: list them].")] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("-o", metavar="FILE", help="File: .svg, .pdf or .png [default: PROTOTYPE-FIGURE.svg]."),
-    ] = None,
-    force: Force = False,
-    as_json: Json = False,
-) -> None:
-    """One figure of a run as SVG, PDF or PNG; without --figure the names of all figures.
-
-    Times in s. Example: debist plot runs/P1 --figure validation-validation-models -o models.pdf --from 18 --to 24
-    """
-    from ..workflow.plot import Excerpt, plot_figure, run_figures
-
-    if figure is None:
-        names = list(run_figures(run).titles.items())
-        if as_json:
-            emit_json({"figures": [{"name": name, "title": title} for name, title in names]})
-        else:
-            emit_table(f"figures of {run}", ("figure", "shows"), names, numeric_from=None)
-        return
-    excerpt = Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface)
-    written = plot_figure(run, figure, output, excerpt, force=force)
-    if as_json:
-        emit_json({"written": [written]})
-    else:
-        typer.echo(str(written))
 
 
 def show(run: Run, as_json: Json = False) -> None:
@@ -265,27 +219,23 @@ def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
     outcome.emit_tasks(_done(run, "identify", quiet), as_json=as_json, results=in_snapshot(run, identified))
 
 
-def validate(
-    run: Run, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
-) -> None:
+def validate(run: Run, details: Details = False, as_json: Json = False, quiet: Quiet = False) -> None:
     """Free run of the identified models on every log, and the NRMSE table (scores.parquet).
 
     NRMSE is the root mean square error over the measured range (eq. 41), printed in percent, a fraction in JSON.
     Example: debist validate runs/P1
     """
     _done(run, "validate", quiet)
-    outcome.emit_scores(run, as_json=as_json, form=form, details=details)
+    outcome.emit_scores(run, as_json=as_json, details=details)
 
 
-def compare(
-    run: Run, form: Form = "text", details: Details = False, as_json: Json = False, quiet: Quiet = False
-) -> None:
+def compare(run: Run, details: Details = False, as_json: Json = False, quiet: Quiet = False) -> None:
     """Fit the baselines (SINDy, analytical, black boxes) on the same logs and add them to the scores.
 
     NRMSE in percent. Example: debist compare runs/P1
     """
     _done(run, "compare", quiet)
-    outcome.emit_scores(run, as_json=as_json, form=form, details=details)
+    outcome.emit_scores(run, as_json=as_json, details=details)
 
 
 def report(

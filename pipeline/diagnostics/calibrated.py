@@ -1,15 +1,13 @@
-"""Physical quantities by the fit of the hybrid model: nominal value, calibrated value, interval, other joints."""
+"""Physical quantities by the fit of the hybrid model: nominal value, calibrated value, interval."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..device.parameters import QUANTITIES, VECTOR_NAMES
-from ..fitting.population import NormalPopulation
 from ..models.base import DynamicModel
 from ..models.hybrid.model import HybridModel
 from ..models.hybrid.parameters import DEVIATIONS, NAMES, OF_INSTRUMENTS, PRIOR_STD
-from ..models.hybrid.siblings import title, usual_prior
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90
 from ..units.units import POWERS
@@ -90,30 +88,3 @@ def _bounds(model: HybridModel, row: FloatArray) -> FloatArray:
 
 
 _SIZES = [NAMES.index(f"log {unit}") for unit in ("length", "time", "voltage")]
-
-
-SHOWN = 12
-"""Quantities that are shown: those that other joints narrow most against the usual prior."""
-
-
-@dataclass(frozen=True)
-class AmongSiblings:
-    """A quantity of a joint among other joints, in standard deviations of these from their mean.
-
-    `error` is the standard deviation that the joint's own posterior leaves.
-    """
-
-    name: str
-    distance: float
-    error: float
-
-
-def places_among(model: DynamicModel | None, siblings: NormalPopulation | None) -> list[AmongSiblings]:
-    """The quantities that other joints determine best, the best first; none without these or of another model."""
-    if siblings is None or not isinstance(model, HybridModel):
-        return []
-    spread, before = (np.sqrt(np.diag(population.covariance)) for population in (siblings, usual_prior()))
-    own = np.sqrt(np.sum(model.spread[: len(spread)] ** 2, axis=1))
-    distances = (model.theta[: len(spread)] - siblings.mean) / spread
-    best = np.argsort(spread / before, kind="stable")[:SHOWN]
-    return [AmongSiblings(title(int(i)), float(distances[i]), float(own[i] / spread[i])) for i in best]

@@ -9,7 +9,6 @@ import numpy as np
 from ..scoring.wells import NoWells, Wells, snaps
 from ..signals.findings import Finding, Number
 from ..system.names import ROLE_WORDS, log_title
-from ..units.units import HORIZONS
 from .grades import THRESHOLDS, Check, graded, of_finding
 from .run_data import LogData, RunData
 
@@ -127,10 +126,6 @@ RIVAL_SURELY = 2e-3
 """A baseline is mentioned where it is surely better by more than this NRMSE."""
 
 
-WORST = 0.15
-"""NRMSE of a free run beyond which predictions from a measured state are judged too."""
-
-
 def model_checks(
     data: RunData, model: str, rest_errors: tuple[float, float] | None, wells: Wells | NoWells
 ) -> Iterator[Check]:
@@ -214,7 +209,7 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
         elif own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
             checks.append((own["nrmse"] / others[best], best, others[best], own))
     if not checks:
-        return _rivals_from_a_state(data, judged)
+        return []
     ratio, best, error, own = max(checks, key=lambda check: check[0])
     numbers = {"error": Number(error)}
     log = log_title(own["role"], own["log"])
@@ -223,30 +218,6 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
         return [of_finding("model", Finding("rival", "poor", log, subject, numbers))]
     numbers["own"] = Number(own["nrmse"])
     return [graded("model", "rival", ratio, log=log, subject=subject, numbers=numbers)]
-
-
-def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
-    """Check of models that predict surely better from a measured state, where free runs are lost (a chaotic device)."""
-    checks = []
-    for own in (score for score in judged if score["nrmse"] is None or score["nrmse"] > WORST):
-        others = [s for s in data.scores if all(s[key] == own[key] for key in ("role", "log", "signal"))]
-        for name, (seconds, _) in HORIZONS.items():
-            at = f"nrmse_{name}"
-            better = [s for s in others if _number(s.get(f"{at}_high")) < _number(own.get(f"{at}_low"), lacking=0.0)]
-            if seconds and better:
-                best = min(better, key=lambda score: score[at])
-                checks.append((own[at] / best[at], seconds, best[at], own[at], best))
-    if not checks:
-        return []
-    ratio, seconds, error, own_error, best = max(checks, key=lambda check: check[0])
-    models = f"{best['model']}, {judged[0]['model']}"
-    numbers = {"error": Number(error), "own": Number(own_error), "horizon": Number(seconds, "s")}
-    log = log_title(best["role"], best["log"])
-    return [graded("model", "rival", ratio, log=log, subject=models, numbers=numbers)]
-
-
-def _number(value: float | None, *, lacking: float = np.inf) -> float:
-    return lacking if value is None else float(value)
 
 
 def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:

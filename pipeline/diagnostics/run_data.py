@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from ..device.device import Device
-from ..fitting.population import NormalPopulation
 from ..models.base import DynamicModel
 from ..scoring.wells import NoWells, Wells, wells_of
 from ..settings.prototype import Prototype
@@ -98,8 +97,6 @@ class RunData:
         Rows of `debist check` as its JSON has them.
     instruments : sequence of mapping
         Rows of ``instruments.parquet``; none in a run without it.
-    siblings : NormalPopulation or None
-        Prior that `[plant] siblings` names, as the run holds it.
     control : mapping of str to mapping
         Results of `debist control` for the present model, by title.
     provenance : mapping
@@ -121,7 +118,6 @@ class RunData:
     instruments: tuple[Mapping[str, Any], ...] = ()
     control: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     choice: Mapping[str, Any] | None = None
-    siblings: NormalPopulation | None = None
 
     @property
     def why_chosen(self) -> str:

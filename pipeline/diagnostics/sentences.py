@@ -115,13 +115,9 @@ def _switch_accuracy(finding: Finding) -> tuple[str, str]:
 
 def _rival(finding: Finding) -> tuple[str, str]:
     best, _, own = finding.subject.partition(", ")
-    take = f"take {best} for predictions (`--model {best}`)"
-    if "horizon" in finding.numbers:
-        after = finding.filled("{horizon:g} s after a measured state: {error:percent} for {own:percent}")
-        return f"{best} predicts the {finding.log} surely better than {own} {after}", take
     advice = (
-        f"{take}, or help {own}: more and longer logs, or decide what is known of the device in [identify.structure] "
-        "(force, damping, drag, gain, friction, drive)"
+        f"take {best} for predictions (`--model {best}`), or help {own}: more and longer logs, or decide what is known "
+        "of the device in [identify.structure] (force, damping, drag, gain, friction, drive)"
     )
     if "own" not in finding.numbers:
         return (

@@ -1,4 +1,4 @@
-"""Facts of one device over several runs, each with its standard error, and their changes."""
+"""Facts of one device over several runs, each with its standard error, and their changes, also in words."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -9,8 +9,9 @@ import numpy as np
 from ..fitting.trends import Trend, smoothed, trend
 from ..models.base import DynamicModel, HasCurveDraws, HasCurves
 from ..numerics.arrays import FloatArray
-from ..numerics.metrics import NORMAL_90
+from ..numerics.metrics import NORMAL_90, NORMAL_95
 from ..signals.log import Log
+from ..units.quantity import quantity
 from .calibrated import calibrated
 from .instruments import InstrumentTest
 from .sentences import READINGS
@@ -19,6 +20,10 @@ ALARM = 0.05
 """Probability that any change is claimed in a series of an unchanged device."""
 DRAWS = 64
 PLACES = 121
+COLUMNS = ("fact", "first run", "last run", "from all runs", "change")
+"""Headings of `series_rows`."""
+_WIDE = 10.0
+"""Standard errors by which the facts of one device hardly scatter: three simulated devices scatter by more."""
 _LEFT_OUT = ("asymmetry", "stable")
 """Prefixes of the keys of facts that follow from others, or that another run may number otherwise."""
 _QUANTITIES = {
@@ -109,11 +114,11 @@ def facts_of(
     if between is not None and isinstance(model, HasCurves) and isinstance(model, HasCurveDraws):
         q = np.linspace(*between, PLACES)
         yield from _gains(model.curves(q), model.curve_ensemble(q, DRAWS), gain_unit)
-    for quantity in calibrated(model):
-        if quantity.name in _QUANTITIES:
-            key = quantity.name.partition(",")[0].replace(" ", "_")
-            error = _error(quantity.low, quantity.high)
-            yield RunFact(key, _QUANTITIES[quantity.name], quantity.unit, quantity.value, error)
+    for fitted in calibrated(model):
+        if fitted.name in _QUANTITIES:
+            key = fitted.name.partition(",")[0].replace(" ", "_")
+            error = _error(fitted.low, fitted.high)
+            yield RunFact(key, _QUANTITIES[fitted.name], fitted.unit, fitted.value, error)
 
 
 def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
@@ -134,11 +139,11 @@ def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displace
     if reading.status != "measured" or reading.exchange != "none":
         return
     units = {"zero_q": displacement, "delay": "s"}
-    for quantity, value, error in zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True):
+    for name, value, error in zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True):
         # The force of a joint goes with C v², so that 2 % of capacitance read as 1 % of voltage.
-        either = " or of the device" if quantity.startswith("gain_v") else ""
-        title = f"instruments: {READINGS.get(quantity, quantity)}{either}, change since the first run"
-        yield RunFact(f"reading_{quantity}", title, units.get(quantity, "1"), float(value), float(error))
+        either = " or of the device" if name.startswith("gain_v") else ""
+        title = f"instruments: {READINGS.get(name, name)}{either}, change since the first run"
+        yield RunFact(f"reading_{name}", title, units.get(name, "1"), float(value), float(error))
 
 
 def common_stroke(sheets: Sequence[Mapping[str, Any]]) -> tuple[float, float] | None:
@@ -176,3 +181,49 @@ def facts_over_time(at: Sequence[float], runs: Sequence[Sequence[RunFact]]) -> t
         SeriesFact(*named, t, y, errors, *smoothed(t, y, errors), trend(t, y, errors, ALARM / len(several)))
         for named, (t, y, errors) in several.items()
     )
+
+
+def series_rows(series: Series) -> list[tuple[str, ...]]:
+    """A row of texts for each fact: first and last value, the last one from all runs, and the change."""
+    return [
+        (
+            fact.title,
+            *(_shown(fact, fact.values[i], fact.errors[i]) for i in (0, -1)),
+            _shown(fact, fact.smooth[-1], fact.smooth_errors[-1]),
+            _change(fact, series.unit),
+        )
+        for fact in series.facts
+    ]
+
+
+def _change(fact: SeriesFact, unit: str) -> str:
+    """Trend of a fact in words; `unit` is that of the time."""
+    change = fact.trend
+    if change.kind == "unknown" or change.slope is None:
+        return f"{len(fact.at)} runs: too few"
+    if change.kind == "step":
+        step = quantity(change.step, fact.unit, change.step_error, float(np.abs(fact.values).max()))
+        return f"step of {step} between {unit}s {change.after:g} and {change.before:g}"
+    slope = quantity(change.slope, fact.unit, change.slope_error)
+    return f"{slope} a {unit}" if change.kind == "line" else f"none shown ({slope} a {unit})"
+
+
+def conclusion(series: Series) -> str:
+    """A sentence on the whole series."""
+    if series.facts and all(fact.trend.kind == "unknown" for fact in series.facts):
+        return f"{len(series.names)} runs: too few to show a drift; it takes four, a step six"
+    changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
+    scattered = [fact.title for fact in series.facts if fact.title not in changed and _scatter(fact) > _WIDE]
+    text = f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
+    doubt = f"; scattered by over {_WIDE:g} times their errors: {', '.join(scattered)}; are these runs of one device?"
+    return text + (doubt if scattered else "")
+
+
+def _scatter(fact: SeriesFact) -> float:
+    """RMS deviation from the weighted mean over the standard errors."""
+    deviations = fact.values - np.average(fact.values, weights=fact.errors**-2.0)
+    return float(np.sqrt(np.mean((deviations / fact.errors) ** 2)))
+
+
+def _shown(fact: SeriesFact, value: float, error: float) -> str:
+    return quantity(float(value), fact.unit, NORMAL_95 * float(error))

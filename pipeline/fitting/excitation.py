@@ -1,4 +1,4 @@
-"""Excitation of a log: wells, basis centres, voltage levels, frequencies; the facts behind "what to add".
+"""Excitation of a log: wells, basis centres, largest inputs; the facts behind "what to add".
 
 Data are unfit for training where they show nothing of places, inputs or wells: curves would be invented there.
 The training logs of thirty joints and a quarter drone have at least 4 samples at each of ten centres and a condition
@@ -6,29 +6,20 @@ number of at most 81; the bounds leave room below and above.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from ..device.device import Device
 from ..errors import DataRefusedError, InputError
-from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from ..numerics.arrays import FloatArray, IntArray
 from ..scoring.wells import NoWells, Wells, find_wells, snaps
 from ..settings.models import CENTRES, SMOOTHING
 from ..signals.findings import Finding, Number, refusal
 from ..signals.noise import REACH, is_idle
-from .information import ACTING, Conditioning, Coverage, ScaledRegressor, conditioning, coverage
+from .information import Conditioning, Coverage, ScaledRegressor, conditioning, coverage
 
-_POWER_SHARE = 0.95
 _SHORTEST = 64
-_WINDOW = 8.0
-"""Samples of a segment that is worth a spectrum, and length [s] of its windows."""
-_RINGING_ABOVE = 4
-_RINGING_BELOW = 0.8
-"""Line of the spectrum and share of the Nyquist frequency between which a peak is the device's: below it is the
-excitation's, above it is noise or folded over."""
-_BAND = 0.1
-"""Half width of a peak, and of the bands half its frequency beside it, as a share of its frequency."""
+"""Samples of a segment that shows a motion."""
 
 
 @dataclass(frozen=True)
@@ -47,19 +38,8 @@ class Excitation:
         Passages of the barrier to the right and to the left; zeros without two wells.
     largest : FloatArray, shape (K,)
         Largest magnitude of each input.
-    intermediate : FloatArray, shape (K,)
-        Share of an input's acting time in which it is as far from its largest value as from zero, a tenth of it at
-        least.
-    together : float
-        Share of the time in which two inputs act at once; 0 for one input.
     conditioning : Conditioning
         Of the regressor of eq. 40 with these centres, on unit-norm columns.
-    interval : float
-        Sample interval [s].
-    signals : FloatArray, shape (N, K)
-        The inputs as they act.
-    displacement : FloatArray, shape (n,)
-        Of the longest segment.
     """
 
     centres: FloatArray
@@ -67,38 +47,7 @@ class Excitation:
     wells: Wells | NoWells
     switches: tuple[int, int]
     largest: FloatArray
-    intermediate: FloatArray
-    together: float
     conditioning: Conditioning
-    interval: float
-    signals: FloatArray
-    displacement: FloatArray
-
-    # Spectra are evaluated when asked for: the library takes longer to load than all the rest.
-    @cached_property
-    def bandwidth(self) -> FloatArray:
-        """Frequency [Hz] below which 95 % of the power of an input's changes lies, shape (K,); 0 for a constant one."""
-        return np.array([_bandwidth(column, self.interval) for column in self.signals.T])
-
-    @cached_property
-    def ringing(self) -> float | None:
-        """Frequency [Hz] of the highest inner peak of the velocity's spectrum; None where the device does not ring.
-
-        That is the spectrum of q times f², not that of differences, in which white noise of q has a peak as well.
-        """
-        frequency, power = _spectrum(self.displacement, self.interval)
-        power *= frequency**2
-        last = int(np.searchsorted(frequency, _RINGING_BELOW * 0.5 / self.interval)) - 1
-        if last <= _RINGING_ABOVE:
-            return None
-        peak = _RINGING_ABOVE + int(np.argmax(power[_RINGING_ABOVE : last + 1]))
-        if peak in (_RINGING_ABOVE, last):  # the spectrum falls, or rises, all along
-            return None
-        ratio = frequency / frequency[peak]
-        width = max(_BAND, float(ratio[1]))
-        places = (1.0, 0.5, min(1.5, float(ratio[-1]) - _BAND))
-        most, *beside = (power[np.abs(ratio - place) <= width].mean() for place in places)
-        return float(frequency[peak]) if np.mean(beside) < 0.5 * most else None
 
 
 def examine_excitation(
@@ -153,19 +102,13 @@ def examine_excitation(
     )
     information: FloatArray = np.sum([weights.information(*each, interval) for each in motions], axis=0)
     wells = find_wells([(q, v, interval)], plant=plant)
-    acting: BoolArray = np.abs(v) > ACTING * np.maximum(largest, np.finfo(float).tiny)
     return Excitation(
         centres=weights.centres,
         visits=coverage(weights.centres, [each[0] for each in motions], [each[2] for each in motions]),
         wells=wells,
         switches=_switches(q[valid], wells),
         largest=largest,
-        intermediate=((np.abs(v) < (1.0 - ACTING) * largest) & acting).sum(axis=0) / np.maximum(acting.sum(axis=0), 1),
-        together=float(np.mean(acting.all(axis=1))) if v.shape[1] > 1 else 0.0,
         conditioning=conditioning(information),
-        interval=interval,
-        signals=plant.acting(v),
-        displacement=max(motions, key=lambda each: each[0].size)[0],
     )
 
 
@@ -175,23 +118,6 @@ def _switches(q: FloatArray, wells: Wells | NoWells) -> tuple[int, int]:
         return 0, 0
     to_right = wells.side(q[snaps(q, wells)])
     return int(np.count_nonzero(to_right)), int(np.count_nonzero(~to_right))
-
-
-def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
-    """Frequencies [Hz] and power of x without its mean (Welch's average)."""
-    from scipy.signal import welch
-
-    size = min(x.size, max(round(_WINDOW / interval), _SHORTEST))
-    frequency, power = welch(x, 1.0 / interval, nperseg=size, detrend="constant")
-    return np.asarray(frequency, dtype=np.float64), np.asarray(power, dtype=np.float64)
-
-
-def _bandwidth(x: FloatArray, interval: float) -> float:
-    if np.ptp(x) == 0.0:
-        return 0.0
-    frequency, power = _spectrum(x, interval)
-    cumulated = np.cumsum(power)
-    return float(frequency[np.searchsorted(cumulated, _POWER_SHARE * cumulated[-1])])
 
 
 LEAST_VISITS = 3

@@ -1,13 +1,11 @@
 """The figures of the device: curves with bands (fig. 14), energy landscape, phase portrait with basins, studies."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
-from ..diagnostics.calibrated import AmongSiblings, places_among
 from ..diagnostics.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
 from ..diagnostics.data_quality import centre_visits
 from ..diagnostics.datasheet import Datasheet
@@ -19,12 +17,11 @@ from ..diagnostics.phase_plane import (
     unforced,
     visited_range,
 )
-from ..diagnostics.run_data import Columns, RunData, Study
+from ..diagnostics.run_data import Columns, RunData
 from ..numerics.arrays import BoolArray, FloatArray
-from ..numerics.metrics import NORMAL_95
-from ..units.quantity import power, prefixed, quantity
+from ..units.quantity import prefixed, quantity
 from .datasheet_rows import NOT_USED
-from .figure import CHOSEN, Band, Cells, Figure, Line, Panel, Points, error_bars, rows_panel
+from .figure import Band, Cells, Figure, Line, Panel, Points
 from .instrument_table import instruments_figure
 from .log_figures import residual_figures
 from .recipe_figures import study_figure
@@ -45,54 +42,13 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     if sheet.curves:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
-    places = places_among(data.models.get(sheet.main_model), data.siblings)
     others = {
         "phase-portrait": _phase_portrait(data, sheet),
-        "siblings": siblings_figure(places) if places else None,
         "instruments": instruments_figure(data.instruments),
         **residual_figures(data, sheet.wells),
-        **{f"study-{study.name}": _study(data, study) for study in data.studies},
+        **{f"study-{study.name}": study_figure(study.name, study.columns, study.units) for study in data.studies},
     }
     return figures | {name: figure for name, figure in others.items() if figure is not None}
-
-
-def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
-    """Quantities of the joint below one another, in standard deviations of the other joints."""
-    rows = np.arange(len(places), dtype=np.float64)[::-1]
-    at = np.array([p.distance for p in places])
-    half = NORMAL_95 * np.array([p.error for p in places])
-    bars = error_bars("what its logs leave open (95 %)", at, half, rows)
-    usual = np.array([-NORMAL_95, NORMAL_95])
-    points = (Points("this joint", "measured", at, rows),)
-    panel = rows_panel([place.name for place in reversed(places)], bars, "95 % of other joints", usual, points)
-    caption = (
-        "The quantities that other joints determine best. Where they were the prior of the fit, it has drawn the "
-        "joint towards them."
-    )
-    return Figure(
-        "siblings",
-        "The joint among other joints",
-        caption=caption,
-        x_name="standard deviations of the other joints from their mean",
-        x_unit="1",
-        panels=(panel,),
-        tall=1.2,
-    )
-
-
-def _study(data: RunData, study: Study) -> Figure:
-    """A study; that of α is marked where the logs have been differentiated."""
-    figure = study_figure(study.name, study.columns, study.units)
-    notes = [log.kinematics_notes for log in data.logs if log.kinematics_notes.get("method") == "tvregdiff"]
-    if study.name != "alpha" or not notes:
-        return figure
-    order = int(notes[0]["order"])
-    chosen = {s["alpha"] * n["unit_si"] for n in notes for s in n.get("stretches", ()) if s.get("alpha") is not None}
-    low = float(study.columns["alpha"].min())
-    high = float(study.columns["alpha"].max())
-    marks = np.array(sorted(alpha for alpha in chosen if low <= alpha <= high))
-    unit = figure.x_unit.replace("^order", power(order) if order > 1 else "")
-    return replace(figure, x_unit=unit, marks={CHOSEN: marks} if marks.size else {})
 
 
 def _curves(data: RunData, sheet: Datasheet) -> Figure:

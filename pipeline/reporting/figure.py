@@ -67,7 +67,7 @@ class Band:
 Drawn = TypeVar("Drawn", Line, Band)
 
 
-def error_bars(label: str, at: FloatArray, half: FloatArray, across: FloatArray, *, upright: bool = False) -> Line:
+def error_bars(label: str, at: FloatArray, half: FloatArray, across: FloatArray) -> Line:
     """Bars from `at` − `half` to `at` + `half` as one interrupted line, each at its place `across`.
 
     Parameters
@@ -75,13 +75,10 @@ def error_bars(label: str, at: FloatArray, half: FloatArray, across: FloatArray,
     label : str
         Name of the quantity.
     at, half, across : FloatArray, shape (n,)
-        Middles, half lengths, and places on the other axis.
-    upright : bool
-        True if they stand along y.
+        Middles and half lengths along x, and places on y.
     """
     ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
-    x, y = (np.repeat(across, 3), ends) if upright else (ends, np.repeat(across, 3))
-    return Line(label, "measured", x, y, dash="solid")
+    return Line(label, "measured", ends, np.repeat(across, 3), dash="solid")
 
 
 @dataclass(frozen=True)
@@ -392,13 +389,11 @@ class Style:
     dash: Dash = "role"
 
 
-CHOSEN = "chosen for the logs"
 MARKS = {
     "voltage switched": Style("mark"),
     "voltage steps": Style("mark"),
     "input steps": Style("mark"),
     "device snaps over": Style("snap"),
-    CHOSEN: Style("snap"),
 }
 
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Literal
 
 import numpy as np
 
@@ -124,14 +123,14 @@ def study_figure(name: StudyName, columns: Columns, units: Mapping[str, str]) ->
 
     Parameters
     ----------
-    name : {"alpha", "basis", "data", "online", "folds"}
+    name : {"alpha", "basis", "data", "online"}
         Name of the study.
     columns : mapping of str to FloatArray, each of shape (n,)
         As the study's table holds them.
     units : mapping of str to str
         SI units of the columns.
     """
-    return {"alpha": _alpha, "basis": _basis, "data": _data, "online": _online, "folds": _folds}[name](columns, units)
+    return {"alpha": _alpha, "basis": _basis, "data": _data, "online": _online}[name](columns, units)
 
 
 def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
@@ -245,51 +244,4 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
         x_name="length of the stream",
         x_unit="s",
         panels=tuple(panels),
-    )
-
-
-def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
-    """One mark per model and fold; marks stand beside one another in the order of the models."""
-    rows_of = {model: columns["model"] == model for model in dict.fromkeys(map(str, columns["model"]))}
-    step = 0.6 / max(1, len(rows_of))
-    errors = {key: PERCENT * columns[key] for key in ("nrmse", "nrmse_qdot", "nrmse_qddot")}
-    markers: tuple[Literal["dot", "ring", "cross"], ...] = ("dot", "ring", "cross")
-
-    def points(key: str) -> tuple[Points, ...]:
-        """The errors fold by fold."""
-        return tuple(
-            Points(
-                model,
-                model,
-                columns["fold"][rows] + 1 + (i - (len(rows_of) - 1) / 2) * step,
-                errors[key][rows],
-                markers[i % 3],
-            )
-            for i, (model, rows) in enumerate(rows_of.items())
-        )
-
-    def means(key: str) -> tuple[Line, ...]:
-        """The mean of each model's errors over the folds."""
-        ends = np.array([0.5, float(np.max(columns["fold"])) + 1.5])
-        return tuple(
-            Line(model, model, ends, np.full(2, np.mean(errors[key][rows])), dash="dashed")
-            for model, rows in rows_of.items()
-        )
-
-    panels = tuple(
-        Panel(f"NRMSE of {symbol}", "%", means(key), points=points(key))
-        for key, symbol in (("nrmse", "q"), ("nrmse_qdot", "q̇"), ("nrmse_qddot", "q̈"))
-    )
-    caption = (
-        "Each model fitted without the fold and run freely over it (100 %: diverged, or missed everything). Dashed: "
-        "mean."
-    )
-    return Figure(
-        "study-folds",
-        "Cross-validation",
-        caption=caption,
-        x_name="fold left out",
-        x_unit="1",
-        panels=panels,
-        whole=True,
     )

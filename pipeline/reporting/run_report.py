@@ -36,7 +36,7 @@ SECTION_TITLES = {
 }
 
 
-SCORES_OF_WELLS = ("well_agreement", "switch_accuracy", "outcomes", "rise_error_s", "settling_error_s")
+SCORES_OF_WELLS = ("well_agreement", "switch_accuracy", "outcomes")
 """Columns of the scores that only two wells give a meaning."""
 
 

@@ -1,15 +1,11 @@
-"""Tables of scores as records and as text: terminal, CSV, LaTeX, Markdown; nothing is ranked inside its own noise."""
+"""Tables of scores as records and as text; nothing is ranked inside its own noise."""
 
-import csv
-import io
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
-from ..scoring.cross_validation import NRMSE_COLUMNS
 from ..scoring.intervals import BLOCK, FEWEST_BLOCKS, MEMORIES
 from ..scoring.scores import SHORTEST_HORIZON
 from ..store.columns import SCORE_COLUMNS, TIME_COLUMNS, Column
@@ -18,11 +14,8 @@ from ..units.quantity import moment, prefixed
 from ..units.units import ALPHA_UNIT, HORIZONS, SIGNALS
 
 ScoreRow = Mapping[str, Any]
-Form = Literal["latex", "markdown"]
-Format = Literal["csv", "latex", "markdown"]
 
 HEADINGS = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
-LATEX_HEADINGS = {"q": "$q$", "phi": r"$\varphi$", "qdot": r"$\dot q$", "qddot": r"$\ddot q$"}
 
 _ERRORS = (
     "NRMSE in % of the measured range (eq. 41) of a free run from the first sample; a run that diverged has no error "
@@ -149,7 +142,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
 
 
 def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
-    """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`."""
+    """Errors by horizon and what a run notes of itself, each with its interval; `scores` as in `nrmse_table`."""
     of_q = [row for row in scores if row["signal"] == "q"]
     columns = _columns("behaviour", of_q)
     rows = (Row(r["role"], r["log"], r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q)
@@ -193,8 +186,7 @@ def _cell(record: ScoreRow, column: Column) -> TableCell:
 
 
 def _number(record: ScoreRow, key: str, factor: float, digits: int | None) -> TableCell:
-    name, unit = (key.removesuffix("_s"), "_s") if key.endswith("_s") else (key, "")
-    value, low, high = (record.get(k) for k in (key, f"{name}_low{unit}", f"{name}_high{unit}"))
+    value, low, high = (record.get(name) for name in (key, f"{key}_low", f"{key}_high"))
     if value is None:
         return TableCell("–")
     form = ".3g" if digits is None else f".{digits}f"
@@ -202,13 +194,8 @@ def _number(record: ScoreRow, key: str, factor: float, digits: int | None) -> Ta
     return TableCell(f"{factor * value:{form}}", band, is_number=True)
 
 
-def render(table: NrmseTable, form: Form) -> str:
-    """The table as text of the given form, ending with a line break."""
-    return (_latex if form == "latex" else _markdown)(table)
-
-
-def lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
-    """Heading and rows as strings; `best` wraps or follows the best ones through ``{}``."""
+def lines(table: NrmseTable) -> list[list[str]]:
+    """Heading and rows as strings."""
     heading = [
         "log",
         "model",
@@ -219,26 +206,11 @@ def lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
         [
             log_title(row.role, row.log),
             row.model,
-            *(best.format(cell.text) if cell.best else cell.text + TIED * cell.tied for cell in row.cells),
+            *(cell.text + BEST * cell.best + TIED * cell.tied for cell in row.cells),
         ]
         for row in table.rows
     ]
     return [heading, *rows]
-
-
-def scores_csv(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow]) -> str:
-    """Every number of the scores, one row per log, model and signal; SI units and fractions, empty where undefined.
-
-    Formulas are disarmed: a spreadsheet would run a name that begins with =.
-    """
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    names = [*scores[0], *(column.key for column in TIME_COLUMNS)]
-    writer.writerow(map(disarmed, names))
-    for score in scores:
-        row = {**times.get(score["model"], {}), **score}
-        writer.writerow([disarmed(row.get(name)) for name in names])
-    return out.getvalue()
 
 
 def disarmed(value: Any) -> Any:
@@ -246,54 +218,6 @@ def disarmed(value: Any) -> Any:
     if isinstance(value, str) and value.lstrip()[:1] in ("=", "+", "-", "@"):
         return f"'{value}"
     return "" if value is None else value
-
-
-def _markdown(table: NrmseTable) -> str:
-    heading, *rows = lines(table, "**{}**")
-    rule = ["---", "---", *["---:"] * (len(heading) - 2)]
-    markup = re.compile(r"[\\`*_<>&|\[\]~!]")  # of names: HTML, links, code and columns
-    named = [[*(markup.sub(r"\\\g<0>", _one_line(name)) for name in line[:2]), *line[2:]] for line in rows]
-    return "".join("| " + " | ".join(line) + " |\n" for line in (heading, rule, *named))
-
-
-def _one_line(text: str) -> str:
-    return "".join(c if c.isprintable() else " " for c in text)
-
-
-def _latex(table: NrmseTable) -> str:
-    """A booktabs table, one block per log."""
-    columns = "ll" + "r" * (len(table.signals) + len(table.extras))
-    extras = [_escape(column.heading) for column in table.extras]
-    heading = ["log", "model", *(rf"{LATEX_HEADINGS[s]} [\%]" for s in table.signals), *extras]
-    body = []
-    last = ""
-    for r in table.rows:
-        place = log_title(r.role, r.log)
-        if last and place != last:
-            body.append(r"\midrule")
-        cells = [rf"\textbf{{{_escape(c.text)}}}" if c.best else _escape(c.text + TIED * c.tied) for c in r.cells]
-        body.append(" & ".join([_escape(place) if place != last else "", _escape(r.model), *cells]) + r" \\")
-        last = place
-    head = [rf"\begin{{tabular}}{{{columns}}}", r"\toprule", " & ".join(heading) + r" \\", r"\midrule"]
-    return "\n".join([*head, *body, r"\bottomrule", r"\end{tabular}"]) + "\n"
-
-
-def _escape(text: str) -> str:
-    special = {c: f"\\{c}" for c in "&%$#_{}"} | {
-        "\\": r"\textbackslash{}",
-        "~": r"\textasciitilde{}",
-        "–": "--",
-        "≈": r"$\approx$",
-    }
-    return "".join(special.get(c, c) for c in _one_line(text.replace("^", "")))
-
-
-FOLD_EXPLANATION = (
-    "Free-run NRMSE in % of the range in all data, each segment of a fold from its measured first state; a run that "
-    "diverged counts as 100. Mean over folds [95 % interval, t-test corrected for shared training data]. * lowest, all "
-    "others higher fold by fold; ≈ not distinguishable from the lowest."
-)
-_MARKS = {"lowest": BEST, "tied": TIED, "": ""}
 
 
 @dataclass(frozen=True)
@@ -365,41 +289,6 @@ def _least(rows: Sequence[ScoreRow], column: Column) -> str:
     if not values or column.cell is None:
         return "–"
     return f"{column.cell.factor * min(values):.0f}" + (" %" if column.cell.unit == "%" else "")
-
-
-def fold_table(summary: Sequence[Mapping[str, Any]]) -> tuple[list[str], list[list[str]]]:
-    """Header and rows.
-
-    Parameters
-    ----------
-    summary : sequence of records
-        Per model: ``nrmse``, ``nrmse_qdot``, ``nrmse_qddot`` with ``_low``, ``_high`` and ``_rank``, the q errors of
-        the ``folds``, ``well_agreement`` and how many folds ``diverged``. Without wells their column is left out.
-    """
-    wells = any(record["well_agreement"] is not None for record in summary)
-    errors = [f"{HEADINGS[s]} [%]" for s in NRMSE_COLUMNS.values()]
-    header = ["model", *errors, *["wells [%]"] * wells, "diverged", "q, fold by fold"]
-    return header, [_row(record, wells=wells) for record in summary]
-
-
-def _row(record: Mapping[str, Any], *, wells: bool) -> list[str]:
-    folds = " ".join(prefixed(value, "%", 2, "refused") for value in record["folds"])
-    return [
-        record["model"],
-        *(_fold_cell(record, key) for key in NRMSE_COLUMNS),
-        *[prefixed(record["well_agreement"], "%", 1)] * wells,
-        str(record["diverged"]),
-        folds,
-    ]
-
-
-def _fold_cell(record: Mapping[str, Any], key: str) -> str:
-    if record[key] is None:
-        return "–"
-    low = record[f"{key}_low"]
-    high = record[f"{key}_high"]
-    band = "" if low is None else f" [{prefixed(low, '%', 2)}, {prefixed(high, '%', 2)}]"
-    return f"{prefixed(record[key], '%', 2)}{band}{_MARKS[record[f'{key}_rank']]}"
 
 
 def study_conclusion(

@@ -1,4 +1,4 @@
-"""Models judged by free runs over data that they were not fitted to: folds on request, and blocks within a fit."""
+"""Models judged by free runs over data that they were not fitted to: logs held out, and blocks within a fit."""
 
 import itertools
 from collections.abc import Callable, Mapping, Sequence
@@ -8,14 +8,11 @@ from typing import Protocol, TypeVar
 import numpy as np
 
 from ..errors import DebistError
-from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from ..numerics.arrays import FloatArray
 from ..numerics.metrics import rmse
 from ..signals.log import Log, operating_range
 from .intervals import LEVEL, Interval
-from .wells import NoWells, Wells, in_same_well
 
-NRMSE_COLUMNS = {"nrmse": "q", "nrmse_qdot": "qdot", "nrmse_qddot": "qddot"}
-"""The signal that each column of a fold's table judges."""
 FOLDS = 4
 NEGLIGIBLE = 1e-5  # of the range of q; smaller errors are no reason to prefer a choice, a laser resolves about as much
 
@@ -23,7 +20,7 @@ Choice = TypeVar("Choice")
 
 
 class SimulatedMotion(Protocol):
-    """A free run, NaN after a divergence; it also has the other signals that it is judged by."""
+    """A free run, NaN after a divergence."""
 
     @property
     def q(self) -> FloatArray:
@@ -41,108 +38,6 @@ class Simulator(Protocol):
         """Free run, see `pipeline.models.base.DynamicModel.simulate`."""
 
 
-@dataclass(frozen=True)
-class FoldScore:
-    """Held-out errors of one model on one fold.
-
-    Attributes
-    ----------
-    nrmse : mapping of signal to float
-        Free-run RMS errors of q, q̇ and q̈ over the range of each in all data, at most 1, which stands for a run that
-        diverged or missed everything.
-    well_agreement : float or None
-        Share of the samples in the right well; None for a device without two wells.
-    samples : int
-        Held-out samples.
-    diverged : int
-        Held-out segments whose run diverged.
-    """
-
-    nrmse: Mapping[str, float]
-    well_agreement: float | None
-    samples: int
-    diverged: int
-
-
-def block_folds(segments: Sequence[IntArray], folds: int) -> list[IntArray]:
-    """Fold of every row where each log is cut into `folds` blocks of equally many valid rows.
-
-    The logs' first blocks go to different folds, so that no fold holds all the starts.
-
-    Parameters
-    ----------
-    segments : sequence of IntArray, shape (N,)
-        Number of the gap-free segment of each row of each log, −1 where it is masked.
-    folds : int
-        At least 2.
-
-    Returns
-    -------
-    list of IntArray, shape (N,)
-        0 … folds − 1, −1 where masked.
-    """
-    dealt = []
-    for shift, segment in enumerate(segments):
-        valid = segment >= 0
-        fold = np.full(segment.size, -1, dtype=np.int64)
-        place = np.arange(np.count_nonzero(valid))
-        fold[valid] = (place * folds // max(1, place.size) + shift) % folds
-        dealt.append(fold)
-    return dealt
-
-
-def log_folds(segments: Sequence[IntArray], folds: int) -> list[IntArray]:
-    """Fold of every row where whole logs are dealt to the folds in turn; parameters as in `block_folds`."""
-    return [np.where(segment >= 0, k % folds, -1).astype(np.int64) for k, segment in enumerate(segments)]
-
-
-def kept_segments(segment: IntArray, keep: BoolArray) -> IntArray:
-    """Segments of the rows kept, numbered anew from 0; −1 elsewhere, so that nothing reaches across what was cut."""
-    rows = keep & (segment >= 0)
-    begins = rows & ~np.concatenate([[False], rows[:-1] & (segment[1:] == segment[:-1])])
-    return np.where(rows, np.cumsum(begins) - 1, -1)
-
-
-def fold_score(
-    model: Simulator, held_out: Sequence[Log], ranges: Mapping[str, float], wells: Wells | NoWells
-) -> FoldScore:
-    """Free runs over the held-out segments, each from its own measured first state.
-
-    Hidden states of a model begin as after a long rest there.
-
-    Parameters
-    ----------
-    model : Simulator
-        Fitted without these segments.
-    held_out : sequence of Log
-        The segments of one fold, at least one.
-    ranges : mapping of signal to float
-        The signals that are judged: `signal_ranges` of all data, so that a fold that stays in one well is not judged
-        by a smaller range.
-    wells : Wells or NoWells
-        `find_wells` of all logs of the device.
-    """
-    squares = dict.fromkeys(ranges, 0.0)
-    agreeing = 0.0
-    samples = sum(len(x.t) for x in held_out)
-    diverged = 0
-    for x in held_out:
-        run = model.simulate(x.t, x.drive_of(fine=model.fine_voltages), float(x.q[0]), float(x.qdot[0]))
-        for signal in ranges:
-            squares[signal] += free_run_error(getattr(x, signal), getattr(run, signal), ranges[signal]) ** 2 * len(x.t)
-        if isinstance(wells, Wells):
-            agreeing += float(np.sum(in_same_well(x.q, run.q, wells)))
-        diverged += not np.all(np.isfinite(run.q))
-    nrmse = {signal: float(np.sqrt(value / samples)) for signal, value in squares.items()}
-    return FoldScore(nrmse, agreeing / samples if isinstance(wells, Wells) else None, samples, diverged)
-
-
-def signal_ranges(trajectories: Sequence[Log]) -> dict[str, float]:
-    """Range of q, q̇ and q̈ over all data."""
-    joined = {signal: np.concatenate([getattr(x, signal) for x in trajectories]) for signal in NRMSE_COLUMNS.values()}
-    return {signal: float(np.ptp(values)) for signal, values in joined.items()}
-
-
 def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     """Mean over folds and its interval by the corrected resampled t-test.
 
@@ -152,7 +47,7 @@ def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     Parameters
     ----------
     values : FloatArray, shape (k,)
-        One per fold, or differences of two models per fold.
+        One per fold.
 
     Returns
     -------
@@ -169,21 +64,6 @@ def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     reach = stdtrit(k - 1, (1.0 + LEVEL) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1))
     half = float(reach * values.std(ddof=1))
     return mean, Interval(mean - half, mean + half)
-
-
-def not_above_lowest(errors: Mapping[str, FloatArray]) -> set[str]:
-    """The model of the lowest mean error and those whose difference to it, fold by fold, may be zero.
-
-    Parameters
-    ----------
-    errors : mapping of model to FloatArray, shape (k,)
-        Errors of the same folds; of those with a value for every fold.
-    """
-    if not errors:
-        return set()
-    lowest = min(errors, key=lambda model: float(errors[model].mean()))
-    bands = {m: mean_over_folds(e - errors[lowest])[1] for m, e in errors.items()}
-    return {m for m, band in bands.items() if m == lowest or band is None or band.low <= 0.0}
 
 
 @dataclass(frozen=True)
@@ -350,9 +230,16 @@ def _point(level: float, draws: Sequence[Sequence[Log]], held_out: Sequence[Log]
 
 
 def held_out_error(model: Simulator, held_out: Sequence[Log]) -> float:
-    """Free-run NRMSE of q over all segments, each from its own first state, at most 1; weighted by their length."""
+    """Free-run NRMSE of q over all segments, each from its own measured first state; weighted by their length.
+
+    Hidden states of a model begin as after a long rest there. A run that diverged or missed everything counts as 1.
+    """
     low, high = operating_range(held_out)
-    return fold_score(model, held_out, {"q": high - low}, NoWells("")).nrmse["q"]
+    squares = 0.0
+    for x in held_out:
+        run = model.simulate(x.t, x.drive_of(fine=model.fine_voltages), float(x.q[0]), float(x.qdot[0]))
+        squares += free_run_error(x.q, run.q, high - low) ** 2 * len(x.t)
+    return float(np.sqrt(squares / sum(len(x.t) for x in held_out)))
 
 
 def _segment(training: Sequence[Log], start: int, amount: int) -> list[Log]:

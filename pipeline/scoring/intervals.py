@@ -19,8 +19,6 @@ SEED = 0
 """Of the bootstrap: equal errors have equal intervals."""
 LEVEL = 0.95
 _TAILS = [(1.0 - LEVEL) / 2.0, 1.0 - (1.0 - LEVEL) / 2.0]
-FEWEST = 4
-"""Events: a median of fewer has no spread worth printing."""
 
 
 @dataclass(frozen=True)
@@ -211,24 +209,7 @@ def share_interval(right: int, events: int) -> Interval | None:
     return Interval(0.0 if right == 0 else float(low), 1.0 if right == events else float(high))
 
 
-def median_interval(values: Sequence[float], rng: np.random.Generator) -> Interval | None:
-    """Percentile interval of the median of independent events; None with fewer than `FEWEST`.
-
-    Parameters
-    ----------
-    values : sequence of float, length n
-        One value per event.
-    rng : numpy.random.Generator
-        Draws the resamples. Cost: O(1000 n).
-    """
-    if len(values) < FEWEST:
-        return None
-    return interval_of(np.median(rng.choice(np.asarray(values), size=(RESAMPLES, len(values))), axis=1))
-
-
-def excess_over_lowest(
-    errors: Mapping[str, FloatArray], interval: float, seed: int, plant: Device
-) -> dict[str, Interval | None]:
+def excess_over_lowest(errors: Mapping[str, FloatArray], interval: float, plant: Device) -> dict[str, Interval | None]:
     """Paired bootstrap intervals of each model's RMS error less that of the model with the lowest.
 
     If an interval reaches zero, the record does not distinguish the model from the lowest. The lowest is chosen on
@@ -240,8 +221,6 @@ def excess_over_lowest(
         Calculated minus measured; NaN where masked, the same rows for all.
     interval, plant
         As in `block_of`; each model and the lowest have a block of their own.
-    seed : int
-        Of the bootstrap.
 
     Returns
     -------
@@ -256,7 +235,7 @@ def excess_over_lowest(
     best = errors[lowest]
     return {
         model: rms_difference_interval(
-            error, best, block_of((error, best), interval, plant), np.random.default_rng(seed)
+            error, best, block_of((error, best), interval, plant), np.random.default_rng(SEED)
         )
         for model, error in errors.items()
         if model != lowest

@@ -1,6 +1,5 @@
-"""A free run against its measured record: scores by signal, errors by horizon, and times of the switches."""
+"""A free run against its measured record: scores by signal, and errors by horizon."""
 
-import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -9,9 +8,9 @@ import numpy as np
 
 from ..device.device import Device
 from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
-from ..numerics.metrics import fit_percent, nrmse, rms, rmse, settling_index, signal_range
-from .intervals import BLOCK, SEED, Interval, block_of, mean_interval, median_interval, rms_interval, share_interval
-from .wells import LONGEST_WINDOW, NoWells, Wells, in_same_well, switch_accuracy
+from ..numerics.metrics import fit_percent, nrmse, rms, rmse, signal_range
+from .intervals import BLOCK, SEED, Interval, block_of, mean_interval, rms_interval, share_interval
+from .wells import NoWells, Wells, in_same_well, switch_accuracy
 
 Status = Literal["ok", "diverged"]
 
@@ -295,138 +294,3 @@ def fit_note(measured: FloatArray, free: FloatArray) -> str:
     if fit is not None:
         return f"fit {fit:.1f} %".replace("-", "−")
     return "diverged" if rmse(measured, free) is None else "the measurement is constant"
-
-
-STEP = 0.2  # of the largest voltage: a change by more between two looks 20 ms apart is a step, a chirp's slope is not
-STEP_WINDOW = 0.02  # s
-SHORTEST_RESPONSE = 0.8  # s; two ring periods, less shows no settling
-SETTLED = 0.1  # of the step in q
-
-
-@dataclass(frozen=True)
-class ResponseErrors:
-    """Median absolute errors of the simulated times over the switches of a record.
-
-    Attributes
-    ----------
-    switches : int
-        Switches of the measurement whose response is long enough to be judged.
-    followed : int
-        Those in which the simulation switched too.
-    rise_s, settling_s : float or None
-        Median of |simulated − measured| [s] over the switches followed where both times exist; None if there is none.
-    rise_interval, settling_interval : Interval or None
-        95 % bootstrap intervals of these medians over the switches; None with fewer than four.
-    """
-
-    switches: int
-    followed: int
-    rise_s: float | None
-    settling_s: float | None
-    rise_interval: Interval | None
-    settling_interval: Interval | None
-
-
-def voltage_steps(v: FloatArray, interval: float, plant: Device) -> IntArray:
-    """The last rows before an input jumps by more than `STEP` of its `peaks`, one per jump, shape (n,)."""
-    lag = samples_of(STEP_WINDOW, interval)
-    jump = np.zeros(len(v), dtype=bool)
-    jump[lag:] = np.any(np.abs(v[lag:] - v[:-lag]) > STEP * plant.peaks(v), axis=1)
-    rises = np.flatnonzero(jump & ~np.concatenate([[False], jump[:-1]]))
-    return np.asarray(rises - 1, dtype=np.int64)
-
-
-def step_response(q: FloatArray, interval: float) -> tuple[float | None, float | None]:
-    """Rise and settling time of q from the first row, a voltage step, to the last, just before the next.
-
-    The final value is the mean of the last 0.4 s, one period of the ring-down.
-
-    Parameters
-    ----------
-    q : FloatArray, shape (N,)
-        Displacement, finite.
-    interval : float
-        Sample interval [s].
-
-    Returns
-    -------
-    rise : float or None
-        From 10 to 90 % of the way to the final value [s]; None if the way is not completed.
-    settling : float or None
-        From the voltage step until q stays within ±10 % of the step [s]; None if it does not for the last 0.4 s.
-    """
-    window = samples_of(LONGEST_WINDOW, interval)
-    step = float(np.mean(q[-window:])) - q[0]
-    if step == 0.0:
-        return None, None
-    way = (q - q[0]) / step
-    ten, ninety = (np.flatnonzero(way >= share) for share in (0.1, 0.9))
-    rise = float(ninety[0] - ten[0]) * interval if ninety.size else None
-    settled = int(settling_index(way - 1.0, SETTLED))
-    return rise, settled * interval if settled <= q.size - window else None
-
-
-def response_errors(
-    measured: FloatArray,
-    calculated: FloatArray,
-    v: FloatArray,
-    interval: float,
-    wells: Wells,
-    rng: np.random.Generator,
-    *,
-    plant: Device,
-) -> ResponseErrors:
-    """Compare the times of all switches.
-
-    A switch is a segment between two voltage steps that starts on one side of the barrier and ends on the other. It
-    counts if it lasts at least 0.8 s and no row is masked.
-
-    Parameters
-    ----------
-    measured, calculated : FloatArray, shape (N,)
-        q [m]; NaN where masked, NaN after divergence.
-    v : FloatArray, shape (N, K)
-        Inputs.
-    interval : float
-        Sample interval [s].
-    wells : Wells
-        The wells of the device.
-    rng : numpy.random.Generator
-        For the bootstrap.
-    plant : Device
-        Its inputs, and whether it is the joint.
-    """
-    pairs = []
-    switches = 0
-    shortest = samples_of(SHORTEST_RESPONSE, interval)
-    for begin, end in itertools.pairwise([*voltage_steps(v, interval, plant=plant).tolist(), len(v)]):
-        rows = slice(begin, end)
-        known = end - begin >= shortest and np.all(np.isfinite(measured[rows]))
-        if not known or not _switches(measured[rows], wells, interval):
-            continue
-        switches += 1
-        if np.all(np.isfinite(calculated[rows])) and _switches(calculated[rows], wells, interval):
-            pairs.append((step_response(measured[rows], interval), step_response(calculated[rows], interval)))
-    rise = _errors([(own, other) for (own, _), (other, _) in pairs])
-    settling = _errors([(own, other) for (_, own), (_, other) in pairs])
-    return ResponseErrors(
-        switches=switches,
-        followed=len(pairs),
-        rise_s=_median(rise),
-        settling_s=_median(settling),
-        rise_interval=median_interval(rise, rng),
-        settling_interval=median_interval(settling, rng),
-    )
-
-
-def _median(errors: Sequence[float]) -> float | None:
-    return float(np.median(errors)) if errors else None
-
-
-def _switches(q: FloatArray, wells: Wells, interval: float) -> bool:
-    last = wells.side(q[-samples_of(LONGEST_WINDOW, interval) :])
-    return bool(last.all() == last.any() and last[0] != wells.side(q[:1])[0])
-
-
-def _errors(pairs: Sequence[tuple[float | None, float | None]]) -> list[float]:
-    return [abs(b - a) for a, b in pairs if a is not None and b is not None]

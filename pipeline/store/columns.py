@@ -9,7 +9,7 @@ from typing import Literal
 
 from ..units.units import HORIZONS
 
-SCHEMA_VERSION = "2"
+SCHEMA_VERSION = "3"
 
 Dtype = Literal["float64", "int32", "int64", "string", "bool"]
 
@@ -120,12 +120,11 @@ TUBE_COLUMNS = (
 PHI_COLUMN = Column("phi", "φ", "rad", "tip rotation, from q by kinematics: the static map of the analytical model")
 
 
-def _band(of: str, unit: str, how: str) -> tuple[Column, Column]:
-    """The columns of a number's interval."""
-    end = "_s" if unit == "s" else ""
+def _band(of: str, how: str) -> tuple[Column, Column]:
+    """The columns of a share's interval."""
     return (
-        Column(f"{of}_low{end}", "", unit, f"lower end of its 95 % interval: {how}"),
-        Column(f"{of}_high{end}", "", unit, "upper end of that interval"),
+        Column(f"{of}_low", "", "1", f"lower end of its 95 % interval: {how}"),
+        Column(f"{of}_high", "", "1", "upper end of that interval"),
     )
 
 
@@ -133,13 +132,9 @@ def _horizons() -> Iterator[Column]:
     for name, (_, words) in HORIZONS.items():
         help_ = f"NRMSE {words} ahead of the measured state (q only)"
         yield Column(f"nrmse_{name}", words, "1", help_, Cell("behaviour", digits=2))
-        yield from _band(f"nrmse_{name}", "1", "moving-block bootstrap of the restarts")
+        yield from _band(f"nrmse_{name}", "moving-block bootstrap of the restarts")
 
 
-_TIMES = (
-    "Rise (10–90 %) and settling time (±10 %): median error over the switches that the model follows, interval by "
-    "bootstrap of the switches (none with fewer than 4)."
-)
 NOTED_COLUMNS = (
     Column(
         "outside_training", "outside", "1",
@@ -168,7 +163,7 @@ SCORE_COLUMNS = (
     Column("headline", "", "1", "whether it is the model that the run is judged by", dtype="bool"),
     _text("signal", "q, phi, qdot or qddot"),
     Column("nrmse", "NRMSE", "1", "root mean square error over the measured range (eq. 41); null if undefined"),
-    *_band("nrmse", "1", "moving-block bootstrap"),
+    *_band("nrmse", "moving-block bootstrap"),
     Column("above_lowest_low", "", "1",
            "lower end of the 95 % paired bootstrap interval of nrmse less the lowest of that log and signal; "
            "null for the lowest"),
@@ -180,18 +175,12 @@ SCORE_COLUMNS = (
     Column("diverged_at_s", "", "s", "time at which the free run diverged; null if it did not"),
     Column("well_agreement", "wells", "1", "share of samples with both in the same well (q only)",
            Cell("errors", note="Wells: share of samples in the measured well.")),
-    *_band("well_agreement", "1", "moving-block bootstrap"),
+    *_band("well_agreement", "moving-block bootstrap"),
     Column("switch_accuracy", "switches", "1", "share of pulses after which both rest in one well (q only)",
            Cell("errors", note="Switches: share of pulses after which both rest in the same well (interval by "
                                "Bayesian bootstrap of the pulses).")),
-    *_band("switch_accuracy", "1", "Bayesian bootstrap of the pulses"),
+    *_band("switch_accuracy", "Bayesian bootstrap of the pulses"),
     *_horizons(),
-    Column("rise_error_s", "rise", "s", "median error of the rise time of switches (q only)",
-           Cell("behaviour", "ms", 1e3, 0, _TIMES)),
-    *_band("rise_error", "s", "bootstrap of the switches"),
-    Column("settling_error_s", "settling", "s", "median error of the settling time of switches (q only)",
-           Cell("behaviour", "ms", 1e3, 0, _TIMES)),
-    *_band("settling_error", "s", "bootstrap of the switches"),
     *NOTED_COLUMNS,
     Column("outcomes", "", "1", "rests after a pulse that were given a probability for their well (q only)",
            dtype="int64"),
@@ -207,7 +196,7 @@ TIME_COLUMNS = (
     Column("fit_s", "fit", "s", "processor time of the model's fit", Cell("errors", "s", 1.0, None)),
     Column("simulate_s", "run", "s", "processor time of the model's longest free run", Cell("errors", "s", 1.0, None)),
 )
-"""Columns that the printed table and the CSV of the scores have beside those of the file."""
+"""Columns that the printed table of the scores has beside those of the file."""
 
 INSTRUMENT_COLUMNS = (
     _text("log", "name of the log"),
@@ -241,9 +230,7 @@ FLEET_FACT_COLUMNS = (
     _text("fact_unit", "SI unit of the value"),
 )
 
-Sweep = Literal["alpha", "basis", "data", "online"]
-"""A study that repeats the fit with something else."""
-StudyName = Literal[Sweep, "folds"]
+StudyName = Literal["alpha", "basis", "data", "online"]
 STUDY_COLUMNS: dict[StudyName, tuple[Column, ...]] = {
     "alpha": (
         Column("alpha", "α", "{q}·s^order", "regularisation parameter"),
@@ -271,16 +258,6 @@ STUDY_COLUMNS: dict[StudyName, tuple[Column, ...]] = {
         Column("curve_error", "error of the curve", "1", "RMS error of the restoring force over its range"),
         Column("prediction_error", "prediction error", "1",
                "error of the acceleration before each sample, over its RMS"),
-    ),
-    "folds": (
-        _text("model", "name of the model"),
-        Column("fold", "fold", "1", "number of the fold that was left out", dtype="int64"),
-        Column("samples", "samples", "1", "samples of the fold", dtype="int64"),
-        _text("status", "ok, diverged, refused (no fit without the fold) or empty"),
-        Column("nrmse", "q", "1", "free-run NRMSE of q on the fold, over the range in all data, at most 1"),
-        Column("nrmse_qdot", "q̇", "1", "that of the velocity"),
-        Column("nrmse_qddot", "q̈", "1", "that of the acceleration"),
-        Column("well_agreement", "wells", "1", "share of the fold's samples in the right well"),
     ),
 }  # fmt: skip
 

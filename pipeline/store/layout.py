@@ -86,11 +86,6 @@ def study(name: str) -> str:
     return f"{STUDIES}/{name}.parquet"
 
 
-def folds(model: str) -> str:
-    """The table of the folds of one model."""
-    return f"{STUDIES}/folds/{model}.parquet"
-
-
 def paper_figure(name: str, ending: str) -> str:
     """A figure of `debist paper`; `ending` is svg or pdf."""
     return f"paper/{name}.{ending}"
@@ -116,7 +111,7 @@ def command_of(name: str) -> str:
     folder = name.partition("/")[0]
     title = PurePosixPath(name).stem
     if folder == STUDIES:
-        return "study folds" if name.startswith(f"{STUDIES}/folds") else f"study {title}"
+        return f"study {title}"
     if folder == "control":
         pulse = f"pulse --to {title.removeprefix('pulse-to-')}"
         return f"control {({'linear': 'linearise', 'map': 'map', 'design': 'design'}).get(title, pulse)}"

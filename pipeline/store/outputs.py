@@ -139,19 +139,6 @@ def check_places(folder: Path, names: Iterable[str], command: str, *, force: boo
             )
 
 
-def remove_outdated(folder: Path, names: Iterable[str], command: str) -> None:
-    """Remove files that a command wrote earlier and would not write any more; what was changed since is left alone."""
-    listed = written_files(folder)
-    outdated = [
-        name for name in names if (folder / name).is_file() and _is_known(folder / name, listed.get(name), command)
-    ]
-    for name in outdated:
-        (folder / name).unlink()
-        del listed[name]
-    if outdated:
-        write_text(folder / WRITTEN, _list(listed))
-
-
 def _is_known(path: Path, entry: Any, command: str) -> bool:
     if entry is None or entry.get("command") != command:
         return False

@@ -33,10 +33,6 @@ from .stage_check import examine
 
 LEAST_SWITCHES = 5
 """Snaps in either direction: each lasts 0.1 s, and nothing else shows the curves between the wells."""
-LEAST_INTERMEDIATE = 0.1
-"""Share of an input's acting time: with full pulses alone q and v² go together, and c and g cannot be separated."""
-LEAST_TOGETHER = 0.01
-"""Share of the time: whether two inputs add up is otherwise an assumption."""
 LEAST_LARGEST = 0.8
 """Share of the other input's largest value: the force goes with the square, so 0.8 is two thirds of it."""
 
@@ -71,8 +67,7 @@ def shortfalls(
         *(_wells(excitation, names) if plant.joint else ()),
         *_centres(excitation, factor, unit),
         *_driven(excitation, names, factor, unit),
-        *_levels(excitation, names, plant=plant),
-        *_frequencies(excitation, names),
+        *_largest(excitation, names, plant=plant),
     ]
 
 
@@ -109,34 +104,14 @@ def _driven(excitation: Excitation, names: Sequence[str], factor: float, unit: s
             yield Shortfall(finding, f"pulses of {name}, also weak ones, while q is or swings there")
 
 
-def _levels(excitation: Excitation, names: Sequence[str], plant: Device) -> Iterator[Shortfall]:
+def _largest(excitation: Excitation, names: Sequence[str], plant: Device) -> Iterator[Shortfall]:
     top = float(excitation.largest.max())
     for k, name in enumerate(names):
         if excitation.largest[k] == 0.0:
             yield Shortfall(f"{name} never acts", f"pulses of {name}")
-            continue
-        if plant.joint and excitation.largest[k] < LEAST_LARGEST * top:
+        elif plant.joint and excitation.largest[k] < LEAST_LARGEST * top:
             finding = f"{name} reaches {100 * excitation.largest[k] / top:.0f} % of the other input only"
             yield Shortfall(finding, f"pulses of {name} up to the same limit")
-        if excitation.intermediate[k] < LEAST_INTERMEDIATE:
-            share = 100 * excitation.intermediate[k]
-            finding = f"{name} is either off or full: {share:.0f} % of its acting time lies between 15 and 85 %"
-            yield Shortfall(finding, f"random steps or multisines of {name}")
-    if len(names) > 1 and excitation.together < LEAST_TOGETHER:
-        yield Shortfall(f"{' and '.join(names)} never act together", "pulses with both sides on, at unequal voltages")
-
-
-def _frequencies(excitation: Excitation, names: Sequence[str]) -> Iterator[Shortfall]:
-    if excitation.ringing is None:
-        return
-    for name, band in zip(names, excitation.bandwidth, strict=True):
-        if band < excitation.ringing:
-            finding = (
-                f"95 % of the power of {name} lies below {band:.2g} Hz, but q rings at {excitation.ringing:.2g} Hz"
-            )
-            yield Shortfall(
-                finding, f"chirps of {name} from {excitation.ringing / 3:.1g} to {3 * excitation.ringing:.2g} Hz"
-            )
 
 
 def _places(excitation: Excitation, rows: slice, factor: float, unit: str) -> str:

@@ -132,13 +132,6 @@ def read_siblings(path: Path) -> dict[str, Any]:
     return tree
 
 
-def shown_siblings(run: RunFolder, prototype: Prototype) -> NormalPopulation | None:
-    """Prior from other joints, for the page; None where the settings name none."""
-    from ..models.hybrid.siblings import from_tree
-
-    return None if prototype.plant.siblings is None else from_tree(run.read_tree(layout.SIBLINGS))[1]
-
-
 def taught(tree: dict[str, Any], parameters: JointParameters | None) -> NormalPopulation:
     """Prior from other joints, from the tree of its file.
 

@@ -22,7 +22,6 @@ from ..store.manifest import TIMES
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import log_title, true_name
 from ..units.units import ALPHA_UNIT
-from .prior_knowledge import shown_siblings
 from .run_models import identified_models
 from .steps.identify import CHOICE, IDENTIFIED
 
@@ -66,7 +65,6 @@ def read_run(
         choice=run.record(layout.MODELS).notes.get(CHOICE),
         studies=tuple(read_study(run, name, plant) for name in studies),
         measured_curves=measured_curves(run, prototype),
-        siblings=shown_siblings(run, prototype),
         instruments=_instruments(run),
         control={title: run.read_document(layout.control(title)) for title in control},
     )

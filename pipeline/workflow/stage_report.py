@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..reporting.figure import Figure
     from ..reporting.plotted import Format
 
-ALGORITHM = "36"
+ALGORITHM = "37"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 
@@ -106,7 +106,6 @@ def _inputs(
         layout.INSTRUMENTS,
         *((layout.CURVES,) if prototype.compare.curves is not None else ()),
         *((layout.KNOWN_CURVES,) if prototype.plant.curves is not None else ()),
-        *((layout.SIBLINGS,) if prototype.plant.siblings is not None else ()),
         *(layout.baseline(model) for model in models if model in prototype.baselines),
         *(layout.study(name) for name in studies),
         *(layout.control(title) for title in control),

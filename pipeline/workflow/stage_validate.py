@@ -18,7 +18,7 @@ from ..diagnostics.characteristics import believed_wells, stable_rests
 from ..models.free_runs import free_run, tube_columns
 from ..models.model_type import model_from_tree
 from ..numerics.arrays import FloatArray
-from ..reporting.tables import Format, NrmseTable, behaviour_table, nrmse_table, render, scores_csv
+from ..reporting.tables import NrmseTable, behaviour_table, nrmse_table
 from ..scoring.wells import NoWells, Wells, wells_of
 from ..settings.logs import Role
 from ..settings.prototype import Prototype
@@ -108,7 +108,7 @@ def _predict(
     return written
 
 
-SCORES_ALGORITHM = "11"
+SCORES_ALGORITHM = "12"
 
 
 def scores_task(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> Task:
@@ -188,17 +188,9 @@ def _pairs(
     return {name: pairs[name] for name in SIGNALS if name in pairs}
 
 
-def score_text(root: Path, form: Format) -> str:
-    """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
-    if form == "csv":
-        scores, _, times = in_snapshot(root, _timed_scores)
-        return scores_csv(scores, times)
-    return "\n".join(render(table, form) for table in score_tables(root))
-
-
 def score_tables(root: Path) -> tuple[NrmseTable, ...]:
     """Errors with fitting and simulation times, and behaviour of all models on all logs."""
-    _, shown, times = in_snapshot(root, _timed_scores)
+    shown, times = in_snapshot(root, _timed_scores)
     return tuple(table for table in (nrmse_table(shown, times), behaviour_table(shown)) if table.rows)
 
 
@@ -207,12 +199,10 @@ def shown_scores(root: Path) -> list[dict[str, Any]]:
     return in_snapshot(root, lambda run: _shown(run, run.read_records(layout.SCORES)))
 
 
-def _timed_scores(
-    run: RunFolder,
-) -> tuple[list[dict[str, Any]], list[dict[str, Any]], dict[str, dict[str, float | None]]]:
-    """The score rows as stored and as shown to readers, and the times of their models."""
+def _timed_scores(run: RunFolder) -> tuple[list[dict[str, Any]], dict[str, dict[str, float | None]]]:
+    """The score rows as shown to readers, and the times of their models."""
     scores = run.read_records(layout.SCORES)
-    return scores, _shown(run, scores), _times(run, scores)
+    return _shown(run, scores), _times(run, scores)
 
 
 def _shown(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:

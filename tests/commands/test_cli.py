@@ -42,7 +42,6 @@ def test_every_command_has_help_with_an_example_and_json(command: list[str]) -> 
     [
         *(layout.control(title) for title in TITLES),
         *(layout.study(name) for name in STUDIES),
-        layout.folds("rbf"),
         layout.PAPER,
         layout.paper_figure("fig-9", "svg"),
     ],

@@ -8,23 +8,14 @@ from pipeline.diagnostics.model_quality import model_checks
 from pipeline.scoring.wells import NoWells
 from tests.reporting.synthetic import run_data
 
-BAND = {"": 1.0, "_low": 0.9, "_high": 1.1}
 
-
-def _rival(surely: float | None = None, soon: dict[str, float] | None = None, **errors: float | None) -> list[Check]:
-    """The finding on a rival where models have these NRMSE on the validation log; None where they diverged.
-
-    `surely` is how much the paired bootstrap leaves at least between each and the lowest, `soon` the error of each 0.1
-    s after a measured state, with an interval of a tenth.
-    """
+def _rival(**errors: float | None) -> list[Check]:
+    """The finding on a rival where models have these NRMSE on the validation log; None where they diverged."""
     data = run_data()
     log = data.role("validation")[0]
     row: dict[str, Any] = {"log": log.name, "role": "validation", "signal": "q", "switch_accuracy": None}
-    row["above_lowest_low"] = surely
     scores = [
-        row
-        | {"model": name, "nrmse": error, "status": "diverged" if error is None else "ok", "diverged_at_s": 5.0}
-        | {f"nrmse_100ms{end}": (soon or {})[name] * by for end, by in BAND.items() if soon}
+        row | {"model": name, "nrmse": error, "status": "diverged" if error is None else "ok", "diverged_at_s": 5.0}
         for name, error in errors.items()
     ]
     checks = model_checks(replace(data, scores=tuple(scores)), "rbf", None, NoWells("not looked for"))

@@ -31,10 +31,7 @@ def test_linear_models_are_written_for_other_tools(planted_run: Path, tmp_path: 
     assert [each["stable"] for each in told["equilibria"]] == [True, False, True]
     matrices = loadmat(tmp_path / "linear.mat", squeeze_me=True)["equilibrium_2"]
     np.testing.assert_allclose(matrices["A"].item(), told["equilibria"][1]["A"])
-    rows = (tmp_path / "linear-2.csv").read_text(encoding="utf-8").splitlines()
-    assert float(rows[2].split(",")[2]) == told["equilibria"][1]["A"][0][1]
-    assert rows[-1].split(",")[0] == "reading of q [m]"
-    assert [float(x) for x in rows[-1].split(",")[1:-4]] == told["equilibria"][1]["C"][0]
+    assert {path.name for path in tmp_path.glob("linear*")} == {"linear.json", "linear.mat"}
     assert len(told["equilibria"][0]["bode"]["f_Hz"]) == 200
     assert "unstable" in call("linearise", planted_run, "-o", tmp_path, "-q")
 

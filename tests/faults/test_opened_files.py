@@ -66,7 +66,6 @@ def opened(here: Path, *arguments: str) -> set[str]:
         # The report comes before what reads its datasheet.
         pytest.param(("report", "../run", "--figures", "sans"), marks=pytest.mark.long),
         pytest.param(("show", "../run"), marks=pytest.mark.long),
-        pytest.param(("plot", "../run"), marks=pytest.mark.long),
         pytest.param(("export", "../run", "--to", "fmu", "-o", "../out"), marks=pytest.mark.long),
         pytest.param(("export", "../run", "--to", "matlab", "-o", "../out"), marks=pytest.mark.long),
         pytest.param(("export", "../run", "--to", "crate", "-o", "../out"), marks=pytest.mark.long),

@@ -121,7 +121,7 @@ def test_a_folder_whose_name_is_not_utf_8_is_a_line(bench, tmp_path):
     assert done.returncode == 0 and json.loads(done.stdout), done.stderr
 
 
-@pytest.mark.parametrize("command", ["run", "batch", "demo", "rig simulate", "export", "plot"])
+@pytest.mark.parametrize("command", ["run", "batch", "demo", "rig simulate", "export"])
 def test_an_output_that_is_a_file_is_a_line(bench, tmp_path, command):
     bench.start("intact")
     place = tmp_path / "file"
@@ -132,7 +132,6 @@ def test_an_output_that_is_a_file_is_a_line(bench, tmp_path, command):
         "demo": ("demo", "-o", place / "x"),
         "rig simulate": ("rig", "simulate", "-o", place, "--duration", "2", "--rate", "2000"),
         "export": ("export", bench.run, "--to", "json", "-o", place),
-        "plot": ("plot", bench.run, "--figure", "curves", "-o", place / "x.svg"),
     }[command]
     done = CliRunner().invoke(app, [str(argument) for argument in arguments])
     lines = done.stderr.splitlines()

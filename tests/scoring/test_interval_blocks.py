@@ -47,7 +47,7 @@ def test_a_lead_that_slow_errors_make_by_chance_is_none() -> None:
     sure = 0
     for _ in range(60):
         errors = {name: first_order(20.0, 1600, rng) for name in "ab"}
-        band = next(iter(excess_over_lowest(errors, 6.0, 0, plant=OTHER).values()))
+        band = next(iter(excess_over_lowest(errors, 6.0, plant=OTHER).values()))
         assert band is not None
         sure += band.low > 0.0
     assert sure <= 15

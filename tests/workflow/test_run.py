@@ -7,10 +7,12 @@ from pathlib import Path
 import numpy as np
 import pyarrow.parquet as pq
 import pytest
+from matplotlib import pyplot
 from typer.testing import CliRunner
 
 from cli import app
 from pipeline.api.run import open_run
+from pipeline.errors import InputError
 from pipeline.models.model_type import model_from_tree
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.store.run_folder import RunFolder
@@ -107,6 +109,24 @@ def test_scores_are_as_the_contract_says(demo: tuple[Path, Path]) -> None:
         assert row["nrmse_low"] <= row["nrmse"] <= row["nrmse_high"]
 
 
+def test_a_figure_is_drawn_as_a_whole_or_as_a_segment(demo: tuple[Path, Path]) -> None:
+    run = open_run(demo[1])
+    name = "validation-validation-models"
+    assert run.figures[name] == "Measured against models, validation log"
+    whole, part = (run.plot(name, **segment)[0] for segment in ({}, {"start": 2.0, "stop": 3.0}))
+    low, high = whole.get_xlim()
+    assert low < 2.0 < 3.0 < high and part.get_xlim() == pytest.approx((2.0, 3.0), abs=0.011)
+    for arguments, message in (
+        ({"figure": "validation-validation-model"}, f"did you mean {name!r}"),
+        ({"figure": name, "models": ["narx"]}, "has no model 'narx'; it has rbf-paper"),
+        ({"figure": name, "start": 3.0, "stop": 2.0}, "start 3 is not below stop 2"),
+        ({"figure": name, "start": 1e4}, "choose a segment inside"),
+    ):
+        with pytest.raises(InputError, match=message):
+            run.plot(**arguments)
+    pyplot.close("all")
+
+
 def test_the_stages_one_by_one_come_to_the_same(demo: tuple[Path, Path], tmp_path: Path) -> None:
     prototype, whole = demo
     run = tmp_path / "run"
@@ -145,22 +165,6 @@ def test_a_study_is_a_table_and_a_figure(copy: tuple[Path, Path], study: str, mo
     else:
         assert np.all(columns["nrmse_low"] <= columns["nrmse"])
         assert np.all(columns["nrmse"] <= 1.0)
-
-
-def test_folds_are_fitted_once_and_judged_on_what_they_left_out(copy: tuple[Path, Path]) -> None:
-    command = ["study", "folds", str(copy[1]), "--folds", "3", "--model", "rbf-paper"]
-    result = RUNNER.invoke(app, [*command, "--json"])
-    assert result.exit_code == 0, result.output
-    document = json.loads(result.stdout)
-    columns, (summary,) = document["columns"], document["notes"]["summary"]
-    assert columns["fold"] == [0, 1, 2] and columns["status"] == ["ok"] * 3
-    rows = sum(pq.read_metadata(path).num_rows for path in copy[1].rglob("kinematics.parquet"))
-    assert 0.98 * rows < sum(columns["samples"]) <= rows
-    assert summary["nrmse"] == pytest.approx(np.mean(columns["nrmse"]))
-    assert summary["nrmse_low"] <= summary["nrmse"] <= summary["nrmse_high"] and summary["nrmse"] < 0.2
-    assert (copy[1] / "studies" / "folds.svg").read_text().startswith("<?xml")
-    again = RUNNER.invoke(app, command)
-    assert "3 folds over blocks" in again.stdout and "first time" not in again.stderr
-    quiet = RUNNER.invoke(app, ["study", "folds", str(copy[1]), "--folds", "2", "--model", "rbf-paper", "-q"])
-    assert "2 folds over blocks" in quiet.stdout and "folds" not in quiet.stderr
+    again = RUNNER.invoke(app, ["study", study, str(copy[1])])
+    assert f"Study of {study}" in again.stdout and "first time" not in again.stderr
     assert RUNNER.invoke(app, ["verify", str(copy[1])]).exit_code == 0

@@ -79,9 +79,8 @@ def invoke(*arguments):
 AT = ("--at", ",".join(map(str, DAYS)))
 
 
-def test_a_planted_drift_is_claimed_and_nothing_else(drifting, tmp_path):
-    page = tmp_path / "series.html"
-    made = json.loads(invoke(*drifting, *AT, "--json", "--page", str(page)).stdout)
+def test_a_planted_drift_is_claimed_and_nothing_else(drifting):
+    made = json.loads(invoke(*drifting, *AT, "--json").stdout)
     facts = {fact["key"]: fact for fact in made["facts"]}
     assert made["names"] == [f"day{day}" for day in sorted(DAYS)] and made["unit"] == "day"
     assert {key for key, fact in facts.items() if fact["trend"]["kind"] != "none"} == {"barrier_left"}
@@ -89,10 +88,8 @@ def test_a_planted_drift_is_claimed_and_nothing_else(drifting, tmp_path):
     assert abs(slope + 2e-6) < half < 2e-7
     assert {"gain_v1", "gain_v2", "laser_offset", "charging_time", "creep_stiffness_0"} < facts.keys()
     assert not {"asymmetry_wells", "damping_left"} & facts.keys()
-    shown = invoke(*drifting, *AT).stdout
-    assert "changed: barrier_left" in " ".join(shown.split())
-    text = page.read_text(encoding="utf-8")
-    assert text.count('class="chart"') == len(facts) and "µJ a day" in text
+    shown = " ".join(invoke(*drifting, *AT).stdout.split())
+    assert "changed: barrier_left" in shown and "µJ a day" in shown
 
 
 def test_a_series_that_is_none_is_refused(drifting, planted_run, tmp_path):  # noqa: F811

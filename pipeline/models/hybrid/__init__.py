@@ -28,6 +28,6 @@ first without corrections, then with them. Held-out data decide whether correcti
 - `problem`: residuals and Jacobians over the training logs.
 - `driving_voltages`: from measured to acting voltages: delay, lag of the electrodes, square.
 - `runs`: free and observed runs. `sensitivity`, `columns`: their exact derivatives.
-- `siblings`: other joints of one drawing, as a prior. `next_log`: the value of another log.
+- `siblings`: other joints of one drawing, as a prior.
 - `statics`: equilibrium at a held tip, and characteristic curves. `kernels`: compiled graphs and tables.
 """

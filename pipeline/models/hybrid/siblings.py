@@ -172,7 +172,7 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
     return Learnt(whole, _quantities(whole, prior), tuple(odd), gains)
 
 
-def title(entry: int) -> str:
+def _title(entry: int) -> str:
     """Name of a deviation for readers: ``left capacitance``."""
     side, dot, name = DEVIATIONS[entry].quantity.rpartition(".")
     return f"{side}{' ' if dot else ''}{_WORDS.get(name, name)}"
@@ -184,15 +184,15 @@ def _odd(name: str, outlier: Oddity) -> Odd:
     error = outlier.error * deviation.prior_std
     if deviation.logarithm:
         size = np.expm1(size)
-        return Odd(name, title(outlier.entry), 100.0 * size, 100.0 * (1.0 + size) * error, "%")
-    return Odd(name, title(outlier.entry), size, error, deviation.unit)
+        return Odd(name, _title(outlier.entry), 100.0 * size, 100.0 * (1.0 + size) * error, "%")
+    return Odd(name, _title(outlier.entry), size, error, deviation.unit)
 
 
 def _quantities(population: NormalPopulation, prior: NormalPopulation) -> tuple[LearntQuantity, ...]:
     spread, before = (np.sqrt(np.diag(each.covariance)) for each in (population, prior))
     rows = [
         LearntQuantity(
-            title(i),
+            _title(i),
             float(population.mean[i] * entry.prior_std),
             float(spread[i] * entry.prior_std),
             "logarithm" if entry.logarithm else entry.unit,

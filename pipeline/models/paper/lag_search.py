@@ -12,9 +12,12 @@ import numpy as np
 
 from ...numerics.arrays import FloatArray
 from ...numerics.linear_filters import first_order_lag
+from ...settings.models import LAG_START
 
 CHUNK = 2048
 LAG = 1  # the damping curve is the second one
+SHORTEST = 1e-4  # s
+LONGEST = 10.0  # s
 MOST_STEPS = 60  # accepted ones after which a search has not converged
 FLAT = 1e-7  # relative fall of the cost below which it no longer falls
 
@@ -123,8 +126,8 @@ class _NormalEquations:
         return total / self.samples
 
 
-def search_lag(segments: Sequence[LagSegment], *, start: float, bounds: tuple[float, float]) -> LagSearch:
-    """Descend along the gradient in ln T_z until the cost no longer falls (after eq. 40).
+def search_lag(segments: Sequence[LagSegment]) -> LagSearch:
+    """Descend from `LAG_START` along the gradient in ln T_z until the cost no longer falls (after eq. 40).
 
     Barzilai-Borwein steps, halved until the cost falls; the logarithm keeps T_z positive.
 
@@ -132,10 +135,6 @@ def search_lag(segments: Sequence[LagSegment], *, start: float, bounds: tuple[fl
     ----------
     segments : sequence of LagSegment
         Their `signals` are used as work space: the damping column holds −z at the returned T_z afterwards.
-    start : float
-        First T_z [s].
-    bounds : (float, float)
-        Smallest and largest T_z [s].
 
     Returns
     -------
@@ -143,14 +142,14 @@ def search_lag(segments: Sequence[LagSegment], *, start: float, bounds: tuple[fl
         Cost: one Gram update (0.4 µs per sample at M = 10) and one gradient (20 ns) per evaluation, about ten of them.
     """
     equations = _NormalEquations(segments)
-    low, high = np.log(bounds)
+    low, high = np.log((SHORTEST, LONGEST))
 
     def evaluate(x: float) -> tuple[FloatArray, tuple[float, int, float]]:
         """Weights and criteria at the logarithm of a lag."""
         equations.update(float(np.exp(x)))
         return equations.solve()
 
-    x = float(np.clip(np.log(start), low, high))
+    x = float(np.log(LAG_START))
     weights, (cost, *conditioning) = evaluate(x)
     slope = equations.gradient(weights, float(np.exp(x)))
     history = [(float(np.exp(x)), cost, *conditioning)]

@@ -45,7 +45,7 @@ from ...numerics.fixed_step import (
     steps_per_sample,
 )
 from ...numerics.linear_filters import first_order_lag
-from ...settings.models import CENTRES, LAG_START, SMOOTHING
+from ...settings.models import CENTRES, SMOOTHING
 from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked
 from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit, read_part
@@ -210,7 +210,6 @@ def lagged_rbf_run(
 
 
 ROWS = 8192  # rows of the regressor that are held at once
-LAG_BOUNDS = (1e-4, 10.0)  # s
 _LARGEST = 1e300
 """Magnitude of a weight: where hardly any data determine one, the pseudo-inverse has no bound."""
 SEED = 20251  # of the draws of weights: the same model gives the same bands
@@ -387,7 +386,7 @@ def identify_rbf_paper(
     centres = basis_centres(*operating_range(trajectories), basis_functions)
     width = basis_width(centres, smoothing)
     segments = [_segment(x, basis_values(x.q, centres, width), mass, inputs) for x in trajectories]
-    search = search_lag(segments, start=LAG_START, bounds=LAG_BOUNDS)
+    search = search_lag(segments)
     fit = pseudo_inverse_fit(*triangular_factor(_rows(segments)))
     tau = _correlation_time(segments, fit.weights)
     visited = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])

@@ -263,6 +263,6 @@ async function start() {
 
 if (typeof DecompressionStream === "undefined") {
   for (const element of document.querySelectorAll(".viewer")) {
-    element.textContent = "This browser is too old for the interactive figures (it lacks DecompressionStream); `debist plot` draws them as SVG, PDF or PNG.";
+    element.textContent = "This browser is too old for the interactive figures (it lacks DecompressionStream); `debist report --figures sans` writes them as SVG and PDF.";
   }
 } else start();

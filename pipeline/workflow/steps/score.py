@@ -20,7 +20,6 @@ from ...scoring.scores import (
     Predict,
     Score,
     horizon_errors,
-    response_errors,
     score_run,
 )
 from ...scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes
@@ -174,7 +173,7 @@ def _above_lowest(
         for model, (measured, calculated) in pairs.items()
         if (span := signal_range(measured))
     }
-    return excess_over_lowest(errors, interval, SEED, plant=plant)
+    return excess_over_lowest(errors, interval, plant=plant)
 
 
 def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells | NoWells) -> list[dict[str, Any]]:
@@ -194,13 +193,15 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
         The wells in the data.
     """
     units = signal_units(plant.displacement.symbol)
-    v = measured.v
-    interval = measured.interval
-    rng = np.random.default_rng(SEED)
-    status = compared.notes["status"]
-    diverged_at = compared.notes["diverged_at_s"]
     scores = score_run(
-        compared.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, plant=plant, rng=rng
+        compared.pairs,
+        measured.v,
+        measured.interval,
+        status=compared.notes["status"],
+        diverged_at_s=compared.notes["diverged_at_s"],
+        wells=wells,
+        plant=plant,
+        rng=np.random.default_rng(SEED),
     )
     more: dict[str, Any] = {c.key: compared.notes[c.key] for c in NOTED_COLUMNS if c.key in compared.notes}
     if outcomes := compared.notes.get("outcomes"):
@@ -208,14 +209,6 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
     for name, error in compared.notes.get("horizons", {}).items():
         band = error["interval"] or {"low": None, "high": None}
         more |= {f"nrmse_{name}": error["nrmse"]} | {f"nrmse_{name}_{end}": band[end] for end in ("low", "high")}
-    if isinstance(wells, Wells):
-        switches = response_errors(*compared.pairs["q"], v, interval, wells, rng, plant=plant)
-        more |= {
-            "rise_error_s": switches.rise_s,
-            "settling_error_s": switches.settling_s,
-            **_band("rise_error", switches.rise_interval, "_s"),
-            **_band("settling_error", switches.settling_interval, "_s"),
-        }
     return [
         _score_row(score) | {"unit": units[score.signal]} | (more if score.signal == "q" else {}) for score in scores
     ]
@@ -229,6 +222,6 @@ def _score_row(score: Score) -> dict[str, Any]:
     return row
 
 
-def _band(of: str, band: Interval | None, unit: str = "") -> dict[str, float | None]:
+def _band(of: str, band: Interval | None) -> dict[str, float | None]:
     """The columns of an interval."""
-    return {f"{of}_low{unit}": band.low if band else None, f"{of}_high{unit}": band.high if band else None}
+    return {f"{of}_low": band.low if band else None, f"{of}_high": band.high if band else None}

@@ -1,1 +1,1 @@
-"""Studies of a finished run: sweeps, folds, excitation, control, the paper's figures."""
+"""Studies of a finished run: sweeps, excitation, control, the paper's figures."""

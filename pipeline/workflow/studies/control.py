@@ -26,14 +26,11 @@ from ...rig.excitation import ENDINGS, Sequence, save_sequence
 from ...scoring.wells import wells_of
 from ...signals.log import log_of
 from ...store import layout
-from ...store.outputs import new_outputs, rebased, remove_outdated
+from ...store.outputs import new_outputs, rebased
 from ...system.names import Goal, Well
 from ...system.worker_pool import OnProgress
 from ..engine import Observer
 from .controlled_run import ControlRun, ControlSettings, control_run, kept_document
-
-MOST_EQUILIBRIA = 9
-"""Most equilibria of a joint, by far: an earlier call left files of at most this number."""
 
 
 def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> dict[str, Any]:
@@ -95,7 +92,7 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
 
 
 def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *, force: bool) -> list[Path]:
-    """Write linear models as JSON, MAT (v5) and one CSV of the matrices for each equilibrium.
+    """Write linear models as JSON and MAT (v5).
 
     Parameters
     ----------
@@ -122,22 +119,8 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
                 "q0": point["q_m"],
                 "stable": float(point["stable"]),
             }
-            header = ",".join([*point["states"], "v1 [V]", "v2 [V]", "v1^2 [V^2]", "v2^2 [V^2]"])
-            rows = np.hstack([matrices["A"], matrices["B"], matrices["B_squared"]])
-            lines = [
-                f"rate of {name}," + ",".join(map(repr, row))
-                for name, row in zip(point["states"], rows.tolist(), strict=True)
-            ]
-            readings = np.hstack([matrices["C"], matrices["D"], np.zeros_like(matrices["D"])])
-            lines += [",".join(["reading of q [m]", *map(repr, row)]) for row in readings.tolist()]
-            text = (
-                f"# equilibrium at q = {point['q_m']!r} m, v = {point['v_V']}\nrow,{header}\n" + "\n".join(lines) + "\n"
-            )
-            (staged / f"linear-{number}.csv").write_text(text, encoding="utf-8", newline="\n")
         savemat(staged / "linear.mat", structs)
         written = sorted(staged.iterdir())
-    numbers = range(len(document["equilibria"]) + 1, MOST_EQUILIBRIA + 1)
-    remove_outdated(folder, (f"linear-{number}.csv" for number in numbers), "control")
     return [rebased(path, staged, folder) for path in written]
 
 

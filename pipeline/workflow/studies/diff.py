@@ -20,13 +20,6 @@ DIGITS = 6
 """Decimal digits, of the largest magnitude of a column, to which results are compared."""
 
 State = Literal["equal", "close", "differs", "drawn", "missing"]
-STATES: dict[State, str] = {
-    "equal": "same content hash",
-    "close": f"within one unit of the digit number {DIGITS} of the largest magnitude of each column",
-    "differs": f"further apart than {DIGITS} digits, or of another shape",
-    "drawn": "a page or a figure of numbers that are compared elsewhere",
-    "missing": "in one of the runs only",
-}
 
 
 @dataclass(frozen=True)
@@ -37,8 +30,9 @@ class Comparison:
     ----------
     artifact : str
         Its name.
-    state : str
-        One of `STATES`.
+    state : {"equal", "close", "differs", "drawn", "missing"}
+        Of one content hash; within one unit of the last of `DIGITS` digits of the largest magnitude of each column;
+        further apart, or of another shape; a page or a figure of numbers that are compared elsewhere; in one run only.
     deviation : float or None
         Largest difference in a column over the largest magnitude in it; None where no numbers are compared.
     column : str
@@ -90,17 +84,6 @@ class RunDifferences:
         return not changed and states <= {"equal", "close", "drawn"}
 
 
-def compare_runs(root: Path, other: Path) -> list[Comparison]:
-    """Compare the content of every artifact of two runs.
-
-    Raises
-    ------
-    DebistError
-        One of the folders holds no run, or an artifact that must be read is damaged.
-    """
-    return in_snapshot(root, lambda first: in_snapshot(other, lambda second: _comparisons(first, second)))
-
-
 Pairs = Mapping[tuple[str, str], str]
 """Name of the log of another run beside each log of one run, by role and name."""
 
@@ -139,6 +122,11 @@ def _called(name: str, pairs: Pairs) -> str:
     role, _, rest = name.partition("/")
     log, slash, file = rest.partition("/")
     return f"{role}/{pairs[role, log]}/{file}" if slash and (role, log) in pairs else name
+
+
+def _compare_runs(root: Path, other: Path) -> list[Comparison]:
+    """Compare the content of every artifact of two runs."""
+    return in_snapshot(root, lambda first: in_snapshot(other, lambda second: _comparisons(first, second)))
 
 
 def _comparisons(first: RunFolder, second: RunFolder) -> list[Comparison]:
@@ -192,7 +180,7 @@ def diff_runs(roots: Sequence[Path]) -> RunDifferences:
     pairs = [paired_logs(contents[0], of_run) for of_run in contents]  # names of each run's logs in the first run
     facts = [in_snapshot(root, partial(_facts, pairs=of_run)) for root, of_run in zip(roots, pairs, strict=True)]
     different = {part: changes([run[part] for run in facts]) for part in facts[0]}
-    artifacts = tuple(tuple(compare_runs(roots[0], root)) for root in roots[1:])
+    artifacts = tuple(tuple(_compare_runs(roots[0], root)) for root in roots[1:])
     return RunDifferences(tuple(root.name if alone else str(root) for root in roots), **different, artifacts=artifacts)
 
 

@@ -1,4 +1,4 @@
-"""Excitation: a designed voltage sequence for a rig, from a parameter set or an identified run, to CSV or MAT."""
+"""Excitation: a designed voltage sequence for a rig, from a parameter set, to CSV or MAT."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -9,65 +9,49 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
-from ...device.device import device
 from ...device.parameters import JointParameters, joint_parameters
 from ...errors import InputError
-from ...export.subject import Subject
 from ...models.analytical.reduced_order import reduce_joint, simulate_reduced
 from ...models.analytical.statics import equilibria
-from ...models.hybrid.model import HybridModel
 from ...numerics.arrays import FloatArray
 from ...rig.excitation import BURSTS, ENDINGS, BurstKind, Sequence, command, save_sequence
 from ...settings.logs import Number, SettingsTable, Whole
 from ...settings.models import CENTRES
 from ...settings.prototype import FIELD_LIMIT
 from ...store.outputs import check_places, new_outputs, rebased
-from ...store.run_folder import RunFolder
-from ..run_models import subject
-from .excitation_design import Assessment, Design, NextLog, Requirements, Simulator, design_excitation, design_next_log
+from .excitation_design import Assessment, Design, Requirements, Simulator, design_excitation
 
 _COMMAND = "rig excite"
 
 
 @dataclass(frozen=True)
 class ExcitationSource:
-    """Model that simulates the design: a parameter set, or a model of a run; the number of joints and the seed.
+    """The joints that simulate the design.
 
     Attributes
     ----------
     parameters : str
         Parameter set.
-    run : Path or None
-        A run whose model takes the place of the parameter set.
-    model : str
-        The run's model; the main model if left out.
     joints : int
-        Joints made after the drawing, with tolerances; a run is one joint.
+        The joint as drawn, and others made after the drawing with tolerances.
     seed : int
         Draws the tolerances and the candidates.
-    programme : str or None
-        The programme whose free run by the run's `hybrid` is to become more certain; None: that of validation logs.
     """
 
     parameters: str = "nominal"
-    run: Path | None = None
-    model: str | None = None
     joints: int = 4
     seed: int = 1
-    programme: str | None = None
 
 
 class DesignFile(SettingsTable):
     """Rare settings of a design: the TOML file of `debist rig excite --design`."""
 
-    model: str | None = None
-    """Model of the run that is simulated; left out, the main model."""
     joints: Whole = Field(default=4, ge=1, le=20)
     """Joints with workshop tolerances to design for at once."""
     seed: Whole = Field(default=1, ge=0)
     """Draws the tolerances and the candidates."""
-    max_field_V_per_um: Number | None = Field(default=None, gt=0.0)
-    """Largest field in the undeformed film; left out, the run's, or 60 V/µm."""
+    max_field_V_per_um: Number = Field(default=FIELD_LIMIT, gt=0.0)
+    """Largest field in the undeformed film."""
     rest_s: Number = Field(default=1.0, ge=0.0)
     """Rest before the first burst."""
     rate_Hz: Number = Field(default=1000.0, ge=100.0, le=100e3)
@@ -87,9 +71,9 @@ def excite(
     rate: float,
     *,
     voltage: float,
-    field: float | None = None,
+    field: float,
     report: Callable[[float], None] | None = None,
-) -> tuple[Design | NextLog, tuple[Path, ...]]:
+) -> tuple[Design, tuple[Path, ...]]:
     """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
 
     Parameters
@@ -97,22 +81,22 @@ def excite(
     output : Path
         The sequence.
     source : ExcitationSource
-        Joint or run that it is designed for.
+        Joints that it is designed for.
     wanted : Requirements
         Duration, bursts and candidates.
     rate : float
         Sampling rate of the file [Hz].
     voltage : float
         Largest voltage of a converter [V].
-    field : float, optional
-        Largest field in an undeformed film [V/m]; that of the run's settings, or the paper's, if left out.
+    field : float
+        Largest field in an undeformed film [V/m].
     report : callable, optional
         Receives the share that is done.
 
     Returns
     -------
-    Design or NextLog
-        The sequence with its assessment; the latter for the model `hybrid` of a run.
+    Design
+        The sequence with its assessment.
     tuple of Path
         The files written.
 
@@ -125,12 +109,14 @@ def excite(
         raise InputError(f"{output}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")
     check_places(output.parent, (output.name, output.with_suffix(".json").name), _COMMAND, force=None)
     parameters = joint_parameters(source.parameters)
-    thickness, usual_field = film(source, parameters)
-    wanted = replace(wanted, voltage=min(voltage, thickness * (field or usual_field)))
-    design = _designed(source, parameters, wanted, report)
+    thickness = min(parameters.left.d0, parameters.right.d0)
+    wanted = replace(wanted, voltage=min(voltage, thickness * field))
+    rng = np.random.default_rng(source.seed)
+    simulators = drawn_simulators(parameters, rng, source.joints)
+    design = design_excitation(simulators, rng, wanted, report=report)
     t = np.arange(round(wanted.duration * rate)) / rate
     about = description(design) | {
-        "simulated_with": source.parameters if source.run is None else f"{source.run} ({source.model or 'headline'})",
+        "simulated_with": source.parameters,
         "seed": source.seed,
         "rate_hz": rate,
         "largest_field_v_per_m": wanted.voltage / thickness,
@@ -140,50 +126,14 @@ def excite(
     return design, tuple(rebased(file, staged, output.parent) for file in files)
 
 
-def _designed(
-    source: ExcitationSource, parameters: JointParameters, wanted: Requirements, report: Callable[[float], None] | None
-) -> Design | NextLog:
-    """A log after those of the run's `hybrid`, or a first log for another model or a drawing."""
-    rng = np.random.default_rng(source.seed)
-    if source.run is not None:
-        run = RunFolder.open(source.run)
-        prototype = run.prototype
-        if not prototype.may_be_a_joint:
-            raise InputError(
-                f"{source.run}: an excitation is designed for a joint with two squared inputs; this device has others"
-            )
-        joint = subject(run, prototype, source.model)
-        if isinstance(joint.model, HybridModel):
-            programme = source.programme or "validation"
-            interval = prototype.ingest.sample_interval
-            return design_next_log(joint.model, joint.start[0], interval, programme, rng, wanted, report=report)
-    if source.programme is not None:
-        raise InputError("--programme: only the model hybrid of a run foresees what a log brings; name it with --run")
-    simulators = drawn_simulators(parameters, rng, source.joints) if source.run is None else [_moving(joint)]
-    return design_excitation(simulators, rng, wanted, report=report)
-
-
-def film(source: ExcitationSource, parameters: JointParameters) -> tuple[float, float]:
-    """Thickness of the undeformed film [m] and its largest field [V/m]: of the run's settings, or of the drawing."""
-    if source.run is not None:
-        plant = device(RunFolder.open(source.run).prototype)
-        return plant.film_thickness, plant.field_limit
-    return min(parameters.left.d0, parameters.right.d0), 1e6 * FIELD_LIMIT
-
-
-def description(design: Design | NextLog) -> dict[str, Any]:
+def description(design: Design) -> dict[str, Any]:
     """The design as plain numbers in SI units: for `--json` and beside the sequence."""
-    about = {
+    return {
         "format": "debist-excitation/1",
         "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, command to the right converter"},
         "duration_s": design.wanted.duration,
         "largest_voltage_v": design.wanted.voltage,
         "bursts": [vars(burst) for burst in design.bursts],
-    }
-    if isinstance(design, NextLog):
-        expected = {"now": design.now, "with_the_designed_log": design.designed, "with_a_usual_log": design.usual}
-        return about | {"programme": design.programme, "free_run_standard_deviation_m": expected}
-    return about | {
         "relative_d_efficiency": design.efficiency,
         "centres_m": design.weights.centres,
         "designed": _figures(design.designed),
@@ -202,15 +152,6 @@ def _figures(assessment: Assessment) -> dict[str, Any]:
         "samples_per_centre_driven": assessment.visits.driven,
         "crossings": assessment.crossings,
     }
-
-
-def _moving(joint: Subject) -> Simulator:
-    def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""
-        motion = joint.model.simulate(t, v, joint.start[0], 0.0)
-        return motion.q, motion.qdot
-
-    return simulate
 
 
 _RELATIVE = 0.03  # of the stiffness, rubber and permittivity, uniform

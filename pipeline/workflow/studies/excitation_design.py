@@ -7,35 +7,27 @@ is a greedy D-optimal design with experiments as candidates (Fedorov 1972; Wynn 
 The simulator is not the device, and near the separatrix a little more voltage sends the joint into the other well. The
 criterion is therefore the mean over several simulators that differ as devices of one drawing do (Pronzato & Walter
 1985, doi:10.1016/0025-5564(85)90068-9).
-
-The next log of an identified joint is built in the same way, but starts from the posterior of the run. Its criterion is
-the expected standard deviation of the free run in a stated programme (`pipeline.models.hybrid.next_log`).
 """
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
 from ...device.device import JOINT
 from ...errors import InputError
 from ...fitting.information import FEW, Conditioning, Coverage, ScaledRegressor, conditioning, coverage, log_information
-from ...models.hybrid.model import HybridModel
-from ...models.hybrid.next_log import Uncertainty, slopes, uncertainty
 from ...numerics.arrays import FloatArray
 from ...rig.bench import Converter
 from ...rig.excitation import (
     BURSTS,
-    EXCITATIONS,
     Burst,
     BurstKind,
     alternating_pulses,
     command,
     draw_burst,
     draw_pause,
-    load_sequence,
     random_excitation,
 )
 from ...scoring.wells import NoWells, Wells, find_wells, snaps
@@ -175,7 +167,7 @@ def design_excitation(
     plain = alternating_pulses(duration=wanted.duration, rest=wanted.rest, voltage=wanted.voltage)
     weights = _weights(simulators[0], plain, wanted)
     wells = probed_wells(simulators[0], wanted.voltage)
-    bursts = greedy_bursts(partial(_criterion, simulators, weights), rng, wanted, report=report)
+    bursts = _greedy_bursts(partial(_criterion, simulators, weights), rng, wanted, report=report)
     return Design(
         wanted=wanted,
         bursts=bursts,
@@ -186,7 +178,7 @@ def design_excitation(
     )
 
 
-def greedy_bursts(
+def _greedy_bursts(
     criterion: Callable[[list[Burst], float], float],
     rng: np.random.Generator,
     wanted: Requirements,
@@ -236,7 +228,7 @@ def greedy_bursts(
                 best = (burst, stop, value)
                 best_rate = rate
         if best is None:
-            raise InputError("no candidate could be simulated; take another model or a lower voltage")
+            raise InputError("no candidate could be simulated; take another parameter set or a lower voltage")
         burst, end, before = best
         bursts.append(burst)
         side = 1 - side
@@ -293,14 +285,14 @@ def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, sid
 def _simulated(simulate: Simulator, bursts: list[Burst], duration: float) -> tuple[FloatArray, FloatArray, FloatArray]:
     """q, q̇ and the voltages behind the converters; cut where the simulation diverged."""
     t: FloatArray = INTERVAL * np.arange(round(duration / INTERVAL), dtype=np.float64)
-    v = behind_converters(command(bursts, t), INTERVAL)
+    v = _behind_converters(command(bursts, t), INTERVAL)
     q, qdot = simulate(t, v)
     valid = np.isfinite(q) & np.isfinite(qdot)
     count = t.size if valid.all() else int(np.argmin(valid))
     return q[:count], qdot[:count], v[:count]
 
 
-def behind_converters(u: FloatArray, dt: float) -> FloatArray:
+def _behind_converters(u: FloatArray, dt: float) -> FloatArray:
     """Voltages (N, 2) [V] of usual converters under commands every `dt` [s]."""
     return np.asarray(np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), dt) for side in (0, 1)], axis=1))
 
@@ -355,120 +347,6 @@ def _weights(simulate: Simulator, plain: list[Burst], wanted: Requirements) -> S
     """The weights over the range that full pulses reach on the device as drawn."""
     q, qdot, _ = _simulated(simulate, plain, wanted.duration)
     if q.size < wanted.duration / INTERVAL - 1:
-        raise InputError("the simulator follows no full pulse; take another model or a lower voltage")
+        raise InputError("the simulator follows no full pulse; take another parameter set or a lower voltage")
     largest = np.full(2, wanted.voltage)
     return ScaledRegressor.over(q, qdot, largest, basis_functions=wanted.basis_functions, smoothing=wanted.smoothing)
-
-
-LOG_INTERVAL = 0.01  # s, of the simulated samples
-DRAWS = 3
-"""Training excitations that a designed log is compared with."""
-
-
-@dataclass(frozen=True)
-class NextLog:
-    """A designed log and what it is expected to bring.
-
-    Attributes
-    ----------
-    wanted : Requirements
-    bursts : list of Burst
-    programme : str
-        The programme whose free run is to become surer: an excitation, or a file.
-    now, designed, usual : float
-        Standard deviation [m] of that free run, RMS: with the logs at hand, with the designed log as well, and with one
-        of the usual excitation instead (mean of `DRAWS`).
-    stroke : float
-        Range [m] of the free run.
-    """
-
-    wanted: Requirements
-    bursts: list[Burst]
-    programme: str
-    now: float
-    designed: float
-    usual: float
-    stroke: float
-
-
-def design_next_log(
-    model: HybridModel,
-    start: float,
-    interval: float,
-    programme: str,
-    rng: np.random.Generator,
-    wanted: Requirements,
-    *,
-    report: Callable[[float], None] | None = None,
-) -> NextLog:
-    """Design the log after those that a joint was identified from.
-
-    Parameters
-    ----------
-    model : HybridModel
-        Identified.
-    start : float
-        Displacement at rest before a log [m].
-    interval : float
-        Sample interval [s] of its logs.
-    programme : str
-        A name in `pipeline.rig.excitation.EXCITATIONS`, from which one is drawn, or a file with voltages.
-    rng : Generator
-        Draws the programme, the candidates and the usual logs.
-    wanted : Requirements
-        Length, limits, shapes, effort.
-    report : callable, optional
-        Receives the share that is designed.
-
-    Raises
-    ------
-    InputError
-        A programme that cannot be read, or one that the model cannot follow.
-
-    Notes
-    -----
-    Cost: about 20 places × candidates × 0.1 s.
-    """
-    t, v = _voltages(programme, wanted, rng)
-    if (unsure := uncertainty(model, t, v, start, interval)) is None:
-        raise InputError(f"--programme {programme}: the free run of the model diverges; take another programme")
-    expected = partial(_expected, unsure, start)
-    bursts = greedy_bursts(lambda bursts, end: -2.0 * np.log(expected(bursts, end)), rng, wanted, report=report)
-    usual = [
-        expected(random_excitation(rng, duration=wanted.duration, top=wanted.voltage), wanted.duration)
-        for _ in range(DRAWS)
-    ]
-    designed = expected(bursts, wanted.duration)
-    return NextLog(
-        wanted=wanted,
-        bursts=bursts,
-        programme=programme,
-        now=unsure.error(),
-        designed=designed,
-        usual=float(np.mean(usual)),
-        stroke=1e-3 * unsure.stroke,
-    )
-
-
-def _expected(unsure: Uncertainty, start: float, bursts: list[Burst], duration: float) -> float:
-    """Standard deviation [m] after a log of these bursts; infinite where the model cannot follow them."""
-    t = _clock(duration)
-    by_theta = slopes(unsure.model, t, behind_converters(command(bursts, t), LOG_INTERVAL), start)
-    return np.inf if by_theta is None else unsure.error(unsure.shown(by_theta, LOG_INTERVAL))
-
-
-def _voltages(programme: str, wanted: Requirements, rng: np.random.Generator) -> tuple[FloatArray, FloatArray]:
-    """Times [s] and voltages [V] of the programme."""
-    if programme in EXCITATIONS:
-        t = _clock(wanted.duration)
-        drawn = random_excitation(rng, duration=wanted.duration, excitation=programme, top=wanted.voltage)
-        return t, behind_converters(command(drawn, t), LOG_INTERVAL)
-    if not Path(programme).is_file():
-        raise InputError(f"--programme {programme}: no such file; name one, or one of {', '.join(EXCITATIONS)}")
-    sequence = load_sequence(Path(programme))
-    t = _clock(sequence.duration)
-    return t, behind_converters(sequence.at(t), LOG_INTERVAL)
-
-
-def _clock(duration: float) -> FloatArray:
-    return LOG_INTERVAL * np.arange(round(duration / LOG_INTERVAL), dtype=np.float64)

@@ -1,6 +1,6 @@
 """Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -20,7 +20,7 @@ from ...signals.differentiate import alpha_study, differentiate
 from ...signals.log import Log, operating_range
 from ...store import layout, schemas
 from ...store.atomic import refuse_link, run_lock, write_bytes
-from ...store.columns import StudyName, Sweep
+from ...store.columns import StudyName
 from ...store.outputs import new_outputs
 from ...store.run_folder import RunFolder, Written
 from ...store.tables import Table
@@ -67,7 +67,7 @@ class StudyResult:
     notes: dict[str, Any]
 
 
-def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> StudyResult:
+def run_study(root: Path, name: StudyName, observer: Observer, *, jobs: int = 1) -> StudyResult:
     """Do a study of a run, or take it from the run if it is up to date.
 
     Writes ``studies/NAME.parquet`` and its figure ``studies/NAME.svg``.
@@ -86,31 +86,14 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
     with run_lock(root):
         run = RunFolder.open(root)
         bring_up_to_date(run, [study_task(run.prototype, name, jobs)], observer)
-        return study_result(run, run.prototype, name)
+        study = read_study(run, name, device(run.prototype))
+        notes = dict(run.record(layout.study(name)).notes)
+        columns = dict(study.columns)
+        units = dict(study.units)
+        return StudyResult(columns, units, _draw(run.root, name, columns, units), notes)
 
 
-def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
-    """Read a study that was made, and draw it beside its table; `models` decides their colours.
-
-    Parameters
-    ----------
-    run : RunFolder
-        The run.
-    prototype : Prototype
-        Its settings.
-    name : str
-        The study.
-    models : sequence of str
-        Models in the order of their colours.
-    """
-    study = read_study(run, name, device(prototype))
-    notes = dict(run.record(layout.study(name)).notes)
-    columns = dict(study.columns)
-    units = dict(study.units)
-    return StudyResult(columns, units, _draw(run.root, name, columns, units, models), notes)
-
-
-def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
+def study_task(prototype: Prototype, name: StudyName, jobs: int) -> Task:
     """The task that brings the table of a study up to date."""
     records = tuple(layout.record(role, log) for role, log, _ in layout.logs(prototype) if role == "train")
     return Task(
@@ -124,7 +107,7 @@ def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
     )
 
 
-def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
+def _settings(prototype: Prototype, name: StudyName) -> dict[str, Any]:
     """Settings that a study reads beside those that its inputs were made with."""
     if name == "alpha":
         return {"order": prototype.differentiate.order}
@@ -134,9 +117,9 @@ def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
     return settings | {"differentiate": prototype.differentiate.model_dump(mode="json")} if name == "data" else settings
 
 
-def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mapping[str, Written]:
+def _work(run: RunFolder, prototype: Prototype, name: StudyName, jobs: int) -> Mapping[str, Written]:
     plant = device(prototype)
-    studies: dict[Sweep, Callable[[RunFolder, Prototype, Device], tuple[Columns, dict[str, Any]]]] = {
+    studies: dict[StudyName, Callable[[RunFolder, Prototype, Device], tuple[Columns, dict[str, Any]]]] = {
         "alpha": _alpha,
         "basis": partial(_basis, jobs=jobs),
         "data": _data,
@@ -264,12 +247,12 @@ def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
     return (float(np.median(errors)), min(errors), max(errors)) if errors else (np.nan, np.nan, np.nan)
 
 
-def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str], models: Sequence[str]) -> Path:
+def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str]) -> Path:
     """The figure of a study, beside its table."""
     from ...reporting.recipe_figures import study_figure
 
     target = root / layout.STUDIES / f"{name}.svg"
     refuse_link(target.parent)
     with new_outputs(target.parent, "study", force=True) as staged:
-        write_bytes(staged / target.name, paper_figure(study_figure(name, columns, units), models, "svg")[0])
+        write_bytes(staged / target.name, paper_figure(study_figure(name, columns, units), (), "svg")[0])
     return target
