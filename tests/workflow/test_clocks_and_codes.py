@@ -225,6 +225,22 @@ def test_a_frequency_that_no_motion_can_have_questions_the_rate_and_refuses_noth
     assert ("is that rate right?" in said) is bool(told) and told in said
 
 
+@pytest.mark.parametrize(
+    ("rate", "told"), [(1000.0, ""), (500.0, "at 25 Hz and no hum at 50 Hz"), (2000.0, "at 100 Hz")]
+)
+def test_mains_hum_on_the_probes_against_the_rate_of_the_settings(tmp_path, rate, told):
+    t = 0.001 * np.arange(20_000)
+    rng = np.random.default_rng(0)
+    noise = rng.normal(size=(2, t.size))
+    edges = np.cumsum(rng.uniform(0.2, 0.9, 60))  # periodic pulses have lines of their own
+    v = np.where(np.searchsorted(edges, t) % 2, 2800.0, 0.0) + 5.0 * np.sin(2.0 * np.pi * 50.03 * t) + noise[0]
+    columns = {"q": 5.0 * np.sin(2.0 * np.pi * t) + 0.01 * noise[1], "v": v}
+    channels = 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    warnings, _ = ingested(tmp_path, columns, channels, f"[ingest]\nsample_rate = {rate}\n")
+    said = [text for text in warnings if "mains hum" in text]
+    assert len(said) == bool(told) and told in "".join(said)
+
+
 def test_rasters_side_by_side_are_filled_up_with_blanks(tmp_path):
     slow = np.full((2, T.size), np.nan)
     slow[:, : T.size // 5] = (T + 0.012)[::5], V[::5]
