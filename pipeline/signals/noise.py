@@ -267,6 +267,25 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
     return Hum(frequency, 10.0 * float(np.log10(total / floor)), amplitude) if floor > 0.0 else None
 
 
+def mains_at_another_rate(samples: FloatArray, step: float) -> tuple[Hum, float] | None:
+    """A line where mains hum is if the clock is wrong by a factor of two, and the factor that puts its rate right.
+
+    None where hum is in its place, or there is none. A line at 100 or 120 Hz may also be that of a rectifier. Steps of
+    the signal, which have power at all frequencies, are left out: what counts are the differences that noise reaches.
+    """
+    steps = np.diff(samples[: BLOCKS * CHUNK])
+    quiet = np.where(np.abs(steps) <= 2.0 * REACH * noise_level(samples), steps, 0.0)
+    lines = [hum(quiet, step, frequency) for frequency in MAINS]
+    if any(line is not None and line.stands_out for line in lines):
+        return None
+    for factor in (2.0, 0.5):
+        for frequency in MAINS:
+            line = hum(quiet, step, frequency / factor)
+            if line is not None and line.stands_out:
+                return line, factor
+    return None
+
+
 def aliased(frequency: float, step: float) -> float:
     """Frequency [Hz] at which a line [Hz] appears in samples that are a step [s] apart."""
     turns = frequency * step

@@ -12,7 +12,7 @@ from ...diagnostics.sentences import judge, sentences
 from ...errors import DataRefusedError
 from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
-from ...signals.columns import missing
+from ...signals.columns import finite, missing, select
 from ...signals.findings import (
     Finding,
     coarse_inputs,
@@ -26,7 +26,7 @@ from ...signals.findings import (
     scale_suspicion,
 )
 from ...signals.log import LONGEST_BRIDGE, UNKNOWN, RawLog
-from ...signals.noise import held_samples, resolution
+from ...signals.noise import held_samples, mains_at_another_rate, resolution
 from ...signals.outliers import Trusted, dropout_remarks, trusted, without_spikes
 from ...signals.segments import TimeRows
 from ...signals.signal_quality import SignalQuality, examine_signal, span
@@ -250,10 +250,24 @@ def record_columns(piece: UniformRecord, names: Sequence[str]) -> dict[str, Floa
     return {"t": piece.t, "q": piece.q, **beside, "segment": piece.segment}
 
 
+def _hum_against_rate(signals: RawLog, rate: float | None) -> Iterator[str]:
+    """Warnings where mains hum on the inputs contradicts the sample rate [Hz] of the settings."""
+    for k, (_, samples) in enumerate(signals.inputs if rate else (), start=1):
+        hum = mains_at_another_rate(select(samples, finite(samples)), 1.0 / (rate or 1.0))
+        if hum is not None:
+            line, factor = hum
+            rectified = ", or that of a rectifier" if factor < 1.0 else ""
+            yield (
+                f"v{k}: a line at {line.frequency:g} Hz and no hum at {factor * line.frequency:g} Hz, as mains hum at "
+                f"{factor:g} times the sample rate{rectified}: is [ingest] sample_rate = {rate:g} right?"
+            )
+
+
 def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> list[str]:
     """Warnings on suspicious signals; nothing is corrected."""
     warnings = [f"q: {remark}" for remark in remarks_on(trusted.quality)]
     plant = device(prototype)
+    warnings += _hum_against_rate(signals, prototype.ingest.sample_rate)
     for k, ((time, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1):
         warnings += [f"v{k}: {remark}" for remark in saturation(time, column, nominal_step(time), unit.symbol)]
     ends = [("q", span(trusted.samples), plant.displacement)] + [
