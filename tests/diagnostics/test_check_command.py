@@ -56,7 +56,7 @@ def test_an_honest_prototype_passes_and_the_numbers_are_json(logs: Path) -> None
     rows = json.loads(result.stdout)["rows"]
     assert {row["log"] for row in rows} == {"training log", "validation log"}
     assert not [row for row in rows if row["state"] == "wrong"]
-    assert {"direction of v1", "residual of the fit", "rests"} <= {row["what"] for row in rows}
+    assert {"direction of v1", "noise of v2", "residual of the fit", "rests"} <= {row["what"] for row in rows}
     values = {row["what"]: row["values"] for row in rows if row["log"] == "training log"}
     assert list(values["rests"]) == ["left_m", "right_m"]
     assert values["range of v1"]["range_V"] == pytest.approx(3000.0, rel=0.2)
