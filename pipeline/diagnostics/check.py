@@ -12,7 +12,7 @@ from ..numerics.arrays import FloatArray
 from ..scoring.wells import Wells
 from ..settings.prototype import Gate
 from ..signals.findings import Finding, Number, Severity, scale_suspicion
-from ..signals.noise import is_idle
+from ..signals.noise import is_idle, noise_level
 from ..signals.signal_quality import takes_both_signs, usual_span
 from ..units.units import column_suffix
 from . import log_sentences
@@ -61,6 +61,7 @@ def input_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """The findings on the inputs of a log."""
     for i, force in enumerate(fact.input_forces):
         yield _unseen_force(fact, i) if force is None else _force(fact, i, force, plant)
+    yield from (_noise(fact, i, plant) for i in range(len(fact.input_forces)))
     yield from (*_correlated(fact, plant), *_input_actions(fact, plant))
     if plant.joint:
         yield from (*_late(fact, plant), _field(fact, plant), *_rest_levels(fact, plant))
@@ -85,6 +86,16 @@ def _force(fact: LogFacts, i: int, force: InputForce, plant: Device) -> Finding:
         return Finding("push", "good", name, f"v{i + 1}", numbers)
     right = (force.value > 0.0) == (i == 0)  # v1 is of the left membrane, which pushes to the right
     return Finding("side", "good" if right else "poor", name, f"v{i + 1}", numbers, None if right else "sides")
+
+
+def _noise(fact: LogFacts, i: int, plant: Device) -> Finding:
+    """Noise of an input that is measured; a command has none, and an amplifier need not follow it."""
+    noise = noise_level(fact.signals.v[:, i])
+    if noise <= np.finfo(np.float32).eps * fact.peaks[i]:
+        return Finding("command", "good", fact.signals.name, f"v{i + 1}")
+    return Finding(
+        "input_noise", "good", fact.signals.name, f"v{i + 1}", {"noise": Number(noise, plant.input_symbols[i])}
+    )
 
 
 def _late(fact: LogFacts, plant: Device) -> list[Finding]:

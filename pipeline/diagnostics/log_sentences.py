@@ -245,6 +245,11 @@ ROWS: dict[str, ShownRow | Callable[[Finding], ShownRow]] = {
     "unsure_push": ShownRow("direction of {subject}", "not sure"),
     "push": _direction,
     "side": _direction,
+    "command": ShownRow(
+        "noise of {subject}", "none: a command?",
+        more="a measurement has noise; an amplifier need not follow a command",
+    ),
+    "input_noise": ShownRow("noise of {subject}", "{noise}"),
     "late_answer": _late_answer,
     "coupling": _coupling,
     "coupling_ratio": _coupling_ratio,

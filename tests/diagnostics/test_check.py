@@ -133,6 +133,15 @@ def test_an_input_that_is_not_named_shows_by_starts_from_rest(pair: list[LogSign
         assert any(each.numbers["starts"].value >= 2 for each in found)
 
 
+def test_a_command_has_no_noise_and_a_measurement_has_its_own(pair: list[LogSignals]) -> None:
+    measured = replace(pair[0], v=pair[0].v + np.random.default_rng(1).normal(0.0, 4.0, pair[0].v.shape))
+    for log, noise in ((pair[0], None), (measured, 4.0)):
+        codes = ("command", "input_noise")
+        (found,) = (each for each in check_logs([log], JOINT, 0.01) if each.subject == "v1" and each.code in codes)
+        assert found.code == codes[noise is not None]
+        assert noise is None or found.numbers["noise"].value == pytest.approx(noise, rel=0.1)
+
+
 @pytest.mark.parametrize("law", [np.square, np.positive, lambda u: u * np.abs(u)], ids=["squared", "linear", "monitor"])
 def test_the_law_of_an_input_of_both_signs_is_told(law: Callable[[FloatArray], FloatArray]) -> None:
     """A spring under one input, by the law that is declared and by the other one."""
