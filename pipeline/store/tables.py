@@ -91,10 +91,14 @@ def write_pieces(
             for name, digest in digests.items():
                 digest.update(to_numpy(table[name]))
         if not digests[schema.columns[0].key].length:
-            writer.write_table(columns.empty_table())
+            writer.write_table(_table(columns, {column.key: [] for column in schema.columns}))
     return digests_hash(
         (c.key, c.dtype, c.unit, (digests[c.key].length,), digests[c.key].hexdigest()) for c in schema.columns
     )
+
+
+def _table(columns: Any, piece: Mapping[str, Any]) -> Any:
+    return pa.Table.from_arrays([from_numpy(piece[field.name], field.type) for field in columns], schema=columns)
 
 
 def _row_groups(columns: Any, pieces: Iterable[Mapping[str, Any]]) -> Iterator[Any]:
@@ -102,8 +106,7 @@ def _row_groups(columns: Any, pieces: Iterable[Mapping[str, Any]]) -> Iterator[A
     waiting: list[Any] = []
     held = 0
     for piece in pieces:
-        arrays = [from_numpy(piece[field.name], field.type) for field in columns]
-        waiting.append(pa.Table.from_arrays(arrays, schema=columns))
+        waiting.append(_table(columns, piece))
         held += len(waiting[-1])
         while held >= _ROW_GROUP:
             whole = pa.concat_tables(waiting)
