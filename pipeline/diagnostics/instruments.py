@@ -40,9 +40,9 @@ SIGNIFICANCE = 4.0
 """Standard errors beyond which an error counts: one false alarm in 16,000 quantities of normal errors."""
 
 LIMITS = {"gain": 5e-3, "zero_q": 5e-4, "gain_q": 5e-3, "delay": 0.05, "clock": 3e-3}
-"""Errors below these are of no practical interest, and differences take them as steps. High-voltage probes and
-lasers are calibrated to 0.5 %; a good laser is linear to 0.05 % of its range (here: the range of q); a twentieth of the
-sample interval is less than the filter before the sampler leaves uncertain; a clock that is 0.3 % off is defective."""
+"""Errors below these are of no practical interest, and one-sided differences take them as steps. High-voltage probes
+and lasers are calibrated to 0.5 %; a good laser is linear to 0.05 % of its range (here: the range of q); a twentieth of
+the sample interval is less than the filter before the sampler leaves uncertain; a clock 0.3 % off is defective."""
 
 FARTHEST = 150.0
 """Limits beyond which no correction goes: inputs off by 75 %, a delay of eight sample intervals."""

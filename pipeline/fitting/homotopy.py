@@ -24,7 +24,7 @@ COUPLED = GAINS[2]
 single passages near the separatrix decide its free run."""
 
 LEVEL_TOLERANCE = 1e-3
-"""Relative fall of the cost below which a level before the last one ends, and a trial fit that another one follows."""
+"""Relative fall of the cost below which a level before the last one ends, and a fit that only compares candidates."""
 
 LEAST_STEPS = 3
 """Steps of the last level that are taken even when the effort is spent."""
@@ -86,8 +86,8 @@ class Schedule:
         Steps per level, and at the last one.
     tolerance : float
         Relative fall of the cost below which the last level has converged. The cost is a negative log posterior, of
-        some hundreds: a step that lowers it by a few hundredths moves no parameter by more than a few tenths of its
-        standard error.
+        some hundreds for a log of 37.5 s: a step that lowers it by a few hundredths moves no parameter by more than a
+        few tenths of its standard error.
     noise_inflation : float
         Factor on the noise level: above 1 where residuals are not independent, so that the prior weighs more.
     """

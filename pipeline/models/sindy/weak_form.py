@@ -166,7 +166,7 @@ def admitted(
 LAG_SETS = ((), (1.0, 8.0), (2.0, 16.0), (1 / 3, 2.0, 8.0))
 """Lag times to try, over the time scale of the motion (RMS q̇ over RMS q̈: 60 ms for the joint)."""
 TEST_FUNCTIONS = 500
-"""In all training data together. They bound the cost, and overlap more than twice on the paper's log."""
+"""In all training data together. They bound the cost, and cover the paper's log one and a half times."""
 LEAST_SAMPLES = 2
 """Sample intervals in half a test function."""
 STEPS = 30
