@@ -23,10 +23,11 @@ from typer.core import TyperGroup
 from ..errors import WARNING, DebistError, InputError, interrupted, memory_failure
 from .console import emit_json, printable, printed
 
+_FOLDS = "`debist batch` with a settings file for each fold, whose logs have `start` and `stop`"
 COMMANDS = {
     "plot": "`debist report RUN --figures sans` writes every figure; `debist.open_run(RUN).plot(FIGURE)` draws one",
     "repair": "`debist run PROTOTYPE.toml -o RUN` sets aside what is damaged and makes it anew",
-    "study folds": "`debist batch` with a settings file for each fold, whose logs have `start` and `stop`",
+    "study folds": _FOLDS,
     "study settings": "`debist batch TABLE.csv -o DIR` runs a row for each combination of settings",
 }
 _NO_FORCE = "name another place, or remove the file"
@@ -108,7 +109,10 @@ OPTIONS = {
     "series -o": "the table, or --json",
     "series --page": "the table, or --json",
     "status --watch": "`watch debist status DIR`",
-    "verify --against": "`debist diff RUN RUN`, whose exit code is 0; its --json has `equal`",
+    "study --folds": _FOLDS,
+    "study --by": _FOLDS,
+    "study --model": _FOLDS,
+    "verify --against": "`debist diff RUN RUN`, whose exit code is 0; its --json has a state for each artifact",
     "verify --all": "a loop of the shell over the runs",
     "verify --subset": "leave it out: all files are checked",
     "physics calibrate --set": 'a TOML file for --parameters: base = "nominal", then the values',

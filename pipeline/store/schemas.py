@@ -125,7 +125,7 @@ _OF_FILES = (
     *((f"studies/{study}.parquet", schema) for study, schema in STUDIES.items()),
 )
 _NUMBERS_ALONE = ("curves.parquet", "known-curves.parquet")
-"""Tables of the curves that were measured. Others without a schema are of earlier releases, and only compared."""
+"""Tables of measured curves. Those of `study folds`, which is gone, have no schema and are only compared."""
 
 
 def misfit(name: str, table: Mapping[str, np.ndarray[Any, Any]]) -> str | None:

@@ -147,6 +147,15 @@ def test_derivatives_by_corrections_hardly_depend_on_their_step(instruments: Ins
         assert np.linalg.norm(whole.by_corrections[:, k] - by) < 0.1 * np.linalg.norm(by)
 
 
+def test_a_run_with_sensitivities_leaves_the_residual_of_a_run_without(
+    instruments: InstrumentTest, logs: list[Log]
+) -> None:
+    """One-sided differences subtract one from the other."""
+    problem, gain, _ = instruments._problem([logs[1]], np.zeros(6))
+    theta = instruments._model.theta
+    assert problem.residual(theta, gain) == pytest.approx(problem.jacobian(theta, gain)[0], rel=0.0, abs=1e-12)
+
+
 def test_corrections_one_after_the_other_are_those_of_both(logs: list[Log]) -> None:
     first = Corrections((1.02, 0.9), 1e-4, 1.01, 0.0, 0.99)
     second = Corrections((0.99, 1.1), -2e-4, 0.98, 2e-3, 1.02)
