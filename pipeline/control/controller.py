@@ -2,36 +2,32 @@
 
 import numpy as np
 
-from ..codegen.graph import GraphSequence, trace
+from ..codegen.graph import GraphSequence
 from ..codegen.numba_writer import sequence_kernel
-from ..generated.condensed_joint import PREPARE, STATES
-from ..generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled
 from ..numerics.fixed_step import AHEAD, SHARES
 from . import estimator, feedback
-from .estimator import ESTIMATED, PERIOD, SIZES, of_parts
+from .estimator import ESTIMATED, graph_of
 from .law import CONTROLLER_STATE, NUMBERS, Law
 
-_S, _SIGNALS, _V, _E, _U = ({name: SIZES[name]} for name in ("s", "signals", "v", "e", "u"))
-_JOINT = {"prepared": PREPARE.outputs["p"]} | _E | {"curves": 0}
 _STAGES = tuple(f"k{i + 1}" for i in range(len(SHARES)))
 _NEXT = {0.5: "halfway", 1.0: "ahead"}
 """Graph that leads to the next stage, by the part of the period before it."""
 GRAPHS = {
-    "begin": trace(of_parts(estimator.begin), **_SIGNALS, **_E, rests=0),
-    "listen": trace(of_parts(estimator.listen), **_S, **_SIGNALS, **_E, rests=0),
-    "decide": trace(of_parts(feedback.decide), **_S, **_E, targets=0, braking=0),
-    "lag": trace(of_parts(estimator.lag), **_S, **_V, **_E),
-    "spread": trace(of_parts(estimator.spread), **_S, um=2, slopes=PREPARE_SLOPES.outputs["p"], **_JOINT),
-    "rates": trace(of_parts(estimator.rates), **_S, y=STATES, **_U, **_JOINT),
-    **{name: trace(of_parts(estimator.ahead(part)), **_S, dx=STATES) for part, name in _NEXT.items()},
-    "finish": trace(of_parts(estimator.finish), **_S, **_V, **{name: STATES for name in _STAGES}, **_E),
-    "check": trace(of_parts(estimator.check), **_S, **_V, **_E, rests=0),
-    "heed": trace(of_parts(estimator.heed), **_V, **_E),
-    "known_state": trace(of_parts(estimator.known_state), **_S, **_E),
+    "begin": graph_of(estimator.begin),
+    "listen": graph_of(estimator.listen),
+    "decide": graph_of(feedback.decide),
+    "lag": graph_of(estimator.lag),
+    "spread": graph_of(estimator.spread),
+    "rates": graph_of(estimator.rates),
+    **{name: graph_of(estimator.ahead(part)) for part, name in _NEXT.items()},
+    "finish": graph_of(estimator.finish),
+    "check": graph_of(estimator.check),
+    "heed": graph_of(estimator.heed),
+    "known_state": graph_of(estimator.known_state),
 }
-"""Graphs of the controller; tables of any length are given the length 0."""
+"""Graphs of the controller."""
 
 OFFSET = NUMBERS.index("offset")
 """Place of the laser's offset among the numbers of a law."""
@@ -71,9 +67,7 @@ _estimate = sequence_kernel(ESTIMATE)
 @compiled
 def begin_control(reading: float, law: Law, s: FloatArray) -> None:
     """Fill the controller's state, shape (CONTROLLER_STATE,), from the first reading [m], all voltages being zero."""
-    signals = np.zeros(2)
-    signals[0] = reading
-    _begin((s, signals, law.numbers, law.rests))
+    _begin((s, np.array((reading, 0.0)), law.numbers, law.rests))
 
 
 @compiled
@@ -96,8 +90,7 @@ def control(s: FloatArray, reading: float, target: float, law: Law, v: FloatArra
     v : FloatArray, shape (2,)
         Filled: voltages of left and right [V].
     """
-    signals = np.zeros(2)
-    signals[0], signals[1] = reading, target
+    signals = np.array((reading, target))
     _control((s, signals, v, law.numbers, law.prepared, law.slopes, law.curves, law.rests, law.targets, law.braking))
 
 
@@ -118,10 +111,8 @@ def observe(s: FloatArray, reading: float, v: FloatArray, law: Law) -> None:
     law : Law
         The controller.
     """
-    signals = np.zeros(2)
-    acting = v.copy()
-    signals[0], signals[1] = reading, np.nan
-    _observe((s, signals, acting, law.numbers, law.prepared, law.slopes, law.curves, law.rests))
+    signals = np.array((reading, np.nan))
+    _observe((s, signals, v.copy(), law.numbers, law.prepared, law.slopes, law.curves, law.rests))
 
 
 @compiled
@@ -176,6 +167,3 @@ def closed_on_model(law: Law, joint: Law, start: float, target: FloatArray) -> t
         control(s, q[i], target[i], law, v[i])
         move(plant, v[i], joint)
     return q, v
-
-
-__all__ = ["PERIOD", "begin_control", "closed_on_model", "control", "estimate", "move", "observe"]

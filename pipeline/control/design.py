@@ -10,19 +10,28 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import expm, solve_discrete_are
 
-from ..codegen.numba_writer import kernel
 from ..errors import InputError
 from ..generated.condensed_joint import SHAPE_RATES, STATES, STOP_ELEMENTS
-from ..generated.condensed_joint_jacobian import PREPARE
 from ..models.hybrid.kernels import INDEX, tabulate
 from ..models.hybrid.statics import rest_state
 from ..numerics.arrays import FloatArray
 from ..numerics.compiled import compiled, copy_into
 from ..numerics.metrics import BAND
-from .controller import PERIOD, move
+from .controller import move
+from .estimator import PERIOD
 from .feedback import RESERVE
 from .law import BEYOND, CONTROLLER_STATE, CORRECTED, FEEDBACK, NUMBERS, PLACES, REACHES, RESTS, SIDES, TARGETS, Law
-from .plant import ASSUMED_LAG, ControlledJoint, LinearModel, held, held_at, inertia, jacobian, wells_and_saddle
+from .plant import (
+    ASSUMED_LAG,
+    ControlledJoint,
+    LinearModel,
+    held,
+    held_at,
+    inertia,
+    jacobian,
+    prepare_slopes,
+    wells_and_saddle,
+)
 
 COMMON = 0.05
 """Step of the mean share of the largest squared voltage on both sides at an unstable target."""
@@ -58,7 +67,6 @@ def target_table(
         Voltages [V] with which left and right side carry the joint slowly from their well to the saddle.
     """
     path = [held_at(plant, float(q), wells[1].x) for q in places]
-    slow = slow_switching_voltage(path, wells, 0), slow_switching_voltage(path, wells, 1)
     rows = []
     for x, u in path:
         (y, acting), common = charged(plant, x, u, highest)
@@ -66,7 +74,7 @@ def target_table(
         holding = per_square @ (acting * (1.0, -1.0))
         gains = regulator(plant, y, acting, highest, lag, reach)
         rows.append(np.concatenate([y, [holding], gains, per_square * highest**2, [common]]))
-    return np.array(rows), slow
+    return np.array(rows), (slow_switching_voltage(path, wells, 0), slow_switching_voltage(path, wells, 1))
 
 
 def moments_per_square(plant: ControlledJoint, x: FloatArray, u: FloatArray) -> FloatArray:
@@ -229,11 +237,9 @@ def braking_curves(
     """
     towards = 1.0 if side == 0 else -1.0
     start = wells[0 if side == 0 else 2].x
-    brake = np.zeros(2)
-    brake[1 - side] = highest * np.sqrt(RESERVE)
+    brake = highest * np.sqrt(RESERVE) * np.eye(2)[1 - side]
     settles = round(law.number("settles"))
-    distance = float(wells[2].x[0] - wells[0].x[0])
-    reaches = np.linspace(0.0, distance, REACHES)
+    reaches = np.linspace(0.0, float(wells[2].x[0] - wells[0].x[0]), REACHES)
     begins = [np.zeros((1, 2)) for _ in places]
     lasts = begins.copy()
     for x0, speed, level in [
@@ -241,9 +247,8 @@ def braking_curves(
         *((start, speed, 1.0) for speed in SPEEDS),
         *((wells[1].x, 0.5 * speed, level) for speed in SPEEDS for level in (0.0, *LEVELS)),
     ]:
-        push = np.zeros(2)
+        push = highest * np.sqrt(level) * np.eye(2)[side]
         s = np.zeros(CONTROLLER_STATE)
-        push[side] = highest * np.sqrt(level)
         s[:STATES] = x0
         s[PLACES["volts"]] = push
         s[1] = towards * fastest * speed
@@ -306,18 +311,16 @@ def pushed(
     most = LONGEST // EVERY
     motion = np.empty((most, s.size))
     turns = np.empty(most)
-    count = 0
     forwards = False
     for i in range(most):
         copy_into(motion[i], s)
         turns[i] = braked(law, s, push, brake, towards)[-1, 0]
-        count = i + 1
         for _ in range(EVERY):
             move(s, push, law)
         if forwards and towards * s[1] <= 0.0:
-            break
+            return motion[: i + 1], turns[: i + 1]
         forwards = towards * s[1] > 0.0
-    return motion[:count], turns[:count]
+    return motion, turns
 
 
 @compiled
@@ -342,19 +345,16 @@ def braked(law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards
     end = s.copy()
     v = push.copy()
     motion = np.empty((LONGEST, 2))
-    count = 0
     slew = law.numbers[_SLEW]
-    lever = law.numbers[_LEVER]
-    for _ in range(LONGEST):
-        motion[count, 0] = end[0]
-        motion[count, 1] = end[1] + lever * end[3]
-        count += 1
+    for i in range(LONGEST):
+        motion[i, 0] = end[0]
+        motion[i, 1] = end[1] + law.numbers[_LEVER] * end[3]
         if towards * end[1] <= 0.0:
-            break
+            return motion[: i + 1]
         for side in range(2):
             v[side] = min(max(brake[side], v[side] - slew), v[side] + slew)
         move(end, v, law)
-    return motion[:count]
+    return motion
 
 
 _SLEW = NUMBERS.index("slew")
@@ -531,18 +531,6 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
         targets=np.zeros((TARGETS, 0)),
         braking=np.zeros((4 * TARGETS, 0)),
     )
-
-
-@compiled
-def prepare_slopes(k: FloatArray) -> FloatArray:
-    """Constants prepared for the Jacobian of a joint with the constants k."""
-    slopes = np.empty(_SLOPES)
-    _prepare_slopes((k, slopes))
-    return slopes
-
-
-_SLOPES = PREPARE.outputs["p"]
-_prepare_slopes = kernel(PREPARE)
 
 
 def acting_lags(plant: ControlledJoint, settings: Settings) -> tuple[float, float]:

@@ -110,8 +110,7 @@ class Ensemble:
         width = INTERVAL / (2 * self.steps)
         squares = []
         for gain, lags, charging, delay in zip(self.gains, self.lags, self.charging, self.delays, strict=True):
-            electrodes = _behind(np.repeat(commands, _FINE, axis=1), lags)
-            membranes = _behind(electrodes, [charging] * 2)
+            membranes = _behind(_behind(np.repeat(commands, _FINE, axis=1), lags), [charging] * 2)
             squares.append(gain**2 * _mean_squares(membranes, half, width, delay))
         return np.stack(squares, axis=1)
 
@@ -213,5 +212,4 @@ def _mean_squares(fine: FloatArray, count: int, width: float, delay: float) -> F
     share = (edges - lower)[None, :, None]
     at = (1.0 - share) * total[:, lower] + share * total[:, lower + 1]
     length = np.diff(edges)[None, :, None]
-    means: FloatArray = np.diff(at, axis=1) / np.maximum(length, 1e-9)
-    return np.where(length > 1e-9, means, 0.0)
+    return np.asarray(np.where(length > 1e-9, np.diff(at, axis=1) / np.maximum(length, 1e-9), 0.0))

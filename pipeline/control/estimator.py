@@ -15,13 +15,15 @@ table is a parameter that makes it an input of the graph; `fetch` reads it by it
 """
 
 from collections.abc import Callable
+from inspect import signature
 from typing import Any
 
-from ..codegen.graph import Value, apply, choose, clip, fetch, function, inline
+from ..codegen.graph import Graph, Value, apply, choose, clip, fetch, function, inline, trace
 from ..generated.condensed_joint import (
     AT_REST,
     FIRST_ELEMENT,
     INERTIA,
+    PREPARE,
     RATES,
     SHAPE,
     SHAPE_RATES,
@@ -31,7 +33,7 @@ from ..generated.condensed_joint import (
     STOP_ELEMENTS,
     STOPS,
 )
-from ..generated.condensed_joint_jacobian import JACOBIAN
+from ..generated.condensed_joint_jacobian import JACOBIAN, PREPARE as PREPARE_SLOPES
 from ..generated.terms import STOP_OPERATOR
 from ..models.hybrid.kernels import CURVED, CURVES
 from ..numerics.fixed_step import ALL_SHARES, SHARES
@@ -57,20 +59,20 @@ STATUS = ("ok", "recovering", "lost signal", "given up")
 the voltages go to zero; the target was not reached, so the voltages are zero until the next one."""
 
 
-def of_parts(function: Callable[..., Outputs]) -> Callable[..., Outputs]:
-    """Let a function of the state's parts `now` and of the numbers `n` by name take the arrays `s` and `e` instead."""
+def graph_of(function: Callable[..., Outputs]) -> Graph:
+    """The graph of a function of arrays, of the state's parts `now`, an array `s`, and of the numbers `n`, one `e`."""
 
-    def traced(**arrays: Values) -> Outputs:
+    def traced(**arrays: Any) -> Outputs:
         """The function with state and numbers taken apart."""
-        taken: dict[str, Any] = dict(arrays)
-        if "s" in taken:
-            state = taken.pop("s")
-            taken["now"] = {name: list(state[place]) for name, place in PLACES.items()}
-        if "e" in taken:
-            taken["n"] = dict(zip(NUMBERS, taken.pop("e"), strict=True))
-        return function(**taken)
+        if "s" in arrays:
+            state = arrays.pop("s")
+            arrays["now"] = {name: state[place] for name, place in PLACES.items()}
+        if "e" in arrays:
+            arrays["n"] = dict(zip(NUMBERS, arrays.pop("e"), strict=True))
+        return function(**arrays)
 
-    return traced
+    names = ({"now": "s", "n": "e"}.get(name, name) for name in signature(function).parameters)
+    return trace(traced, **{name: SIZES.get(name, 0) for name in names})
 
 
 def joined(state: dict[str, Values]) -> Values:
@@ -91,10 +93,12 @@ def rest(q: Any, n: dict[str, Any]) -> State:
     tau, beta, stuck = (
         fetch("rests", i, 3.0 * lower) * (1.0 - share) + fetch("rests", 3 + i, 3.0 * lower) * share for i in range(3)
     )
-    state = {name: [0.0] * (place.stop - place.start) for name, place in PLACES.items()}
-    state["x"] = [q, 0.0, tau, 0.0, beta, *[0.0] * (FIRST_ELEMENT - 5), *(x * q for x in AT_REST)]
-    state["z"] = [stuck] * SLIPS + [0.0] * (STOPS - SLIPS)
-    state["target"], state["phase"] = [q], [1.0]
+    state = {name: [0.0] * (place.stop - place.start) for name, place in PLACES.items()} | {
+        "x": [q, 0.0, tau, 0.0, beta, *[0.0] * (FIRST_ELEMENT - 5), *(x * q for x in AT_REST)],
+        "z": [stuck] * SLIPS + [0.0] * (STOPS - SLIPS),
+        "target": [q],
+        "phase": [1.0],
+    }
     for i in range(FILTER):
         state["spread"][_packed(i, i)] = n[f"unknown_{i}"]
     return state
@@ -139,10 +143,11 @@ def listen(now: State, signals: Values, n: Numbers, rests: Values) -> Outputs:
     last = n["first"] + (TARGETS - 1.0) / n["per_step"]
     target = choose(function("finite", signals[1]), clip(wanted, n["first"], last), restarted["target"][0])
     other = function("lt", 0.0, function("abs", target - restarted["target"][0]))
-    updated["target"] = [target]
-    updated["stood"] = [choose(other, 0.0, function("min", restarted["stood"][0] + n["fade"], 1.0))]
-    for name in ("tried", "refused", "near"):
-        updated[name] = [choose(other, 0.0, restarted[name][0])]
+    updated |= {
+        "target": [target],
+        "stood": [choose(other, 0.0, function("min", restarted["stood"][0] + n["fade"], 1.0))],
+        **{name: [choose(other, 0.0, restarted[name][0])] for name in ("tried", "refused", "near")},
+    }
     return {"s": joined(restarted | updated)}
 
 
@@ -164,10 +169,9 @@ def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, V
     miss = choose(outside, 0.0, innovation)
     column = [now["spread"][_packed(i, 0)] for i in range(FILTER)]
     share = [value / (column[0] + n["reading_variance"]) for value in column]
-    bounds = [n[f"bound_{i}"] for i in range(FILTER)]
     moved = [
-        clip(old + miss * gain, -bound, bound)
-        for old, gain, bound in zip([*now["x"][:CORRECTED], now["moment"][0]], share, bounds, strict=True)
+        clip(old + miss * share[i], -n[f"bound_{i}"], n[f"bound_{i}"])
+        for i, old in enumerate([*now["x"][:CORRECTED], *now["moment"]])
     ]
     x = [*moved[:CORRECTED], *now["x"][CORRECTED:]]
     spread = [now["spread"][_packed(i, j)] - column[j] * share[i] for i in range(FILTER) for j in range(i + 1)]
@@ -301,12 +305,17 @@ def finish(now: State, v: Values, k1: Values, k2: Values, k3: Values, k4: Values
     x = [old + PERIOD / ALL_SHARES * total for old, total in zip(now["x"], totals, strict=True)]
     beyond = function("lt", n["wall"], function("abs", x[0]))
     x[0], x[1] = clip(x[0], -n["wall"], n["wall"]), choose(beyond, 0.0, x[1])
-    volts = [
-        command + (old - command) * n[f"kept_{side}"] for side, old, command in zip(SIDES, now["volts"], v, strict=True)
-    ]
-    means = [mean + (command - mean) * (PERIOD / MEMORY) for mean, command in zip(now["average"], v, strict=True)]
-    commands = {"volts": volts, "commanded": list(v), "average": means}
-    return {"s": joined(now | commands | {"x": x, "z": _stops(now["z"], now["x"], x, n)})}
+    moved = {
+        "volts": [
+            command + (old - command) * n[f"kept_{side}"]
+            for side, old, command in zip(SIDES, now["volts"], v, strict=True)
+        ],
+        "commanded": v,
+        "average": [mean + (u - mean) * (PERIOD / MEMORY) for mean, u in zip(now["average"], v, strict=True)],
+        "x": x,
+        "z": _stops(now["z"], now["x"], x, n),
+    }
+    return {"s": joined(now | moved)}
 
 
 def spread(now: State, um: Values, slopes: Values, prepared: Values, n: Numbers, curves: Values) -> Outputs:
@@ -425,5 +434,9 @@ def known_state(now: State, n: Numbers) -> Outputs:
 
 ESTIMATED = STATES + STOPS + 4
 """Numbers of an estimate."""
-SIZES = {"s": CONTROLLER_STATE, "signals": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2, "y": STATES, "dx": STATES}
-"""Lengths of the arrays that the functions take."""
+SIZES = {
+    "s": CONTROLLER_STATE, "signals": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2,
+    **dict.fromkeys(("y", "dx", "k1", "k2", "k3", "k4"), STATES),
+    "prepared": PREPARE.outputs["p"], "slopes": PREPARE_SLOPES.outputs["p"],
+}  # fmt: skip
+"""Lengths of the arrays that the functions take; the others are tables of any length."""

@@ -105,9 +105,8 @@ def hold(law: Law, s: FloatArray, joint: FloatArray, target: float, periods: int
         Their number.
     """
     v = np.zeros(2)
-    offset = law.numbers[OFFSET]
     for _ in range(periods):
-        control(s, joint[0] + offset, target, law, v)
+        control(s, joint[0] + law.numbers[OFFSET], target, law, v)
         move(joint, v, law)
 
 
@@ -166,14 +165,11 @@ def differentiated(law: Law, s: FloatArray, target: float) -> Matrices:
     columns = []
     for entry, unit in zip(_ENTRIES, units, strict=True):
         length = step * unit
-        ends = []
-        for sign in (1.0, -1.0):
-            moved = s.copy()
-            moved[entry] += sign * length
-            if entry < STATES:
-                moved[PLACES["z"]] += sign * length * stops[:, entry]
-            ends.append(after(moved, at))
-        columns.append((ends[0] - ends[1]) / (2.0 * length))
+        move = np.zeros(CONTROLLER_STATE)
+        move[entry] = length
+        if entry < STATES:
+            move[PLACES["z"]] = length * stops[:, entry]
+        columns.append((after(s + move, at) - after(s - move, at)) / (2.0 * length))
     length = step * units[0]
     columns.append((after(s, at + length) - after(s, at - length)) / (2.0 * length))
     by = np.array(columns).T

@@ -143,8 +143,6 @@ _PREPARED = PREPARE.outputs["p"]
 _RATES = JACOBIAN.outputs["f"]
 _BY_CORRECTIONS = JACOBIAN.outputs["by_c"]
 
-ComplexArray = np.ndarray[Any, np.dtype[np.complex128]]
-
 
 @dataclass(frozen=True)
 class LinearModel:
@@ -174,7 +172,7 @@ class LinearModel:
     b_squared: FloatArray
 
     @property
-    def poles(self) -> ComplexArray:
+    def poles(self) -> "np.ndarray[Any, np.dtype[np.complex128]]":
         """Eigenvalues of A [1/s], shape (STATES,), the slowest first."""
         eigenvalues = np.linalg.eigvals(self.a).astype(np.complex128)
         return eigenvalues[np.lexsort((eigenvalues.imag, np.abs(eigenvalues)))]
@@ -248,9 +246,16 @@ def full_jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArra
 
 
 @compiled
+def prepare_slopes(k: FloatArray) -> FloatArray:
+    """Constants prepared for the Jacobian of a joint with the constants k."""
+    prepared = np.empty(_PREPARED)
+    _prepare((k, prepared))
+    return prepared
+
+
+@compiled
 def _differentiate(x: FloatArray, u: FloatArray, c: Constants, a: FloatArray, b: FloatArray) -> None:
     """Fill derivatives by states and stop operators, and by squared voltages, row by row."""
-    prepared = np.empty(_PREPARED)
     values = np.zeros(VALUES)
     slopes = np.zeros(VALUES)
     for i in range(c.weights.shape[1]):
@@ -261,8 +266,8 @@ def _differentiate(x: FloatArray, u: FloatArray, c: Constants, a: FloatArray, b:
         for row in range(VALUES - CURVES):
             values[CURVES + row] += c.weights[4 + row, i] * slope
             slopes[CURVES + row] += c.weights[4 + row, i] * bend
-    _prepare((c.k, prepared))
-    _slopes((x, u, values, np.zeros(STOPS), slopes, prepared, np.empty(_RATES), a, b, np.empty(_BY_CORRECTIONS)))
+    room = np.empty(_RATES), a, b, np.empty(_BY_CORRECTIONS)
+    _slopes((x, u, values, np.zeros(STOPS), slopes, prepare_slopes(c.k), *room))
 
 
 def linearise(plant: ControlledJoint, x: FloatArray, v: FloatArray) -> LinearModel:
@@ -395,14 +400,12 @@ def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:
     middle = 0.5 * (stable[0].q + stable[-1].q) if stable else 0.0
     pair = outermost_pair([model.stable for model in models], [-abs(model.q - middle) for model in models])
     if pair is None:
+        places = [f"{1e3 * model.q:.2f} mm ({'' if model.stable else 'un'}stable)" for model in models]
         raise InputError(
             "the identified joint has not two wells; there is nothing to switch between: it has equilibria at "
-            f"{', '.join(f'{1e3 * model.q:.2f} mm ({_STABLE[model.stable]})' for model in models) or 'no place'}"
+            f"{', '.join(places) or 'no place'}"
         )
     return [models[i] for i in pair]
-
-
-_STABLE = {True: "stable", False: "unstable"}
 
 
 def held_at(plant: ControlledJoint, q: float, saddle: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -118,10 +118,9 @@ def design_pulse(
 
     def search(by: Ensemble, pulses: FloatArray, rounds: int) -> Any:
         """The pulses after some rounds."""
-        limits: Any = _BOUNDS
         return differential_evolution(
             cost,
-            limits,
+            _BOUNDS.tolist(),
             (by,),
             init=pulses,
             maxiter=rounds,
@@ -219,11 +218,10 @@ def judged(
 def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
     """Time [s] after which q (…, N) stays within the band about the target; infinite if outside at the end."""
     settled = settling_index(q - target, BAND * distance)
-    times = settled * INTERVAL
     # Between samples on a line, so that the cost is no staircase.
     index = np.clip(settled, 1, q.shape[-1] - 1)
     after = np.take_along_axis(np.abs(q - target), index[..., None], -1)[..., 0]
     before = np.take_along_axis(np.abs(q - target), index[..., None] - 1, -1)[..., 0]
     share = np.clip((before - BAND * distance) / np.maximum(before - after, 1e-12), 0.0, 1.0)
-    times = np.where(times > 0.0, times - INTERVAL * (1.0 - share), 0.0)
+    times = np.where(settled > 0, settled * INTERVAL - INTERVAL * (1.0 - share), 0.0)
     return np.asarray(np.where(settled == q.shape[-1], np.inf, times))

@@ -172,8 +172,7 @@ class Probe:
 
 def _quantise(x: FloatArray, step: float) -> FloatArray:
     """`x` rounded to multiples of `step`."""
-    rounded: FloatArray = np.round(x / step)
-    return rounded * step
+    return np.asarray(np.round(x / step) * step)
 
 
 TIME_STEP = 0.5e-3  # s, of the joint's integration
@@ -231,23 +230,19 @@ class BenchRecord(Readings):
 
 def random_bench(rng: np.random.Generator, *, rate: float = RATE, charging: float = 0.0) -> Bench:
     """A bench with its own converters and instrument errors, and the given electrodes."""
-
-    def converter() -> Converter:
-        """Lag [s], rate limit [V/s] and power limit [W]."""
-        return Converter(
+    laser = Laser(noise=float(rng.uniform(0.5e-6, 2e-6)), hum=float(rng.uniform(0.01e-6, 0.2e-6)))
+    left, right = (
+        Converter(
             lag=float(rng.uniform(2e-3, 7e-3)),
             rate_limit=float(rng.uniform(0.5e6, 1.4e6)),
             power_limit=float(rng.uniform(5.0, 15.0)),
         )
-
-    def probe() -> Probe:
-        """Noise [V] and gain."""
-        return Probe(noise=float(rng.uniform(3.0, 7.0)), gain=1.0 + float(rng.normal(0.0, 3e-3)))
-
-    laser = Laser(noise=float(rng.uniform(0.5e-6, 2e-6)), hum=float(rng.uniform(0.01e-6, 0.2e-6)))
-    return Bench(
-        rate=rate, converters=(converter(), converter()), laser=laser, probes=(probe(), probe()), charging=charging
+        for _ in range(2)
     )
+    first, second = (
+        Probe(noise=float(rng.uniform(3.0, 7.0)), gain=1.0 + float(rng.normal(0.0, 3e-3))) for _ in range(2)
+    )
+    return Bench(rate=rate, converters=(left, right), laser=laser, probes=(first, second), charging=charging)
 
 
 def record(p: RigParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np.random.Generator) -> BenchRecord:

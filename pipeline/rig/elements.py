@@ -138,8 +138,7 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
 @inner
 def _lever(i: int, j: int, n: int, link: float, p: RigParameters) -> float:
     """Σ of mass × lever of link i × lever of link j over the lumped masses: half links at each node, and the frame."""
-    outer = max(i, j)
-    beam = p.line_density * link * (n - outer - 0.5) * link * link
+    beam = p.line_density * link * (n - max(i, j) - 0.5) * link * link
     arm_i = link + (p.frame_offset if i == n - 1 else 0.0)
     arm_j = link + (p.frame_offset if j == n - 1 else 0.0)
     return float(beam + p.mass * arm_i * arm_j)
@@ -185,9 +184,8 @@ def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -
                 force[j] -= l * _WEIGHTS[g] * moment
         return float(energy)
     energy = 0.0
-    natural = p.curvature * l / n
     for i in range(n):
-        angle = x[i] - natural
+        angle = x[i] - p.curvature * l / n
         rate = v[i]
         if i > 0:
             angle -= x[i - 1]

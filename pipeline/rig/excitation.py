@@ -3,6 +3,7 @@
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from operator import methodcaller
 from pathlib import Path
 from typing import Any, Literal, get_args
 
@@ -24,11 +25,13 @@ BurstKind = Literal["pulse", "both", "chirp", "steps", "multisine"]
 BURSTS: tuple[BurstKind, ...] = get_args(BurstKind)
 """Kinds of bursts: one side on, both sides on, and three that swing between the sides."""
 SHARES: dict[str, dict[BurstKind, float]] = {
+    "mixed": dict.fromkeys(BURSTS, 1.0 / len(BURSTS)),
     "training": {"pulse": 0.86, "both": 0.1, "chirp": 0.04},
     "validation": {"pulse": 0.72, "both": 0.16, "chirp": 0.12},
 }
-"""Share of each type of burst in the logs of three prototypes (6 logs of 20 to 27 bursts), as the shares below."""
-EXCITATIONS = ("pulses", "chirps", "both", "steps", "multisine", "mixed", *SHARES, "alternating")
+"""Share of each type of burst; "training" and "validation" as in the logs of three prototypes (6 logs of 20 to 27
+bursts), and so the shares below."""
+EXCITATIONS = ("pulses", "chirps", "both", "steps", "multisine", *SHARES, "alternating")
 """Excitations of a log: half of its bursts pulses and half of one kind, all kinds alike, or as in the logs of
 prototypes; "alternating" is `switching_pulses`."""
 SHORT_PULSES = 0.45
@@ -72,8 +75,7 @@ def command(bursts: list[Burst], t: FloatArray) -> FloatArray:
             v[first:last] = burst.left, burst.right
             continue
         swing = _swing(burst, t[first:last] - burst.start)
-        v[first:last, 0] = burst.left * np.maximum(swing, 0.0)
-        v[first:last, 1] = burst.right * np.maximum(-swing, 0.0)
+        v[first:last] = np.column_stack([burst.left * np.maximum(swing, 0.0), burst.right * np.maximum(-swing, 0.0)])
     return v
 
 
@@ -148,8 +150,6 @@ def random_excitation(
 
 def _shares(excitation: str) -> list[float]:
     """Probability of each of `BURSTS`."""
-    if excitation == "mixed":
-        return [1.0 / len(BURSTS)] * len(BURSTS)
     kind = excitation if excitation in BURSTS else excitation.removesuffix("s")
     halves = {name: 0.5 * (name == "pulse") + 0.5 * (name == kind) for name in BURSTS}
     return [SHARES.get(excitation, halves).get(name, 0.0) for name in BURSTS]
@@ -183,37 +183,33 @@ def draw_burst(
     amplitude = top if rng.random() < 0.55 else float(rng.uniform(0.5, 1.0)) * top
     if kind == "pulse":
         length = float(rng.uniform(0.1, 0.6) if rng.random() < short else rng.uniform(1.0, 2.4))
-        left, right = (amplitude, 0.0) if side == 0 else (0.0, amplitude)
-        return Burst(shape="pulse", start=start, duration=length, left=left, right=right)
+        return Burst("pulse", start, length, *((amplitude, 0.0) if side == 0 else (0.0, amplitude)))
     if kind == "both":
         left, right = rng.uniform(0.5, 0.95, 2) * top
         return Burst(
             shape="pulse", start=start, duration=float(rng.uniform(0.8, 2.2)), left=float(left), right=float(right)
         )
     if kind == "chirp":
-        band = np.array([rng.uniform(0.5, 2.0), rng.uniform(4.0, 10.0)])
         return Burst(
             shape="chirp",
             start=start,
+            frequencies=np.array([rng.uniform(0.5, 2.0), rng.uniform(4.0, 10.0)]),
             duration=float(rng.uniform(1.0, 2.4)),
             left=amplitude,
             right=amplitude,
-            frequencies=band,
         )
     if kind == "steps":
         levels = rng.uniform(-1.0, 1.0, int(rng.integers(6, 16)))
         length = STEP_HOLD * levels.size * float(rng.uniform(1.0, 4.0))
         return Burst(shape="steps", start=start, duration=length, left=top, right=top, levels=levels)
-    lines = rng.uniform(0.3, 8.0, MULTISINE_LINES)
-    phases = rng.uniform(0.0, 2 * np.pi, MULTISINE_LINES)
     return Burst(
         shape="multisine",
         start=start,
+        frequencies=rng.uniform(0.3, 8.0, MULTISINE_LINES),
+        levels=rng.uniform(0.0, 2 * np.pi, MULTISINE_LINES),
         duration=float(rng.uniform(2.0, 5.0)),
         left=amplitude,
         right=amplitude,
-        frequencies=lines,
-        levels=phases,
     )
 
 
@@ -252,16 +248,16 @@ def save_sequence(path: Path, sequence: Sequence, about: Mapping[str, Any]) -> t
     InputError
         Another ending.
     """
-    document = json.dumps(about, indent=1, default=_plain) + "\n"
+    document = json.dumps(about, indent=1, default=methodcaller("tolist")) + "\n"
     if path.suffix.lower() == ".csv":
         LAYOUTS["csv"].write(path, sequence.t, {name: (sequence.u[:, i], "V") for i, name in enumerate(INPUTS)})
     elif path.suffix.lower() == ".mat":
         from scipy.io import savemat
 
+        columns = {TIME: sequence.t[:, None], **{name: sequence.u[:, [i]] for i, name in enumerate(INPUTS)}}
         signals = {"values": sequence.u, "dimensions": 2.0, "label": "v1, v2 [V]"}
-        columns_mat = {name: sequence.u[:, [i]] for i, name in enumerate(INPUTS)}
-        structure = {"time": sequence.t[:, None], "signals": signals}
-        savemat(path, {TIME: sequence.t[:, None], **columns_mat, "excitation": structure, "about": document})
+        played = {"time": sequence.t[:, None], "signals": signals}
+        savemat(path, {**columns, "excitation": played, "about": document})
     else:
         raise InputError(f"{path}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")
     beside = path.with_suffix(".json")
@@ -284,7 +280,3 @@ def load_sequence(path: Path) -> Sequence:
     if t.size < 2 or not np.all(np.diff(t) > 0.0) or not all(np.isfinite(column).all() for column in inputs):
         raise InputError(f"{path}: a sequence needs times that advance and voltages that are finite")
     return Sequence(t - t[0], np.column_stack(inputs))
-
-
-def _plain(value: Any) -> Any:
-    return value.tolist()

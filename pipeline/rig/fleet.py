@@ -128,8 +128,9 @@ def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed:
     """
     rng = np.random.default_rng(seed)
     form = LAYOUTS[experiment.format]
-    planned = _planned(experiment)
-    files = {role: [f"{stem}{form.suffix}" for of, stem in planned if of == role] for role in get_args(Role)}
+    files = {
+        role: [f"{stem}{form.suffix}" for of, stem in _planned(experiment) if of == role] for role in get_args(Role)
+    }
     names = [*(file for of_role in files.values() for file in of_role), f"{name}.toml", "truth/truth.json"]
     with new_outputs(folder, "rig simulate", force=None, names=names) as staged:
         joint, bench, logs = draw(experiment, rng)
@@ -177,8 +178,8 @@ def simulate_fleet(folder: Path, count: int, experiment: Experiment, *, seed: in
     for i in range(count):
         kind = "foreign" if experiment.kind == "same" and i % 2 else experiment.kind
         name = f"{kind}-{i:02d}"
-        own = int(np.random.SeedSequence([seed, i]).generate_state(1)[0])
-        yield simulate_prototype(folder / name, name, experiment.model_copy(update={"kind": kind}), seed=own)
+        own = np.random.SeedSequence([seed, i]).generate_state(1)[0]
+        yield simulate_prototype(folder / name, name, experiment.model_copy(update={"kind": kind}), seed=int(own))
 
 
 def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameters, Bench, list[SimulatedLog]]:
@@ -191,15 +192,15 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameter
     InputError
         No usable draw, or a sequence to play that cannot be read.
     """
+    kind = experiment.kind
     sequence = None if experiment.play is None else load_sequence(Path(experiment.play))
     for _ in range(_MAX_TRIES):
-        drawing = _DRAWINGS.get(experiment.kind)
-        drawn = random_joint(rng, cast(Family, experiment.kind)) if drawing is None else drawing()
+        drawn = _DRAWINGS[kind]() if kind in _DRAWINGS else random_joint(rng, cast(Family, kind))
         joint = sized(drawn, experiment.size)
         bench = random_bench(rng, rate=experiment.rate, charging=experiment.charging_time_s)
         bench = replace(bench, laser=replace(bench.laser, rail=experiment.size * bench.laser.rail))
         logs = list(_logs(joint, bench, experiment, sequence, rng))
-        if experiment.kind in _DRAWINGS or all(_worth_keeping(log.record, bench) for log in logs):
+        if kind in _DRAWINGS or all(_worth_keeping(log.record, bench) for log in logs):
             break
     else:
         raise InputError(f"no prototype worth recording among {_MAX_TRIES} draws; take another --seed")
@@ -254,8 +255,8 @@ def _write_truth(path: Path, measured: BenchRecord, rate: float) -> None:
         "v2": (measured.true_v2, "V"),
     }
     schema = pa.schema([pa.field(name, pa.float64(), metadata={"unit": unit}) for name, (_, unit) in columns.items()])
-    table = pa.table([values[every] for values, _ in columns.values()], schema=schema)
-    parquet.write_table(table, path, write_page_checksum=True)
+    samples = [values[every] for values, _ in columns.values()]
+    parquet.write_table(pa.table(samples, schema=schema), path, write_page_checksum=True)
 
 
 def moving_mass(joint: RigParameters) -> float:
@@ -280,15 +281,21 @@ def prototype_toml(name: str, mass: float, files: Mapping[str, list[str]], form:
         Further lines of ``[plant]``.
     """
     logs = "\n".join(["[logs]", *(f"{role} = {json.dumps(names)}" for role, names in files.items() if names)])
-    plant = f'[plant]\nmass = {{ value = {mass:.4f}, unit = "kg" }}\ninputs = "squared"\n{more}'
-    return f'# Simulated by the virtual rig.\nname = "{name}"\n\n{logs}\n\n{LAYOUTS[form].toml()}\n{plant}'
+    return (
+        f'# Simulated by the virtual rig.\nname = "{name}"\n\n{logs}\n\n{LAYOUTS[form].toml()}\n'
+        f'[plant]\nmass = {{ value = {mass:.4f}, unit = "kg" }}\ninputs = "squared"\n{more}'
+    )
 
 
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
 INTERVAL = 1e-3
 """Interval of the recording [s]."""
-_SET = 'parameters = "nominal"  # the drawing, from which the simulated joint differs by workshop tolerances\n'
-_COMPARED = '\n[compare]\nmodels = ["analytical", "sindy", "narx"]\n'
+_MORE = """\
+parameters = "nominal"  # the drawing, from which the simulated joint differs by workshop tolerances
+
+[compare]
+models = ["analytical", "sindy", "narx"]
+"""
 STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
 """Resolution of the recorder [m, V]: a third of the instruments' noise."""
 
@@ -327,8 +334,7 @@ def write_demo(folder: Path) -> Path:
     (folder / "truth.json").write_text(f"{truth}\n", encoding="utf-8", newline="\n")
     mass = float(json.loads(truth)["moving_mass"])
     prototype = folder / "demo.toml"
-    settings = prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat", more=_SET)
-    write_text(prototype, settings + _COMPARED)
+    write_text(prototype, prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat", more=_MORE))
     return prototype  # written last and whole: where it is there, so are the logs
 
 

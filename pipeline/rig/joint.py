@@ -60,9 +60,8 @@ def simulate(p: RigParameters, v: FloatArray, dt: float, *, stride: int = 15, x0
     Cost: N/stride steps of about 5 µs (see :func:`pipeline.rig.midpoint.march`); samples in between are cubic
     Hermite, O(N).
     """
-    start = rest(p, side=-1) if x0 is None else x0
-    poses, rates, _, _, iterations = march(p, start, v**2, dt, stride)
-    if iterations < 0:
+    poses, rates, _, _, follows = march(p, rest(p, side=-1) if x0 is None else x0, v**2, dt, stride)
+    if not follows:
         raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
     q, qdot = _hermite(poses[:, 0], rates[:, 0], v.shape[0], stride, stride * dt)
     phi, _ = _hermite(poses[:, 1], rates[:, 1], v.shape[0], stride, stride * dt)
@@ -88,8 +87,8 @@ def rest(p: RigParameters, *, side: int) -> FloatArray:
     steps = round(_SETTLING / _SETTLING_STEP)
     charge = np.zeros((steps, 2))
     charge[: steps // 3, (1 - side) // 2] = _TILTING_VOLTAGE**2
-    _, _, final, _, iterations = march(still, side * _TILT * shape, charge, _SETTLING_STEP, 1)
-    if iterations < 0 or not np.isfinite(final).all():
+    _, _, final, _, follows = march(still, side * _TILT * shape, charge, _SETTLING_STEP, 1)
+    if not follows or not np.isfinite(final).all():
         raise InputError("the virtual joint finds no rest: a membrane is stretched beyond its rubber law")
     return final
 
@@ -121,8 +120,8 @@ def saddle(p: RigParameters) -> FloatArray:
 
     def gradient(x: FloatArray) -> FloatArray:
         """Slope of the potential by central differences, over the scale."""
-        moves = step * np.eye(x.size)
-        return np.array([potential(p, x + d, none) - potential(p, x - d, none) for d in moves]) / (2 * step * scale)
+        falls = [potential(p, x + d, none) - potential(p, x - d, none) for d in step * np.eye(x.size)]
+        return np.array(falls) / (2 * step * scale)
 
     for share in (0.5, 0.4, 0.6, 0.3, 0.7):
         solution = root(gradient, (1.0 - share) * left + share * right, tol=1e-12)
@@ -164,8 +163,7 @@ def potential(p: RigParameters, x: FloatArray, v: FloatArray) -> float:
 
 def membrane_capacitances(p: RigParameters, x: FloatArray) -> FloatArray:
     """Capacitance [F] of each membrane at the coordinates `x`, shape (2,)."""
-    pose = _pose(p, x)
-    stretches = np.array([stretch(side, pose, p, np.empty(3)) for side in (0, 1)])
+    stretches = np.array([stretch(side, _pose(p, x), p, np.empty(3)) for side in (0, 1)])
     return np.asarray(np.asarray(p.capacitance) * stretches**p.capacitance_exponent)
 
 

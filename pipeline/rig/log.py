@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Literal, get_args
+from typing import Any, Literal
 
 import numpy as np
 import pyarrow as pa
@@ -18,7 +18,6 @@ from ..numerics.arrays import FloatArray
 from ..units.units import PLAIN
 from .bench import Laser, Readings
 
-_VARIABLE = "rec"
 _RASTER = "HostService"
 
 
@@ -26,7 +25,6 @@ def write_mat5(path: Path, t: FloatArray, channels: dict[str, tuple[FloatArray, 
     """Write `channels` (name → samples, unit) over the times `t` [s] as MAT v5, samples in single precision."""
     from scipy.io import savemat
 
-    x = {"Name": "", "Type": 5, "Data": t[None, :], "Unit": "s", "Raster": _RASTER}
     y = [
         {
             "Name": name,
@@ -41,11 +39,11 @@ def write_mat5(path: Path, t: FloatArray, channels: dict[str, tuple[FloatArray, 
     ]
     record = {
         "Info": {"RevisionMajor": 2},
-        "X": _struct_array([x]),
+        "X": _struct_array([{"Name": "", "Type": 5, "Data": t[None, :], "Unit": "s", "Raster": _RASTER}]),
         "Y": _struct_array(y),
         "Description": {"General": {"User": "virtual rig"}},
     }
-    savemat(path, {_VARIABLE: record}, format="5", do_compression=False)
+    savemat(path, {"rec": record}, format="5", do_compression=False)
 
 
 def _struct_array(records: list[dict[str, Any]]) -> NDArray[np.void]:
@@ -95,10 +93,9 @@ class Layout:
     def toml(self) -> str:
         """The ``[channels]`` table of a prototype with logs of this layout."""
         entries = {"time": self.time, "q": self.q, "v1": self.v1, "v2": self.v2}
-        lines = [
-            f'{key} = {{ channel = "{entry[0]}", unit = "{entry[1]}" }}' for key, entry in entries.items() if entry
-        ]
-        return "\n".join(["[channels]", *lines]) + "\n"
+        return "[channels]\n" + "".join(
+            f'{key} = {{ channel = "{entry[0]}", unit = "{entry[1]}" }}\n' for key, entry in entries.items() if entry
+        )
 
 
 def _write_mdf(path: Path, t: FloatArray, channels: Channels) -> None:
@@ -115,12 +112,10 @@ def _write_mdf(path: Path, t: FloatArray, channels: Channels) -> None:
 
 def _write_parquet(path: Path, t: FloatArray, channels: Channels) -> None:
     """A table with page checksums; units in the fields' metadata, samples in single precision."""
-    fields = [pa.field("time", pa.float64(), metadata={"unit": "s"})]
-    columns = [pa.array(t)]
-    for name, (samples, unit) in channels.items():
-        fields.append(pa.field(name, pa.float32(), metadata={"unit": unit}))
-        columns.append(pa.array(samples.astype(np.float32)))
-    parquet.write_table(pa.table(columns, schema=pa.schema(fields)), path, write_page_checksum=True)
+    time = pa.field("time", pa.float64(), metadata={"unit": "s"})
+    others = [pa.field(name, pa.float32(), metadata={"unit": unit}) for name, (_, unit) in channels.items()]
+    columns = [t, *(samples.astype(np.float32) for samples, _ in channels.values())]
+    parquet.write_table(pa.table(columns, schema=pa.schema([time, *others])), path, write_page_checksum=True)
 
 
 def _write_csv(path: Path, t: FloatArray, channels: Channels) -> None:
@@ -137,17 +132,15 @@ def _write_csv_german(path: Path, t: FloatArray, channels: Channels) -> None:
         ";".join(["Zeit", *channels]),
         ";".join(["[s]", *(f"[{unit}]" for _, unit in channels.values())]),
     ]
-    rows = _csv_rows(t, channels, ";").replace(b".", b",")
-    path.write_bytes(("\n".join(lines) + "\n").encode("latin-1") + rows)
+    path.write_bytes(("\n".join(lines) + "\n").encode("latin-1") + _csv_rows(t, channels, ";").replace(b".", b","))
 
 
 def _csv_rows(t: FloatArray, channels: Channels, delimiter: str) -> bytes:
     """Rows with times to 0.1 µs and samples to four decimals; a NaN reads ``nan``."""
-    names = [str(i) for i in range(len(channels) + 1)]
     columns = [np.round(t, 7), *(np.round(samples, 4) for samples, _ in channels.values())]
+    table = pa.table(columns, names=[str(i) for i in range(len(columns))])
     sink = pa.BufferOutputStream()
-    options = csv.WriteOptions(include_header=False, delimiter=delimiter, quoting_style="none")
-    csv.write_csv(pa.table(columns, names=names), sink, options)
+    csv.write_csv(table, sink, csv.WriteOptions(include_header=False, delimiter=delimiter, quoting_style="none"))
     return bytes(sink.getvalue().to_pybytes())
 
 
@@ -175,7 +168,6 @@ LAYOUTS = {
 
 
 FaultKind = Literal["saturation", "dropouts", "nan", "gaps", "repeats"]
-KINDS: tuple[FaultKind, ...] = get_args(FaultKind)
 """Kinds of faults, in the order in which they are put in."""
 _COUNT = 3
 _GAP, _DROPOUT = (5e-3, 60e-3), (2e-3, 30e-3)  # s, shortest and longest
@@ -203,17 +195,14 @@ def inject_faults(log: Readings, kinds: tuple[str, ...], rng: np.random.Generato
     faults: list[Fault] = []
     q = log.q.copy()
     rail = Laser().rail
-    for kind in KINDS:
-        if kind not in kinds or kind in ("gaps", "repeats"):
-            continue
-        if kind == "saturation":
-            rail = _SATURATED_SHARE * float(np.abs(q).max())
-            beyond = np.flatnonzero(np.abs(q) > rail)
-            faults.append(Fault(kind, float(log.t[beyond[0]]), float(log.t[beyond[-1]])))
-            q = np.clip(q, -rail, rail)
-            continue
-        for first, last in _places(log, (0.0, 0.0) if kind == "nan" else _DROPOUT, rng):
-            q[first:last] = np.nan if kind == "nan" else rail
+    if "saturation" in kinds:
+        rail = _SATURATED_SHARE * float(np.abs(q).max())
+        beyond = np.flatnonzero(np.abs(q) > rail)
+        faults.append(Fault("saturation", float(log.t[beyond[0]]), float(log.t[beyond[-1]])))
+        q = np.clip(q, -rail, rail)
+    for kind, lengths, reading in (("dropouts", _DROPOUT, rail), ("nan", (0.0, 0.0), np.nan)):
+        for first, last in _places(log, lengths, rng) if kind in kinds else []:
+            q[first:last] = reading
             faults.append(Fault(kind, float(log.t[first]), float(log.t[last - 1])))
     damaged = Readings(log.t, q, log.v1, log.v2)
     for first, last in _places(log, _GAP, rng) if "gaps" in kinds else []:
@@ -228,9 +217,8 @@ def inject_faults(log: Readings, kinds: tuple[str, ...], rng: np.random.Generato
 
 def _places(log: Readings, lengths: tuple[float, float], rng: np.random.Generator) -> Iterator[tuple[int, int]]:
     """Ranges of samples [first, last), one in each third of the log, at least one sample long."""
-    dt = float(log.t[1] - log.t[0])
     third = log.t.size // _COUNT
     for i in range(_COUNT):
-        count = max(1, round(float(rng.uniform(*lengths)) / dt))
+        count = max(1, round(float(rng.uniform(*lengths)) / float(log.t[1] - log.t[0])))
         first = i * third + int(rng.integers(1, max(2, third - count - 1)))
         yield first, first + count

@@ -78,8 +78,7 @@ def _call_step(context, address, q, target, v):  # type: ignore[no-untyped-def] 
 
     def generate(target_context, builder, signature, arguments):  # type: ignore[no-untyped-def]
         """LLVM code: a call of the address."""
-        real = ir.DoubleType()
-        kind = ir.FunctionType(ir.VoidType(), [real, real, ir.IntType(64)])
+        kind = ir.FunctionType(ir.VoidType(), [ir.DoubleType(), ir.DoubleType(), ir.IntType(64)])
         builder.call(builder.inttoptr(arguments[0], kind.as_pointer()), arguments[1:])
         return target_context.get_dummy_value()
 
@@ -100,12 +99,11 @@ def _charge(
     dt = h / FINE
     for side in range(2):
         decay = -np.expm1(-dt / around.lag[side])
-        total = 0.0
         rate = around.rate_limit[side]
-        power = around.power_over_capacitance[side]
+        total = 0.0
         for _ in range(FINE):
             before = membranes[side]
-            v[side] = charged(v[side], command[side], decay, rate, power, dt)
+            v[side] = charged(v[side], command[side], decay, rate, around.power_over_capacitance[side], dt)
             now = v[side] + (before - v[side]) * around.charge_left
             total += (before * before + before * now + now * now) / 3.0
             membranes[side] = now
@@ -117,8 +115,8 @@ def laser_reading(q: float, row: int, around: Surroundings) -> float:
     """Reading of the laser [m] for a displacement at a row of the log."""
     if around.lost[row] == GONE:
         return np.nan
-    reading = q + bent(q, around.linearity, around.rail, around.linearity_phase)
-    shown = min(max(reading + around.noise[row], -around.rail), around.rail)
+    reading = q + bent(q, around.linearity, around.rail, around.linearity_phase) + around.noise[row]
+    shown = min(max(reading, -around.rail), around.rail)
     return float(np.round(shown / around.resolution) * around.resolution)
 
 
@@ -131,7 +129,7 @@ def close_loop(
     address: int,
     out: FloatArray,
     refused: IntArray,
-) -> int:
+) -> bool:
     """Run the loop from rest and fill `out`.
 
     Parameters
@@ -154,8 +152,8 @@ def close_loop(
 
     Returns
     -------
-    int
-        Newton iterations; −1 if they failed, as when a membrane is stretched beyond its rubber law.
+    bool
+        False if Newton's method failed, as when a membrane is stretched beyond its rubber law.
 
     Notes
     -----
@@ -167,7 +165,6 @@ def close_loop(
     work = workspace(p, n)
     inverse = np.zeros((n, n))
     vm = np.zeros(n)
-    total = 0
     pose = np.zeros(2)
     rate = np.zeros(2)
     v = np.zeros(2)
@@ -196,11 +193,9 @@ def close_loop(
         _charge(v, membranes, command, h, around, state.charge)
         state.hand[0] = around.force[row] - around.drag * (pose[0] - anchor) / GIVE
         state.hand[1] = around.spring[row]
-        taken = advance(h, row % KEEP == 0, state, p, work, inverse, vm)
-        if taken < 0:
-            return -1
-        total += taken
-    return total
+        if not advance(h, row % KEEP == 0, state, p, work, inverse, vm):
+            return False
+    return True
 
 
 _STEP = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
@@ -385,11 +380,11 @@ def run_loop(
     controller.begin(laser_reading(tip_displacement(p, start), 0, around))
     out = np.zeros((rows, 6))
     refused = np.zeros(2, dtype=np.int64)
-    taken = close_loop(changed, start, around, target, controller.step, out, refused)
+    follows = close_loop(changed, start, around, target, controller.step, out, refused)
     if controller.failure:
         error = controller.failure[0]
         raise InputError(f"the controller failed: {type(error).__name__}: {error}") from error
-    if taken < 0:
+    if not follows:
         raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
     left, right = (bench.probes[side].read(t, out[:, 1 + side], rng) for side in (0, 1))
     return ClosedLoop(

@@ -156,10 +156,10 @@ def _invert(a: FloatArray, inverse: FloatArray) -> None:
 @inner
 def _newton(
     vm: FloatArray, h: float, renew: bool, state: _State, p: RigParameters, work: _Work, inverse: FloatArray
-) -> int:
-    """Solve the step for `vm` in place; the iterations taken, or −1. `inverse` is the Jacobian's, renewed on demand."""
+) -> bool:
+    """Solve the step for `vm` in place; False if that fails. `inverse` is the Jacobian's, renewed on demand."""
     n = vm.size
-    residual = np.empty(n)
+    residuals = np.empty((n + 1, n))
     tangent = np.empty((n, n))
     for iteration in range(_MAX_NEWTON):
         columns = n if (renew and iteration == 0) or iteration % 8 == 7 else 0
@@ -167,15 +167,13 @@ def _newton(
             unperturbed = vm[min(j, n - 1)]
             if j < columns:
                 vm[j] += _NUDGE / h
-            _imbalance(vm, h, state, p, work, residual)
+            _imbalance(vm, h, state, p, work, residuals[j])
             vm[min(j, n - 1)] = unperturbed
-            if j < columns:
-                for i in range(n):
-                    tangent[i, j] = residual[i]
+        residual = residuals[columns]
         if columns > 0:
             for j in range(n):
                 for i in range(n):
-                    tangent[i, j] = (tangent[i, j] - residual[i]) * (h / _NUDGE)
+                    tangent[i, j] = (residuals[j, i] - residual[i]) * (h / _NUDGE)
             _invert(tangent, inverse)
         largest = 0.0
         size = 1.0
@@ -188,8 +186,8 @@ def _newton(
                 largest = abs(change)
             size = max(size, 1.0 + abs(vm[i]))
         if largest <= _TOLERANCE * size:
-            return iteration + 1
-    return -1
+            return True
+    return False
 
 
 @inner
@@ -206,14 +204,12 @@ def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
 def at_rest(p: RigParameters, start: FloatArray) -> _State:
     """The joint at rest at the coordinates `start`, shape (n,), its viscous branches and friction relaxed."""
     n = start.size
-    branches = p.branch_modulus.shape
-    elements = p.slip_force.size
     state = _State(
         x=start.copy(),
         v=np.zeros(n),
-        branches=np.zeros(branches),
+        branches=np.zeros(p.branch_modulus.shape),
         strain=np.zeros(2),
-        z=np.zeros(elements),
+        z=np.zeros(p.slip_force.size),
         sliding=np.zeros(1),
         charge=np.zeros(2),
         layers=np.zeros((p.plastic_share.size, n)),
@@ -222,8 +218,7 @@ def at_rest(p: RigParameters, start: FloatArray) -> _State:
         hand=np.zeros(2),
     )
     pose = np.zeros(3)
-    jacobian = np.zeros((3, n))
-    tip(state.x, p, pose, jacobian)
+    tip(state.x, p, pose, np.zeros((3, n)))
     state.sliding[0] = pose[0] + p.friction_arm * pose[2]
     for i in range(n):
         state.bends[i] = hinge_angle(state.x, i)
@@ -277,8 +272,8 @@ def read_tip(state: _State, p: RigParameters, work: _Work, pose: FloatArray, rat
 @inner
 def advance(
     h: float, renew: bool, state: _State, p: RigParameters, work: _Work, inverse: FloatArray, vm: FloatArray
-) -> int:
-    """One step of `h` [s] under `state.charge` and `state.hand`; the Newton iterations taken, or −1.
+) -> bool:
+    """One step of `h` [s] under `state.charge` and `state.hand`; False if the joint cannot follow.
 
     `work.pose` must be that of the state (see `read_tip`); `inverse`, shape (n, n), and `vm`, shape (n,), are kept for
     the next step.
@@ -304,9 +299,8 @@ def advance(
         state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p)[0]
     for j in range(vm.size):
         vm[j] = state.v[j]
-    taken = _newton(vm, h, renew, state, p, work, inverse)
-    if taken < 0:
-        return taken
+    if not _newton(vm, h, renew, state, p, work, inverse):
+        return False
     for j in range(vm.size):
         state.x[j] += h * vm[j]
         state.v[j] = 2.0 * vm[j] - state.v[j]
@@ -326,13 +320,13 @@ def advance(
         for k in range(p.plastic_share.size):
             state.layers[k, i] = work.layers[k, i]
     state.age[0] += h
-    return taken
+    return True
 
 
 @compiled
 def march(
     p: RigParameters, start: FloatArray, e: FloatArray, dt: float, stride: int
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, bool]:
     """March from rest under sampled voltages.
 
     Parameters
@@ -354,15 +348,14 @@ def march(
         (q, φ) and their rates at the start of each step, and after the last.
     x, v : FloatArray, shape (n,)
         Coordinates and their rates after the last step.
-    iterations : int
-        Newton iterations in all; −1 if they failed.
+    follows : bool
+        False if Newton's method failed.
 
     Notes
     -----
     Cost: about 2.5 residuals of 1.5 µs a step, and n more every twelve steps.
     """
     n = start.size
-    h = stride * dt
     steps = (e.shape[0] - 1) // stride + 1
     poses = np.empty((steps + 1, 2))
     rates = np.empty((steps + 1, 2))
@@ -370,15 +363,11 @@ def march(
     work = workspace(p, n)
     inverse = np.zeros((n, n))
     vm = np.zeros(n)
-    total = 0
-    for step in range(steps + 1):
+    for step in range(steps):
         read_tip(state, p, work, poses[step], rates[step])
-        if step == steps:
-            break
         for side in range(2):
             state.charge[side] = _mean(e, side, step * stride, stride)
-        taken = advance(h, step % KEEP == 0, state, p, work, inverse, vm)
-        if taken < 0:
-            return poses, rates, state.x, state.v, -1
-        total += taken
-    return poses, rates, state.x, state.v, total
+        if not advance(stride * dt, step % KEEP == 0, state, p, work, inverse, vm):
+            return poses, rates, state.x, state.v, False
+    read_tip(state, p, work, poses[steps], rates[steps])
+    return poses, rates, state.x, state.v, True

@@ -118,13 +118,15 @@ def _foreign(rng: np.random.Generator, links: int | None = None) -> RigParameter
         OGDEN: np.array([rng.uniform(1.2, 1.8), rng.uniform(2.5, 4.0)]),
     }[rubber]
     print_error = rng.uniform(0.92, 1.08, links)
-    damping = p.bending_loss / nominal().bending_loss
     p = p._replace(
         beam=CHAIN,
         frame_offset=float(rng.uniform(1e-3, 6e-3)),
         frame_inertia=float(rng.uniform(0.4e-5, 1.6e-5)),
         hinge_stiffness=p.hinge_stiffness * print_error,
-        hinge_loss=p.hinge_loss * print_error * damping * float(rng.uniform(1.1, 1.8)),
+        hinge_loss=p.hinge_loss
+        * print_error
+        * (p.bending_loss / nominal().bending_loss)
+        * float(rng.uniform(1.1, 1.8)),
         hinge_cubic=float(rng.uniform(0.2, 1.2)) * links**2,
         rubber=rubber,
         rubber_shape=shape,
@@ -139,8 +141,7 @@ def _foreign(rng: np.random.Generator, links: int | None = None) -> RigParameter
 
 def _worn(rng: np.random.Generator) -> RigParameters:
     """A foreign joint of six links whose beam yields, and whose rubber softens and creeps over decades of time."""
-    p = _foreign(rng, links=6)
-    return p._replace(
+    return _foreign(rng, links=6)._replace(
         branch_modulus=np.outer(rng.uniform(0.95, 1.05, 2), rng.uniform(0.02e6, 0.08e6, 5)),
         branch_time=np.geomspace(0.03, 300.0, 5) * rng.uniform(0.6, 1.6, 5),
         plastic_share=rng.uniform(0.004, 0.02, 3),

@@ -14,9 +14,9 @@ from control_joints import Running, designed, model
 from hypothesis import given, settings, strategies as st
 from scipy.signal import lfilter
 
-from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, estimate, move, observe
+from pipeline.control.controller import begin_control, closed_on_model, control, estimate, move, observe
 from pipeline.control.design import Settings, acting_lags, condensed_joint_law, design
-from pipeline.control.estimator import ESTIMATED, MEMORY, STATUS
+from pipeline.control.estimator import ESTIMATED, MEMORY, PERIOD, STATUS
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
 from pipeline.control.plant import plant_of, wells_and_saddle
 from pipeline.errors import CorruptArtifactError, InputError

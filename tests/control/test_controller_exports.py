@@ -10,7 +10,8 @@ import pytest
 from control_joints import Running, designed
 from scipy.io import loadmat, savemat
 
-from pipeline.control.controller import PERIOD, closed_on_model, estimate, observe
+from pipeline.control.controller import closed_on_model, estimate, observe
+from pipeline.control.estimator import PERIOD
 from pipeline.control.law import Law
 from pipeline.control.plant import wells_and_saddle
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from control_joints import designed
 
-from pipeline.control.controller import PERIOD, begin_control, control, move
+from pipeline.control.controller import begin_control, control, move
 from pipeline.control.design import condensed_joint_law
+from pipeline.control.estimator import PERIOD
 from pipeline.control.law import CONTROLLER_STATE, NUMBERS, Law
 from pipeline.control.margins import FACTOR, Margins, margins
 from pipeline.control.plant import wells_and_saddle

@@ -3,6 +3,7 @@
 import json
 import tomllib
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from pipeline.rig.bench import Readings
 from pipeline.rig.excitation import EXCITATIONS, MAX_VOLTAGE, command, random_excitation
 from pipeline.rig.fleet import Experiment, draw, simulate_prototype
 from pipeline.rig.joint import simulate
-from pipeline.rig.log import KINDS, LAYOUTS, inject_faults
+from pipeline.rig.log import LAYOUTS, FaultKind, inject_faults
 from pipeline.rig.parameters import CHAIN, RigParameters, as_json, nominal, sized
 from pipeline.rig_logs import read_recording
 
@@ -89,9 +90,10 @@ def test_excitations_keep_the_voltage_limit_and_use_both_sides(excitation: str) 
 def test_faults_are_put_where_they_are_said_to_be() -> None:
     t = np.arange(20_000) * 1e-3
     clean = Readings(t, 0.02 * np.sin(t), np.zeros(t.size), np.zeros(t.size))
-    log, faults = inject_faults(clean, KINDS, np.random.default_rng(4))
-    found = {kind: [fault for fault in faults if fault.kind == kind] for kind in KINDS}
-    assert {kind: len(found[kind]) for kind in KINDS} == {k: 1 if k == "saturation" else 3 for k in KINDS}
+    kinds = get_args(FaultKind)
+    log, faults = inject_faults(clean, kinds, np.random.default_rng(4))
+    found = {kind: [fault for fault in faults if fault.kind == kind] for kind in kinds}
+    assert {kind: len(found[kind]) for kind in kinds} == {k: 1 if k == "saturation" else 3 for k in kinds}
     steps = np.diff(log.t)
     assert np.count_nonzero(steps == 0) == 3
     np.testing.assert_allclose(log.t[:-1][steps > 2e-3], sorted(f.start for f in found["gaps"]))

@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from ...control.controller import PERIOD, closed_on_model
+from ...control.controller import closed_on_model
 from ...control.design import Settings, design as design_law
 from ...control.ensemble import INTERVAL, Converters, Ensemble, ensemble_of
+from ...control.estimator import PERIOD
 from ...control.law import Law
 from ...control.margins import Margins, margins
 from ...control.plant import ASSUMED_LAG, LinearModel, equilibria
