@@ -57,16 +57,17 @@ class Graph:
         outputs: dict[str, list[Any]] = {name: [number(0.0)] * size for name, size in self.outputs.items()}
         for operation in self.operations:
             array, entry = operation.place
-            if operation.name == "input":
-                values.append(arrays[array][entry])
-            elif operation.name == "constant":
-                values.append(number(operation.value))
-            elif operation.name == "fetch":
-                values.append(functions("fetch", [arrays[array], entry, values[operation.operands[0]]]))
-            elif operation.name == "store":
-                outputs[array][entry] = values[operation.operands[0]]
-            else:
-                values.append(functions(operation.name, [values[i] for i in operation.operands]))
+            match operation.name:
+                case "input":
+                    values.append(arrays[array][entry])
+                case "constant":
+                    values.append(number(operation.value))
+                case "fetch":
+                    values.append(functions("fetch", [arrays[array], entry, values[operation.operands[0]]]))
+                case "store":
+                    outputs[array][entry] = values[operation.operands[0]]
+                case name:
+                    values.append(functions(name, [values[i] for i in operation.operands]))
         return outputs
 
     def evaluate(self, **arrays: FloatArray) -> dict[str, FloatArray]:
@@ -82,10 +83,11 @@ class Graph:
 
 def _parsed(line: str) -> Operation:
     name, *rest = line.split()
-    if name == "constant":
-        return Operation(name, (), value=float(rest[0]))
-    if name in ("input", "store", "fetch"):
-        return Operation(name, tuple(map(int, rest[2:])), (rest[0], int(rest[1])))
+    match name:
+        case "constant":
+            return Operation(name, (), value=float(rest[0]))
+        case "input" | "store" | "fetch":
+            return Operation(name, tuple(map(int, rest[2:])), (rest[0], int(rest[1])))
     return Operation(name, tuple(map(int, rest)))
 
 
@@ -211,11 +213,6 @@ def clip(x: Number, low: Number, high: Number) -> "Value":
     return function("min", high, function("max", low, x))
 
 
-def square(x: "Value") -> "Value":
-    """X²."""
-    return x * x
-
-
 def function(name: str, *operands: Number) -> "Value":
     """An operation by name: exp, expm1, tanh, sin, cos, sqrt, abs, floor, min, max, lt, le, and, or, not, finite."""
     builder = next(operand.builder for operand in operands if isinstance(operand, Value))
@@ -249,14 +246,15 @@ def trace(traced: Callable[..., dict[str, list[Any]]], **sizes: int) -> Graph:
         for name, values in outputs.items()
         for i, x in enumerate(values)
     ]
-    lengths = {name: len(values) for name, values in outputs.items()}
-    return Graph(dict(sizes), lengths, text_of(reachable(builder.operations, stores)))
+    text = text_of(reachable(builder.operations, stores))
+    return Graph(sizes, {name: len(values) for name, values in outputs.items()}, text)
 
 
 def inline(graph: Graph, **arrays: list[Any]) -> dict[str, list[Any]]:
     """The outputs of a generated graph for traced values or numbers."""
-    values = [x for array in arrays.values() for x in array if isinstance(x, Value)]
-    builder = values[0].builder
+    builder = next((x.builder for array in arrays.values() for x in array if isinstance(x, Value)), None)
+    if builder is None:
+        return graph.inline(lambda name, operands: NUMPY[name](*operands), float, **arrays)
     given = {
         name: [x if isinstance(x, Value) else Value(builder, builder.constant(float(x))) for x in array]
         for name, array in arrays.items()
@@ -269,11 +267,7 @@ def inline(graph: Graph, **arrays: list[Any]) -> dict[str, list[Any]]:
 def apply(graph: Graph, *numbers: Any) -> list[Any]:
     """The outputs' entries of a generated graph for the entries of its inputs, in order: traced values, or numbers."""
     given = iter(numbers)
-    arrays = {name: [next(given) for _ in range(size)] for name, size in graph.inputs.items()}
-    if any(isinstance(x, Value) for x in numbers):
-        outputs = inline(graph, **arrays)
-    else:
-        outputs = graph.inline(lambda name, operands: NUMPY[name](*operands), float, **arrays)
+    outputs = inline(graph, **{name: [next(given) for _ in range(size)] for name, size in graph.inputs.items()})
     return [value for values in outputs.values() for value in values]
 
 

@@ -9,6 +9,7 @@ vector instructions are written out, and do not depend on an optimiser.
 # mypy: disable-error-code="no-untyped-def,no-untyped-call,call-overload"
 
 import hashlib
+import math
 from collections.abc import Sequence
 from itertools import islice
 from typing import Any
@@ -22,7 +23,6 @@ _FLAGS = tuple(sorted(FAST))
 _REAL = ir.DoubleType()
 _SINGLE = ir.FloatType()
 _LANE, _PLACE = ir.IntType(32), ir.IntType(64)
-_ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
 _FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs", "floor": "llvm.floor"}
 
 
@@ -53,10 +53,9 @@ def kernel(
 
     def generate(context, builder, signature, arguments):
         """LLVM code: a call of the graph's function with the arrays' addresses."""
-        pointers = _addresses(context, builder, names, signature.args[0], arguments[0])
-        result = builder.call(
-            _function(builder.module, graph, names, width, value, common, real), list(pointers.values())
-        )
+        function = _function(builder.module, graph, names, width, value, common, real)
+        addresses = _addresses(context, builder, names, signature.args[0], arguments[0])
+        result = builder.call(function, list(addresses.values()))
         return context.get_dummy_value() if value is None else result
 
     return _of_arrays(names, number, types.none if value is None else number, generate)
@@ -70,8 +69,7 @@ def sequence_kernel(sequence: GraphSequence) -> Any:
         pointers = _addresses(context, builder, sequence.given, signature.args[0], arrays[0])
         for name, size in sequence.local.items():
             with builder.goto_entry_block():
-                space = builder.alloca(ir.ArrayType(_REAL, size))
-            pointers[name] = builder.bitcast(space, _REAL.as_pointer())
+                pointers[name] = builder.bitcast(builder.alloca(ir.ArrayType(_REAL, size)), _REAL.as_pointer())
         for call in sequence.calls:
             graph = sequence.graphs[call[0]]
             # Without the compiler's liberties the digits are those of C.
@@ -118,8 +116,7 @@ def _function(
 ) -> Any:
     """The function of a graph in a module: written once, and called from wherever the graph is used."""
     digest = hashlib.sha256(f"{graph.text} {names} {value} {common} {flags}".encode()).hexdigest()[:16]
-    returned = ir.VoidType() if value is None else real
-    kind = ir.FunctionType(returned, [real.as_pointer()] * len(names))
+    kind = ir.FunctionType(ir.VoidType() if value is None else real, [real.as_pointer()] * len(names))
     function = function_of(module, kind, f"graph.{digest}.{width}.{real}")
     if function.is_declaration:
         function.linkage = "linkonce_odr"
@@ -144,7 +141,6 @@ def formula(graph: Graph) -> Any:
     """
     count = sum(graph.inputs.values())
     given_type = types.UniTuple(types.float64, count)
-    result_type = types.UniTuple(types.float64, sum(graph.outputs.values()))
 
     def run(numbers):
         """The formula."""
@@ -158,7 +154,7 @@ def formula(graph: Graph) -> Any:
             """The signature for a tuple of numbers."""
             if not isinstance(numbers, types.BaseTuple) or len(numbers) != count:
                 raise TypingError(f"a formula takes {count} numbers of {', '.join(graph.inputs)}, not {numbers}")
-            return result_type(given_type)
+            return types.UniTuple(types.float64, sum(graph.outputs.values()))(given_type)
 
         return of
 
@@ -214,8 +210,6 @@ class _Writer:
                 return self.number(operation.value)
             case "input":
                 return self._load(operation)
-            case "store":
-                return self._store(operation, self.as_real(operands[0]))
             case "lt" | "le":
                 return build.fcmp_ordered("<" if name == "lt" else "<=", *operands)
             case "and" | "or":
@@ -226,31 +220,31 @@ class _Writer:
                 return build.select(self._truth(operands[0]), self.as_real(operands[1]), self.number(0.0))
             case "choose":
                 return build.select(self._truth(operands[0]), *(self.as_real(value) for value in operands[1:]))
-            case "fetch":
-                return build.load(self._fetched(operation, self.as_real(operands[0])), align=self.bytes)
-            case "finite":
-                size = self.value_of(Operation("abs", ()), operands)
-                return build.fcmp_ordered("<", size, self.number(float("inf")))
         a, *more = (self.as_real(value) for value in operands)
-        if name in _ARITHMETIC:
-            return getattr(build, _ARITHMETIC[name])(a, more[0], flags=self.flags)
-        if name == "neg":
-            return build.fneg(a, flags=self.flags)
-        if name in ("min", "max"):
-            return build.select(build.fcmp_ordered("<" if name == "min" else ">", a, more[0]), a, more[0])
-        if name == "sign":
-            return self._sign(a)
-        if name in _FUNCTIONS:
-            kind = f"f{8 * self.bytes}" if self.width == 1 else f"v{self.width}f{8 * self.bytes}"
-            kernel = ir.FunctionType(self.type, [self.type])
-            function = function_of(build.module, kernel, f"{_FUNCTIONS[name]}.{kind}")
-            return build.call(function, [a], fastmath=self.flags)
+        match name:
+            case "store":
+                return self._store(operation, a)
+            case "fetch":
+                return build.load(self._fetched(operation, a), align=self.bytes)
+            case "finite":
+                return build.fcmp_ordered("<", self.value_of(Operation("abs", ()), [a]), self.number(math.inf))
+            case "add" | "sub" | "mul" | "div":
+                return getattr(build, f"f{name}")(a, more[0], flags=self.flags)
+            case "neg":
+                return build.fneg(a, flags=self.flags)
+            case "min" | "max":
+                return build.select(build.fcmp_ordered("<" if name == "min" else ">", a, more[0]), a, more[0])
+            case "sign":
+                positive, negative = (build.fcmp_ordered(way, a, self.number(0.0)) for way in "><")
+                low = build.select(negative, self.number(-1.0), self.number(0.0))
+                return build.select(positive, self.number(1.0), low)
+            case "sqrt" | "abs" | "floor":
+                kind = f"f{8 * self.bytes}" if self.width == 1 else f"v{self.width}f{8 * self.bytes}"
+                unary = ir.FunctionType(self.type, [self.type])
+                return build.call(
+                    function_of(build.module, unary, f"{_FUNCTIONS[name]}.{kind}"), [a], fastmath=self.flags
+                )
         return self._of_library(name, a)
-
-    def _sign(self, a: Any) -> Any:
-        positive, negative = (self.builder.fcmp_ordered(way, a, self.number(0.0)) for way in "><")
-        low = self.builder.select(negative, self.number(-1.0), self.number(0.0))
-        return self.builder.select(positive, self.number(1.0), low)
 
     def _of_library(self, name: str, a: Any) -> Any:
         """A function of the C library, of one joint after the other."""
@@ -260,8 +254,9 @@ class _Writer:
             return self.builder.call(function, [a])
         for i in range(self.width):
             lane = ir.Constant(_LANE, i)
-            value = self.builder.call(function, [self.builder.extract_element(a, lane)])
-            a = self.builder.insert_element(a, value, lane)
+            a = self.builder.insert_element(
+                a, self.builder.call(function, [self.builder.extract_element(a, lane)]), lane
+            )
         return a
 
     def _load(self, operation: Operation) -> Any:
@@ -310,5 +305,4 @@ class _Writer:
         return self.builder.fcmp_unordered("!=", value, self.number(0.0))
 
     def _is_real(self, value: Any) -> bool:
-        element = value.type.element if self.width > 1 else value.type
-        return bool(element == self.real)
+        return bool(getattr(value.type, "element", value.type) == self.real)

@@ -138,34 +138,31 @@ def _lines(graph: Graph, language: Language, scalars: frozenset[str]) -> Iterato
     for i, operation in enumerate(operations):
         operands = [text[j] for j in operation.operands]
         array, entry = operation.place
-        if operation.name == "store":
-            text.append("")
-            if _kept(graph, operation):
-                continue
-            yield f"{language.element(array, entry)} = {_bare(operands[0])};"
-            continue
-        if operation.name == "constant":
-            text.append(language.number(operation.value))
-            continue
-        if operation.name == "input":
-            expression = array if array in scalars else language.element(array, entry)
-            keep = array in graph.outputs  # it may be overwritten before it is read
-        elif operation.name == "fetch":
-            expression = language.fetched.format(array, entry, operands[0])
-            keep = True
-        elif operation.name in _OPERATORS:
-            numbers = [
-                language.as_number.format(text) if operations[j].name in _CONDITIONS else text
-                for j, text in zip(operation.operands, operands, strict=True)
-            ]
-            expression = f"({numbers[0]} {_OPERATORS[operation.name]} {numbers[1]})"
-            keep = uses[i] > 1
-        else:
-            expression = language.functions[operation.name].format(*operands)
-            keep = uses[i] > 1
+        keep = uses[i] > 1
+        match operation.name:
+            case "store":
+                expression = ""
+                if not _kept(graph, operation):
+                    yield f"{language.element(array, entry)} = {_bare(operands[0])};"
+            case "constant":
+                expression = language.number(operation.value)
+                keep = False
+            case "input":
+                expression = array if array in scalars else language.element(array, entry)
+                keep = array in graph.outputs  # it may be overwritten before it is read
+            case "fetch":
+                expression = language.fetched.format(array, entry, operands[0])
+                keep = True
+            case name if name in _OPERATORS:
+                numbers = [
+                    language.as_number.format(text) if operations[j].name in _CONDITIONS else text
+                    for j, text in zip(operation.operands, operands, strict=True)
+                ]
+                expression = f"({numbers[0]} {_OPERATORS[name]} {numbers[1]})"
+            case name:
+                expression = language.functions[name].format(*operands)
         if uses[i] and (keep or len(expression) > _LONGEST):
-            kind = "int" if operation.name in _CONDITIONS else "real"
-            yield language.assign.format(kind, f"w{i}", _bare(expression))
+            yield language.assign.format("int" if operation.name in _CONDITIONS else "real", f"w{i}", _bare(expression))
             expression = f"w{i}"
         text.append(expression)
 

@@ -114,8 +114,8 @@ def charged(
     share = 0.0
     apart = np.array([0.5, -0.5])
     for common in np.arange(COMMON, 1.0, COMMON).tolist():
-        growth = float(np.linalg.eigvals(jacobian(*equilibrium, plant.constants)[0]).real.max())
-        if growth < (SLOW if share else 0.0):
+        a, _ = jacobian(*equilibrium, plant.constants)
+        if np.linalg.eigvals(a).real.max() < (SLOW if share else 0.0):
             break
         answer = held(plant, x, common * highest**2 * np.ones(2), apart)
         if answer is None:
@@ -153,11 +153,10 @@ def regulator(
     """
     a, b = jacobian(x, u, plant.constants)
     per_square = moments_per_square(plant, x, u)
-    along = 0.5 * (b[:, 0] / per_square[0] - b[:, 1] / per_square[1])
     n = STATES
     whole = np.zeros((n + 2, n + 2))
     whole[:n, :n] = a
-    whole[:n, n] = along
+    whole[:n, n] = 0.5 * (b[:, 0] / per_square[0] - b[:, 1] / per_square[1])
     whole[n, n:] = -1.0 / lag, 1.0 / lag
     step = expm(PERIOD * whole)
     weight = np.zeros(FEEDBACK)

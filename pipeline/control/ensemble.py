@@ -107,11 +107,10 @@ class Ensemble:
         # An interval without voltage first: a run begins at rest under its first voltages.
         commands = np.pad(commands, ((0, 0), (round(INTERVAL / PERIOD), 0), (0, 0)))
         half = 2 * self.steps * round(commands.shape[1] * PERIOD / INTERVAL) + 1
-        width = INTERVAL / (2 * self.steps)
         squares = []
         for gain, lags, charging, delay in zip(self.gains, self.lags, self.charging, self.delays, strict=True):
             membranes = _behind(_behind(np.repeat(commands, _FINE, axis=1), lags), [charging] * 2)
-            squares.append(gain**2 * _mean_squares(membranes, half, width, delay))
+            squares.append(gain**2 * _mean_squares(membranes, half, INTERVAL / (2 * self.steps), delay))
         return np.stack(squares, axis=1)
 
     def simulate(self, squares: FloatArray, start: float) -> FloatArray:
@@ -137,9 +136,8 @@ class Ensemble:
         The logarithms are quantiles of the normal distribution in a drawn order, so that few draws have its width too.
         """
         draws = len(self.gains) - 1
-        order = np.random.default_rng(SEED).permutation(draws)
-        logs = deviation * ndtri((np.arange(draws) + 0.5) / max(draws, 1))[order]
-        return replace(self, gains=np.exp(np.concatenate([[0.0], logs])))
+        quantiles = np.random.default_rng(SEED).permutation(ndtri((np.arange(draws) + 0.5) / max(draws, 1)))
+        return replace(self, gains=np.exp(np.concatenate([[0.0], deviation * quantiles])))
 
 
 def ensemble_of(model: HybridModel, draws: int, converters: Converters) -> Ensemble:

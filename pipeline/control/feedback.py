@@ -178,8 +178,9 @@ def _voltages(push: Any, common: Any, top: Any, n: dict[str, Any]) -> Values:
     """Voltages [V] of a difference of shares and a mean share of the largest squared voltage."""
     left = function("max", function("max", common + 0.5 * push, push), 0.0)
     left = function("min", function("min", left, 1.0), 1.0 + push)
-    both = (left, left - push)
-    return [function("min", n["highest"], top * function("sqrt", clip(share, 0.0, 1.0))) for share in both]
+    return [
+        function("min", n["highest"], top * function("sqrt", clip(share, 0.0, 1.0))) for share in (left, left - push)
+    ]
 
 
 def limited(volts: Values, now: dict[str, Values], n: dict[str, Any]) -> Values:
@@ -191,8 +192,7 @@ def limited(volts: Values, now: dict[str, Values], n: dict[str, Any]) -> Values:
     within = []
     for wanted, last, mean in zip(volts, now["commanded"], now["average"], strict=True):
         room = function("max", n["allowed"] - mean, 0.0)
-        above = function("sqrt", periods * n["slew"] * room) - n["slew"]
-        falling = n["allowed"] + function("max", above, 0.0)
+        falling = n["allowed"] + function("max", function("sqrt", periods * n["slew"] * room) - n["slew"], 0.0)
         most = function("min", falling, mean + periods * room)
         within.append(clip(function("min", wanted, most), last - n["slew"], last + n["slew"]))
     return [clip(value, 0.0, n["highest"]) for value in within]
@@ -230,8 +230,7 @@ def decide(now: State, n: Numbers, targets: Values, braking: Values) -> Outputs:
     still = choose(well, 0.0, hold - now["moment"][0] + level)
     motion = regulated(now, acting, still, place)
     limited_motion = clip(motion, -largest, largest)
-    moment = still + choose(well, limited_motion - mean, motion)
-    share = shares(moment, left, right, common)
+    share = shares(still + choose(well, limited_motion - mean, motion), left, right, common)
     slow = function("lt", function("abs", x[1]), n["slow"])  # it swings less than the band in which it is settled
     small = function("or", function("lt", function("abs", share), DEAD), function("lt", 1.5, now["near"][0]))
     free = _both(rests, slow, small)

@@ -110,24 +110,22 @@ def inertia(x: FloatArray, p: FloatArray) -> FloatArray:
 
 
 @compiled
-def forces(x: FloatArray, u1: float, u2: float, c: Constants) -> FloatArray:
-    """Generalised forces on (q, τ, β) at rest [N, N·m, J], shape (3,), friction left out; u = v² [V²].
+def forces(x: FloatArray, u: FloatArray, c: Constants) -> FloatArray:
+    """Generalised forces on (q, τ, β) at rest [N, N·m, J], shape (3,), friction left out.
 
     Parameters
     ----------
     x : FloatArray, shape (STATES,)
         State.
-    u1, u2 : float
+    u : FloatArray, shape (2,)
         Squared voltages of left and right [V²].
     c : Constants
         Of the joint.
     """
-    u = np.array([u1, u2])
     values = np.zeros(VALUES)
     out = np.empty(3)
-    by_shape = np.empty(6)
     corrections_at(x[0], c.basis, c.weights, values)
-    rest_forces(x, u, values, c.p, out, by_shape)
+    rest_forces(x, u, values, c.p, out, np.empty(6))
     return out
 
 
@@ -344,7 +342,7 @@ _TOLERANCE = 1e-3
 def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArray | None:
     """The equilibrium near a state under the squared voltages `u`, shape (2,) [V²]; None if Newton's method fails."""
     steps = np.array([1e-7, 1e-6, 1e-6])  # m, 1, 1
-    root = _root(lambda at: np.asarray(forces(still(*at), u[0], u[1], plant.constants)), near[SHAPE], steps)
+    root = _root(lambda at: np.asarray(forces(still(*at), u, plant.constants)), near[SHAPE], steps)
     return None if root is None or abs(root[0]) > plant.wall else still(*root)
 
 
@@ -372,8 +370,7 @@ def held(
 
     def left(at: FloatArray) -> FloatArray:
         """Forces that are left at a slope, an interior shape and a squared voltage [kV²]: zero at rest."""
-        u = base + 1e6 * at[2] * direction
-        return np.asarray(forces(still(q, at[0], at[1]), u[0], u[1], plant.constants))
+        return np.asarray(forces(still(q, at[0], at[1]), base + 1e6 * at[2] * direction, plant.constants))
 
     root = _root(left, np.array([near[2], near[4], 0.0]), np.array([1e-6, 1e-6, 1e-3]))
     return None if root is None else (still(q, root[0], root[1]), 1e6 * float(root[2]))

@@ -90,8 +90,7 @@ def pulses(voltages: FloatArray, durations: FloatArray, side: int) -> FloatArray
     t = np.arange(length) * PERIOD
     commands = np.zeros((len(voltages), length, 2))
     # The last millisecond of a pulse carries what is left of its duration, as a share of the square.
-    share = np.clip((durations[:, None] - t) / PERIOD, 0.0, 1.0)
-    commands[:, :, side] = voltages[:, None] * np.sqrt(share)
+    commands[:, :, side] = voltages[:, None] * np.sqrt(np.clip((durations[:, None] - t) / PERIOD, 0.0, 1.0))
     return commands
 
 
@@ -239,8 +238,8 @@ def _first(
     at = int(np.argmax(over))
     middle = float(np.sqrt(volts[at - 1] * volts[at]))
     beyond = volts[at:][~over[at:]]
-    first = float(np.exp(_logarithms(joint, wells, to, duration, middle)[0]))
-    return first, float(beyond[0]) if beyond.size else None
+    first = np.exp(_logarithms(joint, wells, to, duration, middle)[0])
+    return float(first), float(beyond[0]) if beyond.size else None
 
 
 def _logarithms(

@@ -1,6 +1,6 @@
 """Equations of the beam: density of its energy and of its axial shortening along x/l, and integrals over it.
 
-`slope` is w' and `bend` l w'' at one place or as a `Polynomial` of x/l.
+`slope` is w' and `bend` l w'' at one place, or with x/l as a variable of `Powers`.
 """
 
 import math
@@ -15,33 +15,6 @@ Expression = Any
 
 _SHAPES = ((0, 0, 3, -2), (0, 0, -1, 1), (0, 0, 1, -2, 1))
 """Coefficients of h1 = 3ξ² − 2ξ³, h2 = ξ³ − ξ² and h3 = ξ²(1 − ξ)², ascending."""
-
-
-class Polynomial:
-    """A polynomial in s = x/l on [0, 1] by its coefficients (ascending): integrals over the beam are exact."""
-
-    def __init__(self, coefficients: list[Expression]) -> None:
-        self.coefficients = coefficients
-
-    def derivative(self) -> "Polynomial":
-        """The derivative with respect to s."""
-        return Polynomial([c * float(k) for k, c in enumerate(self.coefficients)][1:])
-
-    def __add__(self, constant: Expression) -> "Polynomial":
-        return Polynomial([self.coefficients[0] + constant, *self.coefficients[1:]])
-
-    def __mul__(self, other: Any) -> "Polynomial":
-        if not isinstance(other, Polynomial):
-            return Polynomial([c * other for c in self.coefficients])
-        product: list[Any] = [0.0] * (len(self.coefficients) + len(other.coefficients) - 1)
-        for i, left in enumerate(self.coefficients):
-            for j, right in enumerate(other.coefficients):
-                product[i + j] = product[i + j] + left * right
-        return Polynomial(product)
-
-    def integral(self) -> Expression:
-        """The integral over [0, 1]."""
-        return sum(coefficient * (1.0 / (k + 1)) for k, coefficient in enumerate(self.coefficients))
 
 
 def bending_density(slope: Any, bend: Any, steepening: Any = 1.0) -> Any:
@@ -120,6 +93,13 @@ class Powers:
         falling = [(powers, value) for powers, value in self.terms.items() if powers[variable] > 0]
         return Powers({(*p[:variable], p[variable] - 1, *p[variable + 1 :]): p[variable] * v for p, v in falling})
 
+    def integral(self) -> "Powers":
+        """The integral over the last variable from 0 to 1, which the result no longer has."""
+        total: dict[tuple[int, ...], float] = {}
+        for (*others, power), value in sorted(self.terms.items(), key=lambda term: term[0][-1]):
+            total[tuple(others)] = total.get(tuple(others), 0.0) + value * (1.0 / (power + 1))
+        return Powers(total)
+
     def at(self, moving: list[Expression], constant: list[Expression]) -> Expression:
         """The value for expressions: the last variables are `constant` and gathered into one factor of each power."""
         factors: dict[tuple[int, ...], Expression] = {}
@@ -139,5 +119,4 @@ def _terms(value: "Powers | float", like: Powers) -> dict[tuple[int, ...], float
 
 
 def _product(powers: tuple[int, ...], values: list[Expression]) -> Expression:
-    factors = (value for value, power in zip(values, powers, strict=True) for _ in range(power))
-    return math.prod(factors, start=ca.SX(1))
+    return math.prod((value for value, power in zip(values, powers, strict=True) for _ in range(power)), start=ca.SX(1))

@@ -23,7 +23,6 @@ beam's own loss, in whatever direction. Softening takes energy; with the other s
 States and constants: `pipeline.equations.condensed_parts`.
 """
 
-from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
@@ -60,16 +59,6 @@ _FAR_STRETCH = 0.3
 """Difference from it beyond which the hardening is constant; joints reach 0.2."""
 
 
-@dataclass(frozen=True)
-class Forces:
-    """Forces on q [N], τ [N·m] and β [J] apart from inertia, and λ̇3 [1/s] of both membranes."""
-
-    force: Expression
-    moment: Expression
-    interior: Expression
-    thinning: list[Expression]
-
-
 _Side = tuple[Expression, tuple[Expression, Expression, Expression], Expression]
 
 
@@ -85,8 +74,8 @@ def _membrane(s: CondensedSymbols, side: int, phi: FrameAngle, u_y: Any, speeds:
     a = k("a")
     c = k("c")
     l0 = k("l0")
-    tip = elements.Tip(s.x[0], phi.sin, phi.cos, u_y)
-    length, x, y = elements.length(sign, elements.Mounts(a, c, k("e_z"), k("e_x")), s.constant("l"), tip)
+    tip = (s.x[0], phi.sin, phi.cos, u_y)
+    length, x, y = elements.length(sign, (a, c, k("e_z"), k("e_x")), s.constant("l"), tip)
     stretch = length / l0
     thickness = elements.thickness_stretch(stretch)
     inverse = thickness * thickness  # 1/λ
@@ -116,10 +105,10 @@ def _least_loss(s: CondensedSymbols) -> Expression:
     """
     k = s.constant
     end = k("slope_by_tau")
-    bent = k("slope_by_beta")
     across = -(k("slope_by_q") + end * k("slope_ratio"))
     apart = STIFFNESS_QQ * STIFFNESS_TT - STIFFNESS_QT**2
-    given = (STIFFNESS_TT * across**2 - 2.0 * STIFFNESS_QT * across + STIFFNESS_QQ) / apart + bent**2 / STIFFNESS_BB
+    given = (STIFFNESS_TT * across**2 - 2.0 * STIFFNESS_QT * across + STIFFNESS_QQ) / apart
+    given += k("slope_by_beta") ** 2 / STIFFNESS_BB
     return -0.5 * k("bending_loss") * end**2 / given
 
 
@@ -128,10 +117,9 @@ def _corrections(s: CondensedSymbols) -> tuple[Expression, Expression]:
     k = s.constant
     c = s.correction
     u = s.u
-    q = s.x[0]
     p = s.x[1]
     ratio = k("slope_ratio") / k("l")
-    deviation = s.x[2] - ratio * q
+    deviation = s.x[2] - ratio * s.x[0]
     deviation_dot = s.x[3] - ratio * p
     moment = c("moment") - c("stiffness") * deviation + c("left_moment") * u[0] + c("right_moment") * u[1]
     moment -= ca.fmax(c("loss"), _least_loss(s)) * deviation_dot
@@ -140,8 +128,11 @@ def _corrections(s: CondensedSymbols) -> tuple[Expression, Expression]:
     return force - ca.fmax(k("viscosity") + c("damping"), 0.0) * p, moment
 
 
-def forces(s: CondensedSymbols, friction: Expression) -> Forces:
-    """All forces but inertia; `friction` are those of the stop operators, (3,)."""
+def forces(s: CondensedSymbols, friction: Expression) -> tuple[Expression, list[Expression]]:
+    """All forces on q [N], τ [N·m] and β [J] but inertia, (3,), and λ̇3 [1/s] of both membranes.
+
+    `friction` are the forces of the stop operators, (3,).
+    """
     k = s.constant
     x = s.x
     q = x[0]
@@ -170,7 +161,7 @@ def forces(s: CondensedSymbols, friction: Expression) -> Forces:
     force -= sum(k(f"creep_stiffness_{i}") * (q - x[FIRST_ELEMENT + i]) for i in range(CREEPS))
     interior_loss = loss * STIFFNESS_BB * x[5] + k("slope_by_beta") * end_loss
     interior = -(g_b + axial * along_u[2] + interior_loss) - friction[2]
-    return Forces(force, moment, interior, [thinning for _, _, thinning in sides])
+    return ca.vertcat(force, moment, interior), [thinning for _, _, thinning in sides]
 
 
 def _axial(s: CondensedSymbols, sides: list[_Side]) -> Expression:
@@ -188,13 +179,12 @@ def rates(s: CondensedSymbols, friction: Expression) -> Expression:
     """Rates of the state, shape (STATES,)."""
     k = s.constant
     x = s.x
-    acting = forces(s, friction)
-    inertia = frame_inertia(s)
-    total = ca.vertcat(acting.force, acting.moment, acting.interior) + inertia.centrifugal
-    accelerations = ca.mtimes(ca.inv_minor(inertia.mass), total)
+    acting, thinning = forces(s, friction)
+    mass, centrifugal = frame_inertia(s)
+    accelerations = ca.mtimes(ca.inv_minor(mass), acting + centrifugal)
     derivatives = [each for i in range(3) for each in (s.speeds[i], accelerations[i])]
     derivatives += [
-        elements.maxwell_rate(acting.thinning[side], k(f"relaxation_{i}"), x[FIRST_STRAIN + 2 * i + side])
+        elements.maxwell_rate(thinning[side], k(f"relaxation_{i}"), x[FIRST_STRAIN + 2 * i + side])
         for i in range(BRANCHES)
         for side in range(2)
     ]
@@ -215,10 +205,10 @@ def _tip(
 
 def stop_forces(s: CondensedSymbols, states: list[Expression]) -> Expression:
     """Forces of stop operators in these states on q [N], τ [N·m] and β [J], (3,)."""
-    total = ca.SX.zeros(3)
-    for i, along in enumerate(_directions(s)):
-        total += (s.constant(f"stop_force_{STOP_ELEMENTS[i]}") * STOP_SHARES[i] * states[i]) * along
-    return total
+    return sum(
+        (s.constant(f"stop_force_{STOP_ELEMENTS[i]}") * STOP_SHARES[i] * states[i]) * along
+        for i, along in enumerate(_directions(s))
+    )
 
 
 def _directions(s: CondensedSymbols) -> list[Expression]:
@@ -230,22 +220,22 @@ def _directions(s: CondensedSymbols) -> list[Expression]:
 
 def moved_stops(s: CondensedSymbols) -> list[Expression]:
     """Stop operators at x, by the play since the start of the step: they need no differential equation."""
-    moved = s.shape - s.start
-    travels = _travels(s)
-    plays = [ca.dot(along, moved) for along in _directions(s)]
-    return [elements.stop_operator(s.z[i], plays[i], travels[i]) for i in range(STOPS)]
+    return [
+        elements.stop_operator(s.z[i], ca.dot(along, s.shape - s.start), _travel(s, i))
+        for i, along in enumerate(_directions(s))
+    ]
 
 
-def _travels(s: CondensedSymbols) -> list[Expression]:
-    """Travel [m] of each stop operator."""
-    return [s.constant(f"stop_travel_{element}") for element in STOP_ELEMENTS]
+def _travel(s: CondensedSymbols, stop: int) -> Expression:
+    """Travel [m] of a stop operator."""
+    return s.constant(f"stop_travel_{STOP_ELEMENTS[stop]}")
 
 
 def stop_rates(s: CondensedSymbols) -> list[Expression]:
     """Rates [1/s] of the stop operators where they are states."""
-    speeds = [ca.dot(along, s.speeds) for along in _directions(s)]
-    travels = _travels(s)
-    return [elements.stop_rate(s.z[i], speeds[i], travels[i]) for i in range(STOPS)]
+    return [
+        elements.stop_rate(s.z[i], ca.dot(along, s.speeds), _travel(s, i)) for i, along in enumerate(_directions(s))
+    ]
 
 
 def linearised(s: CondensedSymbols) -> dict[str, Expression]:
@@ -268,9 +258,7 @@ def rest_forces(s: CondensedSymbols) -> Expression:
 
     The membranes are as soft as the state says.
     """
-    acting = forces(s, ca.SX.zeros(3))
-    still = {i: ca.SX(0) for i in range(STATES)} | {i: s.x[i] for i in SHAPE}
-    still |= {FIRST_ELEMENT + i: at_rest * s.x[0] for i, at_rest in enumerate(AT_REST)}
-    still[SOFTENING] = s.x[SOFTENING]
-    at_rest = ca.vertcat(*(still[i] for i in range(STATES)))
-    return ca.substitute(ca.vertcat(acting.force, acting.moment, acting.interior), s.x, at_rest)
+    acting, _ = forces(s, ca.SX.zeros(3))
+    still = {i: s.x[i] for i in (*SHAPE, SOFTENING)}
+    crept = {FIRST_ELEMENT + i: at_rest * s.x[0] for i, at_rest in enumerate(AT_REST)}
+    return ca.substitute(acting, s.x, ca.vertcat(*((crept | still).get(i, ca.SX(0)) for i in range(STATES))))

@@ -162,8 +162,9 @@ def beam_gradient(s: CondensedSymbols) -> list[Expression]:
     energy = _slender_energy()
     by_q, by_slope, by_b = (energy.derivative(i).at(moving, constant) for i in range(3))
     slender = (by_q + k("slope_by_q") * by_slope, k("slope_by_tau") * by_slope, by_b + k("slope_by_beta") * by_slope)
-    added = _hardening_gradient(s, _near(s))
-    return [k("bending") * (force + more) for force, more in zip(slender, added, strict=True)]
+    return [
+        k("bending") * (force + more) for force, more in zip(slender, _hardening_gradient(s, _near(s)), strict=True)
+    ]
 
 
 def shortening(s: CondensedSymbols) -> tuple[Expression, Expression]:
@@ -177,8 +178,7 @@ def shortening(s: CondensedSymbols) -> tuple[Expression, Expression]:
     bows = _quartic_gradient(s, near, "shortening")
     bowed = 0.25 * sum(value * by for value, by in zip(near.values.values(), bows, strict=True))  # Euler's theorem
     slopes = [by * slope for by, slope in zip(bows, near.slopes, strict=True)]
-    more = ca.vertcat(slopes[0], l * slopes[1], l * slopes[2])
-    return 0.5 * ca.dot(s.shape, up) - l * bowed, up - more
+    return 0.5 * ca.dot(s.shape, up) - l * bowed, up - ca.vertcat(slopes[0], l * slopes[1], l * slopes[2])
 
 
 def raised(s: CondensedSymbols) -> Expression:
@@ -234,14 +234,13 @@ def _near(s: CondensedSymbols) -> _Near:
 
 def _hardening_gradient(s: CondensedSymbols, near: _Near) -> list[Expression]:
     """∂/∂(Q, τ, β) of Σ quartic Q^i τ^j β^k + β³ Σ sextic Q^i τ^j β^k, i + j + k = 4 and 3."""
-    square = near.pairs["b", "b"]
     cube = near.triples["b", "b", "b"]
     sextic = sum(s.constant(f"sextic_{''.join(three)}bbb") * at for three, at in near.triples.items())
     gradient = []
     for letter, slope, quartic in zip(_ORDER, near.slopes, _quartic_gradient(s, near, "quartic"), strict=True):
         by = sum(_coefficient(s, letter, two, "bbb", "sextic") * at for two, at in near.pairs.items()) * cube + quartic
         if letter == "b":
-            by += 3.0 * square * sextic
+            by += 3.0 * near.pairs["b", "b"] * sextic
         gradient.append(by * slope)
     return gradient
 
@@ -286,17 +285,10 @@ def frame_angle(s: CondensedSymbols) -> FrameAngle:
     return FrameAngle(tau * of_root, rest * of_root, of_root * over, bend)
 
 
-@dataclass(frozen=True)
-class Inertia:
-    """Mass matrix (3, 3) of (q, τ, β) [kg, kg·m, kg·m²], and centrifugal forces of the velocities, (3,) [N, N·m, J]."""
+def frame_inertia(s: CondensedSymbols) -> tuple[Expression, Expression]:
+    """Mass matrix (3, 3) of (q, τ, β) [kg, kg·m, kg·m²], and centrifugal forces of the velocities, (3,) [N, N·m, J].
 
-    mass: Expression
-    centrifugal: Expression
-
-
-def frame_inertia(s: CondensedSymbols) -> Inertia:
-    """Inertia of T = ½ mass (ẋ² + ẏ²) + ½ gyration φ̇² + cross q̇ τ̇ + ½ inertia τ̇² + ½ interior_inertia β̇².
-
+    They follow from T = ½ mass (ẋ² + ẏ²) + ½ gyration φ̇² + cross q̇ τ̇ + ½ inertia τ̇² + ½ interior_inertia β̇².
     x = q + offset sin φ and y = −½ (q, τ, β) R (q, τ, β)ᵀ + offset (cos φ − 1) are where the frame's centre of mass is:
     the beam shortens where it bends, and the frame tilts. `cross` and `inertia` are the beam's, `gyration` the frame's.
     """
@@ -317,4 +309,4 @@ def frame_inertia(s: CondensedSymbols) -> Inertia:
     mass += k("mass") * (ca.mtimes(across, across.T) + ca.mtimes(up, up.T))
     push = k("mass") * (across * across_more + up * up_more)
     push[1] += tilting * phi.bend * turning
-    return Inertia(mass, -push)
+    return mass, -push

@@ -21,7 +21,7 @@ from typing import Any
 
 import casadi as ca
 
-from .elements import Expression, dahl_move, dahl_rate, gaussian, lag_rate, maxwell_rate
+from .elements import Expression, Term, dahl_move, dahl_rate, gaussian, lag_rate, maxwell_rate, term
 
 WALL = 0.1
 """Half ranges past the data at which the wall of a turning arm is as strong as the cubic at their ends."""
@@ -139,58 +139,40 @@ def clipped(x: Any, low: Any, high: Any) -> Expression:
     return ca.fmin(high, ca.fmax(low, x))
 
 
-def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
-    """Inputs and outputs of each term, with exact derivatives along what the sensitivities of a run need."""
-    x, arm, centre, bend, low, high = (ca.SX.sym(name) for name in ("x", "arm", "centre", "bend", "low", "high"))
-    angle = ca.SX.sym("angle", 2)
-    curves = ca.SX.sym("curves", 2)
-    p, push, arc, coupling, rate, load = map(ca.SX.sym, ("p", "push", "arc", "coupling", "rate", "load"))
-    state, travel, length, drive = (ca.SX.sym(name) for name in ("state", "travel", "length", "drive"))
-    drag, stops, force, at_ends = (ca.SX.sym(*of) for of in (("drag",), ("stops", 4), ("force",), ("at_ends", 2)))
-    slope = ca.jacobian(bell(x, centre, bend), x)
-    moved = acceleration(p, curves, push, arm, arc, drag)
-    # A Maxwell branch whose strain is a function S(x), with the coupling h = S', relaxes at one rate, and its load e is
-    # its state w. A shape element is an overdamped second coordinate, the slope that the beam's tip has beside its
-    # displacement: it relaxes at a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x).
-    # All follow from the energy ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint,
-    # and the same coupling stands in both equations. So no element can create energy.
-    relaxing = maxwell_rate(coupling * p, rate, load)
+def element(coupling: Any, p: Any, rate: Any, load: Any) -> Expression:
+    """Rate of an element that relaxes.
+
+    A Maxwell branch whose strain is a function S(x), with the coupling h = S', relaxes at one rate, and its load e is
+    its state w. A shape element is an overdamped second coordinate, the slope that the beam's tip has beside its
+    displacement: it relaxes at a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x).
+    All follow from the energy ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint,
+    and the same coupling stands in both equations. So no element can create energy.
+
+    Parameters
+    ----------
+    coupling, p, rate, load : expression
+        h, velocity ẋ, relaxation, and load e.
+    """
+    return maxwell_rate(coupling * p, rate, load)
+
+
+def kernels() -> dict[str, Term]:
+    """The terms, with exact derivatives along what the sensitivities of a run need."""
+    of_bell, bells = term(bell, "value", "inside")
     return {
-        "POWERS": ({"x": x}, _with_slopes(powers(x), x)),
-        "TURNING_ARM": ({"x": x, "arm": angle}, _with_slopes(turning_arm(x, angle), x)),
-        "CLIPPED": ({"x": x, "low": low, "high": high}, _with_slopes(clipped(x, low, high), x)),
-        "CONFINED_FORCE": (
-            {"x": x, "force": force, "at_ends": at_ends, "low": low, "high": high},
-            _with_slopes(confined_force(x, force, at_ends, low, high), ca.vertcat(x, force, at_ends)),
-        ),
-        "BENT": ({"drive": drive, "bend": bend}, _with_slopes(bent(drive, bend), ca.vertcat(drive, bend))),
-        "PAST_ZONE": ({"drive": drive, "zone": bend}, _with_slopes(past_zone(drive, bend), ca.vertcat(drive, bend))),
-        "BELL": (
-            {"inside": x, "centre": centre, "bend": bend},
-            _with_slopes(bell(x, centre, bend), x) | {"curvature": ca.jacobian(slope, x)},
-        ),
-        "ACCELERATION": (
-            {"p": p, "curves": curves, "push": push, "arm": arm, "arc": arc, "drag": drag},
-            _with_slopes(moved, ca.vertcat(p, curves, push, arm, arc, drag)),
-        ),
-        "ELEMENT": (
-            {"coupling": coupling, "p": p, "rate": rate, "load": load},
-            _with_slopes(relaxing, ca.vertcat(coupling, p, rate, load)),
-        ),
-        "DAHL_MOVE": (
-            {"state": state, "travel": travel, "length": length},
-            _with_slopes(dahl_move(state, travel, length), ca.vertcat(state, travel, length)),
-        ),
-        "STOP_FORCE": (
-            {"x": x, "p": p, "stops": stops},
-            _with_slopes(stop_force(x, p, stops), ca.vertcat(x, p, stops)),
-        ),
-        "DAHL_RATE": ({"p": p, "state": state, "length": length}, {"rate": dahl_rate(p, state, length)}),
+        "POWERS": term(powers, "value", "x"),
+        "TURNING_ARM": term(turning_arm, "value", "x", arm=2),
+        "CLIPPED": term(clipped, "value", "x"),
+        "CONFINED_FORCE": term(confined_force, "value", "x", "force", "at_ends", at_ends=2),
+        "BENT": term(bent, "value", "drive", "bend"),
+        "PAST_ZONE": term(past_zone, "value", "drive", "zone"),
+        "BELL": (of_bell, bells | {"curvature": ca.jacobian(bells["slopes"], of_bell["inside"])}),
+        "ACCELERATION": term(acceleration, "value", "p", "curves", "push", "arm", "arc", "drag", curves=2),
+        "ELEMENT": term(element, "value", "coupling", "p", "rate", "load"),
+        "DAHL_MOVE": term(dahl_move, "value", "state", "travel", "length"),
+        "STOP_FORCE": term(stop_force, "value", "x", "p", "stops", stops=4),
+        "DAHL_RATE": term(dahl_rate, "rate"),
     }
-
-
-def _with_slopes(value: Expression, along: Expression) -> dict[str, Expression]:
-    return {"value": value, "slopes": ca.jacobian(value, along)}
 
 
 def lagged_rates(q: Any, q_dot: Any, z: Any, curves: Any, push: Any, lag: Any) -> Expression:
@@ -220,18 +202,10 @@ def polynomial_variables(q: Any, q_dot: Any, scales: Any) -> Expression:
     return ca.vertcat(q / scales[0], q_dot / scales[1], ca.tanh(q_dot / scales[2]))
 
 
-def lagged_kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
-    """Inputs and outputs of each term."""
-    q, q_dot, z, push, lag = (ca.SX.sym(name) for name in ("q", "q_dot", "z", "push", "lag"))
-    curves = ca.SX.sym("curves", 2)
-    scales = ca.SX.sym("scales", 3)
-    rates = lagged_rates(q, q_dot, z, curves, push, lag)
-    state = {"q": q, "q_dot": q_dot, "z": z}
+def lagged_kernels() -> dict[str, Term]:
+    """The terms of the lagged models."""
     return {
-        "LAGGED_RATES": (state | {"curves": curves, "push": push, "lag": lag}, {"rates": rates}),
-        "POLYNOMIAL_VARIABLES": (
-            {"q": q, "q_dot": q_dot, "scales": scales},
-            {"variables": polynomial_variables(q, q_dot, scales)},
-        ),
-        "LAG": ({"value": q_dot, "lagged": z, "lag": lag}, {"rate": lag_rate(q_dot, z, lag)}),
+        "LAGGED_RATES": term(lagged_rates, "rates", curves=2),
+        "POLYNOMIAL_VARIABLES": term(polynomial_variables, "variables", scales=3),
+        "LAG": term(lag_rate, "rate"),
     }

@@ -4,11 +4,36 @@ A new element is one function here and one line where a joint lists its elements
 one dielectric elastomer and of the frame that stretches it.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from inspect import signature
+from typing import Any
 
 import casadi as ca
 
 Expression = Any
+Term = tuple[dict[str, Expression], dict[str, Expression]]
+"""Inputs and outputs by name."""
+
+
+def term(function: Callable[..., Expression], output: str = "value", *along: str, **sizes: int) -> Term:
+    """A function as a term: its parameters as inputs, its value, and the exact slopes along some of them.
+
+    Parameters
+    ----------
+    function : callable
+        Of expressions.
+    output : str
+        Name of its value.
+    along : str
+        Parameters of the slopes; without any there are none.
+    sizes : int
+        Lengths of parameters that are no numbers.
+    """
+    inputs = {name: ca.SX.sym(name, sizes.get(name, 1)) for name in signature(function).parameters}
+    outputs = {output: function(**inputs)}
+    if along:
+        outputs["slopes"] = ca.jacobian(outputs[output], ca.vertcat(*(inputs[name] for name in along)))
+    return inputs, outputs
 
 
 def maxwell_rate(strain_rate: Any, relaxation: Any, strain: Any) -> Expression:
@@ -35,9 +60,9 @@ def stop_rate(z: Any, speed: Any, travel: Any) -> Expression:
     return ca.if_else(held, 0.0, speed / travel)
 
 
-def dahl_rate(speed: Any, state: Any, travel: Any) -> Expression:
+def dahl_rate(p: Any, state: Any, length: Any) -> Expression:
     """ζ̇ = (q̇ − |q̇| ζ)/s_c: P. R. Dahl, "A solid friction model", 1968 (doi:10.21236/ada041920)."""
-    return (speed - ca.fabs(speed) * state) / travel
+    return (p - ca.fabs(p) * state) / length
 
 
 def dahl_move(state: Any, travel: Any, length: Any) -> Expression:
@@ -60,12 +85,12 @@ def softening_rate(rate: Any, softened: Any) -> Expression:
     return rate * (1.0 - softened)
 
 
-def lag_rate(value: Any, lagged: Any, time: Any) -> Expression:
+def lag_rate(value: Any, lagged: Any, lag: Any) -> Expression:
     """ż = (q̇ − z)/T (eq. 37)."""
-    return (value - lagged) / time
+    return (value - lagged) / lag
 
 
-def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
+def kernels() -> dict[str, Term]:
     """Terms that runs call by themselves, with their slopes along the inputs; an element at its stop counts as held."""
     z, play, travel = (ca.SX.sym(name) for name in ("z", "play", "travel"))
     free = _unbounded(z, play, travel)
@@ -74,37 +99,22 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     return {"STOP_OPERATOR": ({"z": z, "play": play, "travel": travel}, outputs)}
 
 
-class Mounts(NamedTuple):
-    """Places of one membrane's mounts [m] (figure 2); c = b − a0."""
-
-    a: Any
-    c: Any
-    e_z: Any
-    e_x: Any
+Four = tuple[Expression, Expression, Expression, Expression]
 
 
-class Tip(NamedTuple):
-    """Displacement [m] of the beam's tip, sine and cosine of its rotation, and its axial displacement [m]."""
-
-    q: Any
-    sin: Any
-    cos: Any
-    u_y: Any
-
-
-def length(sign: float, mounts: Mounts, l: Any, tip: Tip) -> tuple[Expression, Expression, Expression]:
+def length(sign: float, mounts: Four, l: Any, tip: Four) -> tuple[Expression, Expression, Expression]:
     """Length [m] between the two mounts (eqs. 4, 5) and its components x, y.
 
     Parameters
     ----------
     sign : float
         −1 for the left membrane, +1 for the right one.
-    mounts : Mounts
-        Points at which it is fixed.
+    mounts : (a, c, e_z, e_x)
+        Places of the membrane's mounts [m] (figure 2); c = b − a0.
     l : expression
         Length of the beam [m].
-    tip : Tip
-        Place of the beam's tip.
+    tip : (q, sin φ, cos φ, u_y)
+        Displacement [m] of the beam's tip, its rotation, and its axial displacement [m].
 
     Notes
     -----
@@ -113,8 +123,9 @@ def length(sign: float, mounts: Mounts, l: Any, tip: Tip) -> tuple[Expression, E
     as printed λ = 2.09 and it shrinks.
     """
     a, c, e_z, e_x = mounts
-    x = -sign * (a * tip.cos - e_z) + c * tip.sin - tip.q
-    y = e_x - l - tip.u_y + c * tip.cos + sign * a * tip.sin
+    q, sin, cos, u_y = tip
+    x = -sign * (a * cos - e_z) + c * sin - q
+    y = e_x - l - u_y + c * cos + sign * a * sin
     return ca.sqrt(x * x + y * y), x, y
 
 
@@ -160,7 +171,7 @@ def gaussian(square: Any) -> Any:
     return ca.exp(-0.5 * square)
 
 
-def bell_kernels() -> dict[str, tuple[dict[str, ca.SX], dict[str, ca.SX]]]:
+def bell_kernels() -> dict[str, Term]:
     """The Gaussian, and bells of a basis (first centre, distance Δξ, width σ): the first at q, and from one the next.
 
     A bell is r, φ, the ratio of the next one to it, and by what that ratio shrinks. `slope` is φ' along q, and
@@ -173,19 +184,18 @@ def bell_kernels() -> dict[str, tuple[dict[str, ca.SX], dict[str, ca.SX]]]:
     r, value, ratio, shrink = ca.vertsplit(bell)
     first = (q - basis[0]) / basis[2]
     step = basis[1] / basis[2]
-    width = basis[2]
     at_first = gaussian(first * first)
     first_bell = ca.vertcat(first, at_first, gaussian(step * (step - 2.0 * first)), gaussian(2.0 * step * step))
     exponent = ca.substitute(ca.gradient(gaussian(square), square), square, 0.0)
     by_q = ca.gradient(at_first, q)
     return {
-        "GAUSSIAN": ({"square": square}, {"found": gaussian(square)}),
+        "GAUSSIAN": term(gaussian, "found"),
         "BELL_SHAPE": ({"q": q, "basis": basis}, {"shape": ca.vertcat(at_first, by_q, ca.gradient(by_q, q))}),
         "FIRST_BELL": ({"q": q, "basis": basis}, {"bell": first_bell}),
         "NEXT_BELL": (
             {"bell": bell, "basis": basis},
             {
-                "slope": 2.0 * exponent * r / width * value,
+                "slope": 2.0 * exponent * r / basis[2] * value,
                 "next": ca.vertcat(r - step, value * ratio, ratio * shrink, shrink),
             },
         ),

@@ -9,14 +9,14 @@ Maxwell strains [1] and friction state [1]; ``v_squared`` = [v1², v2²] [V²]; 
 `pipeline.device.parameters.VECTOR_NAMES`.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
 
 from ..device.parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
 from . import elements
-from .beam import Expression, Polynomial, Powers, bending_density
+from .beam import Expression, Powers, bending_density
 
 
 @dataclass(frozen=True)
@@ -46,11 +46,10 @@ def _beam() -> tuple[Powers, Powers, Powers, Powers]:
     """Integrals over the beam by (c2, c3, c4, l κ0), where w/l = c2 s² + c3 s³ + c4 s⁴ (eq. 13), s = x/l: ∫w'²;
     ∫w²/l²; ∫(l w'')² without κ0; ∫(l w'' − l κ0)²(1 + w'²).
     """
-    c2, c3, c4, curvature = Powers.variables(4)
-    zero = c2 * 0.0
-    w = Polynomial([zero, zero, c2, c3, c4])
-    slope = w.derivative()
-    bend = slope.derivative()
+    c2, c3, c4, curvature, s = Powers.variables(5)
+    w = (c2 + (c3 + c4 * s) * s) * s * s
+    slope = w.derivative(4)
+    bend = slope.derivative(4)
     bent = bending_density(slope, bend + curvature * -1.0)
     # Half of ∫w'² is the axial shortening. Eq. 2 prints ∂w²/∂x.
     return (slope * slope).integral(), (w * w).integral(), (bend * bend).integral(), bent.integral()
@@ -77,14 +76,11 @@ def stretches(s: FullSymbols) -> tuple[Expression, Expression]:
     """λ_{1,1} and λ_{1,2} of the left and right membrane (eqs. 4 to 6)."""
     q, slope, u_y = tip(s)
     cos = 1.0 / ca.sqrt(1.0 + slope * slope)
-    sin = slope * cos
-    l = s.parameter("l")
+    place = (q, slope * cos, cos, u_y)
     result = []
     for side, sign in (("left", -1.0), ("right", 1.0)):
         a, b, a0, e_x, e_z, l0 = (s.parameter(f"{side}.{n}") for n in ("a", "b", "a0", "e_x", "e_z", "l0"))
-        result.append(
-            elements.length(sign, elements.Mounts(a, b - a0, e_z, e_x), l, elements.Tip(q, sin, cos, u_y))[0] / l0
-        )
+        result.append(elements.length(sign, (a, b - a0, e_z, e_x), s.parameter("l"), place)[0] / l0)
     return result[0], result[1]
 
 
@@ -98,20 +94,18 @@ def kinetic_energy(s: FullSymbols) -> Expression:
     q, _, u_y = tip(s)
     c_dot = _coefficients(s, s.qm_dot)
     l = s.parameter("l")
-    rho = s.parameter("rho")
     q_dot = ca.jtimes(q, s.qm, s.qm_dot)
     u_y_dot = ca.jtimes(u_y, s.qm, s.qm_dot)
     rotation = s.parameter("I") * l * _SHORTENING.at(c_dot, [0.0])
     translation = s.parameter("A") * l**3 * _TRANSLATION.at(c_dot, [0.0])
-    return 0.5 * s.parameter("m") * (q_dot**2 + u_y_dot**2) + 0.5 * rho * (rotation + translation)
+    return 0.5 * s.parameter("m") * (q_dot**2 + u_y_dot**2) + 0.5 * s.parameter("rho") * (rotation + translation)
 
 
 def beam_energy(s: FullSymbols) -> Expression:
     """U_s of eq. 9 [J], of a beam whose unloaded curvature may be κ0."""
     l = s.parameter("l")
     bent = _BENT.at(_coefficients(s, s.qm), [l * s.parameter("kappa0")])
-    stiffness = 0.5 * s.parameter("E") / l
-    return stiffness * (s.parameter("I") * bent + s.parameter("A") * s.qm[3] ** 2)
+    return 0.5 * s.parameter("E") / l * (s.parameter("I") * bent + s.parameter("A") * s.qm[3] ** 2)
 
 
 def membrane_volume(s: FullSymbols, side: str) -> Expression:
@@ -278,53 +272,42 @@ def _symmetric(matrix: Expression) -> Expression:
     return ca.triu2symm(ca.triu(matrix))
 
 
-@dataclass(frozen=True)
-class ReducedSymbols:
-    """q̇ [m/s]; Maxwell strains e (2,); values and slopes along q of the curves m_q, d, f, λ_{3,1}, λ_{3,2}, C_1, C_2;
-    v² (2,) [V²]; other forces [N]; V_DE Y_MW (2,) [J] and Y_MW/η_MW (2,) [1/s].
-    """
-
-    q_dot: Expression
-    e: Expression
-    curves: Expression
-    slopes: Expression
-    v_squared: Expression
-    load: Expression
-    gain: Expression
-    rate: Expression
-
-
-def reduced_symbols() -> ReducedSymbols:
-    """Fresh symbols."""
-    sizes = {"q_dot": 1, "e": 2, "curves": 7, "slopes": 7, "v_squared": 2, "load": 1, "gain": 2, "rate": 2}
-    return ReducedSymbols(**{name: ca.SX.sym(name, size) for name, size in sizes.items()})
-
-
-def rates(s: ReducedSymbols) -> Expression:
-    """q̈ [m/s²] and ė (2,) [1/s] of m q̈ + ½ m' q̇² + d q̇ + f + Σ k̄_i e_i = ½ Σ C_i' v_i² + load."""
-    creep = s.slopes[3:5]
-    force = s.load + 0.5 * ca.dot(s.slopes[5:], s.v_squared) - ca.dot(s.gain * creep, s.e)
-    force -= s.curves[1] * s.q_dot + s.curves[2] + 0.5 * s.slopes[0] * s.q_dot**2
-    strains = [elements.maxwell_rate(creep[i] * s.q_dot, s.rate[i], s.e[i]) for i in range(2)]
-    return ca.vertcat(force / s.curves[0], *strains)
-
-
 def cubics(pieces: Any, s: Any) -> Expression:
     """Values of seven curves at s [m] past a breakpoint; `pieces` (28,): ascending powers, four rows of seven."""
     rows = [pieces[7 * i : 7 * (i + 1)] for i in range(4)]
     return ((rows[3] * s + rows[2]) * s + rows[1]) * s + rows[0]
 
 
-def reduced_kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
-    """Inputs and outputs of each term."""
-    s = reduced_symbols()
-    pieces = ca.SX.sym("pieces", 28)
-    past = ca.SX.sym("s")
-    curves = cubics(pieces, past)
-    slopes = ca.jacobian(curves, past)
-    others = {k: v for k, v in vars(s).items() if k not in ("curves", "slopes")}
-    moved = rates(replace(s, curves=curves, slopes=slopes))
+def reduced_rates(pieces: Any, s: Any, q_dot: Any, e: Any, v_squared: Any, load: Any, gain: Any, rate: Any) -> Any:
+    """q̈ [m/s²] and ė (2,) [1/s] of m q̈ + ½ m' q̇² + d q̇ + f + Σ k̄_i e_i = ½ Σ C_i' v_i² + load.
+
+    Parameters
+    ----------
+    pieces, s : expression
+        See `cubics`; the curves over q are m_q, d, f, λ_{3,1}, λ_{3,2}, C_1, C_2.
+    q_dot : expression
+        q̇ [m/s].
+    e : expression, shape (2,)
+        Maxwell strains.
+    v_squared : expression, shape (2,)
+        [V²].
+    load : expression
+        Other forces [N].
+    gain, rate : expression, shape (2,)
+        V_DE Y_MW [J] and Y_MW/η_MW [1/s].
+    """
+    curves = cubics(pieces, s)
+    slopes = ca.jacobian(curves, s)
+    creep = slopes[3:5]
+    force = load + 0.5 * ca.dot(slopes[5:], v_squared) - ca.dot(gain * creep, e)
+    force -= curves[1] * q_dot + curves[2] + 0.5 * slopes[0] * q_dot**2
+    strains = [elements.maxwell_rate(creep[i] * q_dot, rate[i], e[i]) for i in range(2)]
+    return ca.vertcat(force / curves[0], *strains)
+
+
+def reduced_kernels() -> dict[str, elements.Term]:
+    """Terms of the reduced joint."""
     return {
-        "CUBICS": ({"pieces": pieces, "s": past}, {"curves": curves, "slopes": slopes}),
-        "REDUCED_MOTION": ({"pieces": pieces, "s": past} | others, {"rates": moved}),
+        "CUBICS": elements.term(cubics, "curves", "s", pieces=28),
+        "REDUCED_MOTION": elements.term(reduced_rates, "rates", pieces=28, e=2, v_squared=2, gain=2, rate=2),
     }

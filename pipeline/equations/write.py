@@ -6,6 +6,7 @@ compares the committed files with what this writes.
 
 import sys
 import textwrap
+from functools import cache
 from typing import Any
 
 import casadi as ca
@@ -36,7 +37,6 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 # ruff: noqa
 
 '''
-_GRAPH = "from ..codegen.graph import Graph\n"
 
 
 def texts() -> dict[str, str]:
@@ -51,7 +51,7 @@ def texts() -> dict[str, str]:
 
 def _module(summary: str, named: dict[str, Graph], constants: dict[str, Any] | None = None, imports: str = "") -> str:
     """The text of a module with constants and graphs."""
-    parts = [_HEADER.format(summary=summary), _GRAPH, imports]
+    parts = [_HEADER.format(summary=summary), "from ..codegen.graph import Graph\n", imports]
     for name, value in (constants or {}).items():
         parts.append(f"\n{name} = " + "\n    ".join(textwrap.wrap(repr(value), 110, break_long_words=False)) + "\n")
     for name, each in named.items():
@@ -66,7 +66,7 @@ def _condensed() -> str:
     still = {"x": s.x, "u": s.u, "k": s.k, "c": s.c}
     moving = still | {"z": s.z, "start": s.start}
     forces = j.rest_forces(s)
-    mass = condensed_parts.frame_inertia(s).mass
+    mass, _ = condensed_parts.frame_inertia(s)
     upper = ca.vertcat(*(mass[i, k] for k in range(3) for i in range(k + 1)))
     kernels = {
         "RATES": (moving, {"rates": j.rates(s, j.stop_forces(s, j.moved_stops(s)))}),
@@ -121,8 +121,10 @@ def _full() -> str:
     kernels = full_joint.kernels(full_joint.symbols())
     named = {name.upper(): graph(inputs, outputs) for name, (_, inputs, outputs) in kernels.items()}
     functions = [_function(name, docstring, named[name.upper()]) for name, (docstring, _, _) in kernels.items()]
-    imports = "from ..codegen.numba_writer import kernel\nfrom ..numerics.compiled import compiled\n"
-    imports += "from ..numerics.arrays import FloatArray\n"
+    imports = (
+        "from ..codegen.numba_writer import kernel\nfrom ..numerics.compiled import compiled\n"
+        "from ..numerics.arrays import FloatArray\n"
+    )
     return _module(_FULL, named, imports=imports) + "".join(functions)
 
 
@@ -152,10 +154,6 @@ def _terms() -> str:
     return _module(summary, {name: graph(inputs, outputs) for name, (inputs, outputs) in kernels.items()})
 
 
-Expression = Any
-Kernels = dict[str, tuple[dict[str, Expression], dict[str, Expression]]]
-"""Inputs and outputs of kernels, by their names."""
-
 _NAMES = {
     ca.OP_ADD: "add", ca.OP_SUB: "sub", ca.OP_MUL: "mul", ca.OP_DIV: "div", ca.OP_NEG: "neg", ca.OP_SQRT: "sqrt",
     ca.OP_FABS: "abs", ca.OP_SIGN: "sign", ca.OP_FMIN: "min", ca.OP_FMAX: "max", ca.OP_EXP: "exp", ca.OP_ATAN: "atan",
@@ -164,7 +162,7 @@ _NAMES = {
 }  # fmt: skip
 
 
-def graphs(kernels: Kernels, hoisted: str) -> dict[str, Graph]:
+def graphs(kernels: dict[str, elements.Term], hoisted: str) -> dict[str, Graph]:
     """Graphs of kernels that share what depends on the constants `hoisted` alone.
 
     Parameters
@@ -194,7 +192,7 @@ def graphs(kernels: Kernels, hoisted: str) -> dict[str, Graph]:
     return named
 
 
-def graph(inputs: dict[str, Expression], outputs: dict[str, Expression]) -> Graph:
+def graph(inputs: dict[str, elements.Expression], outputs: dict[str, elements.Expression]) -> Graph:
     """The graph of one kernel as it is; every entry of its outputs is stored."""
     builder = Builder()
     stores = _trace(builder, inputs, {name: ca.densify(value) for name, value in outputs.items()}, dense=True)
@@ -203,29 +201,30 @@ def graph(inputs: dict[str, Expression], outputs: dict[str, Expression]) -> Grap
 
 
 def _trace(
-    builder: Builder, inputs: dict[str, Expression], outputs: dict[str, Expression], dense: bool = False
+    builder: Builder,
+    inputs: dict[str, elements.Expression],
+    outputs: dict[str, elements.Expression],
+    dense: bool = False,
 ) -> list[Operation]:
     """Add the expressions; what is stored where."""
     sparse = [value if dense else ca.sparsify(value) for value in outputs.values()]
     function = ca.Function("f", list(inputs.values()), ca.cse(sparse), list(inputs), list(outputs))
     register: dict[int, int] = {}
     stores = []
-    names = list(inputs)
     for i in range(function.n_instructions()):
         kind = function.instruction_id(i)
         target = function.instruction_output(i)
         if kind == ca.OP_OUTPUT:
             which, entry = target
-            key = list(outputs)[which]
-            rows = sparse[which].sparsity().row()
-            columns = sparse[which].sparsity().get_triplet()[1]
+            rows, columns = sparse[which].sparsity().get_triplet()
             # Arrays are filled row by row.
             place = rows[entry] * sparse[which].shape[1] + columns[entry]
-            stores.append(Operation("store", (register[function.instruction_input(i)[0]],), (key, place)))
+            source = register[function.instruction_input(i)[0]]
+            stores.append(Operation("store", (source,), (list(outputs)[which], place)))
             continue
         if kind == ca.OP_INPUT:
             which, entry = function.instruction_input(i)
-            value = builder.input(names[which], entry)
+            value = builder.input(list(inputs)[which], entry)
         elif kind == ca.OP_CONST:
             value = builder.constant(float(function.instruction_constant(i)))
         else:
@@ -235,16 +234,19 @@ def _trace(
 
 
 def _operation(builder: Builder, kind: int, operands: list[int]) -> int:
-    if kind == ca.OP_SQ:
-        return builder.add("mul", operands[0], operands[0])
-    if kind == ca.OP_TWICE:
-        return builder.add("mul", builder.constant(2.0), operands[0])
-    if kind == ca.OP_INV:
-        return builder.add("div", builder.constant(1.0), operands[0])
-    if kind == ca.OP_DIV:
-        # As a product: the reciprocal is often wanted again, and where it is a constant it is prepared.
-        return builder.add("mul", operands[0], builder.add("div", builder.constant(1.0), operands[1]))
-    return _sum(builder, *operands) if kind == ca.OP_ADD else builder.add(_NAMES[kind], *operands)
+    match kind:
+        case ca.OP_SQ:
+            return builder.add("mul", operands[0], operands[0])
+        case ca.OP_TWICE:
+            return builder.add("mul", builder.constant(2.0), operands[0])
+        case ca.OP_INV:
+            return builder.add("div", builder.constant(1.0), operands[0])
+        case ca.OP_DIV:
+            # As a product: the reciprocal is often wanted again, and where it is a constant it is prepared.
+            return builder.add("mul", operands[0], builder.add("div", builder.constant(1.0), operands[1]))
+        case ca.OP_ADD:
+            return _sum(builder, *operands)
+    return builder.add(_NAMES[kind], *operands)
 
 
 def _sum(builder: Builder, a: int, b: int) -> int:
@@ -270,26 +272,19 @@ def _kernel(
     """The kernel's own operations; `prepared` collects what it takes from the constants."""
     source = builder.operations
     own = Builder()
-    moved: dict[int, int] = {}
 
+    @cache
     def visit(i: int) -> int:
         """Place among `own` of operation i, with all that it needs."""
-        if i in moved:
-            return moved[i]
         operation = source[i]
-        if constant[i]:
-            if operation.name == "constant":
-                moved[i] = own.constant(operation.value)
-            elif operation.operands and all(source[j].name == "constant" for j in operation.operands):
-                moved[i] = own.add(operation.name, *(visit(j) for j in operation.operands))
-            else:
-                moved[i] = own.input("p", prepared.setdefault(i, len(prepared)))
-        else:
-            moved[i] = own.add(operation.name, *(visit(j) for j in operation.operands), place=operation.place)
-        return moved[i]
+        if operation.name == "constant":
+            return own.constant(operation.value)
+        of_numbers = operation.operands and all(source[j].name == "constant" for j in operation.operands)
+        if constant[i] and not of_numbers:
+            return own.input("p", prepared.setdefault(i, len(prepared)))
+        return own.add(operation.name, *(visit(j) for j in operation.operands), place=operation.place)
 
-    own_stores = [Operation("store", (visit(store.operands[0]),), store.place) for store in stores]
-    return reachable(own.operations, own_stores)
+    return reachable(own.operations, [store._replace(operands=(visit(store.operands[0]),)) for store in stores])
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ..codegen.graph import apply, choose, clip, function, inline, square, trace
+from ..codegen.graph import apply, choose, clip, function, inline, trace
 from ..errors import InputError
 from ..generated.condensed_joint import (
     AT_REST,
@@ -154,7 +154,7 @@ class _Joint:
     def rates(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
         """State equation, with the corrections at q, under voltages of the membranes that `lag` has moved."""
         c = _corrections(x[0], self.basis, self.weights)
-        squares = [square(v) for v in u]
+        squares = [v * v for v in u]
         return {"dx": [*inline(RATES, x=x[:STATES], u=squares, c=c, z=z, start=base, p=self.p)["rates"], 0.0, 0.0]}
 
     def flow(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
@@ -176,7 +176,7 @@ class _Joint:
 
     def _forces(self, x: Values, u: Values) -> Outputs:
         c = _corrections(x[0], self.basis, self.weights)
-        return inline(REST_FORCES, x=x[:STATES], u=[square(v) for v in u], c=c, p=self.p)
+        return inline(REST_FORCES, x=x[:STATES], u=[v * v for v in u], c=c, p=self.p)
 
 
 def stop_operators() -> tuple[Variable, ...]:

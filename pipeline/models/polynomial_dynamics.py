@@ -15,12 +15,12 @@ from ..numerics.arrays import FloatArray, IntArray
 from ..numerics.fixed_step import (
     LAG_STEP,
     Methods,
+    begin,
     between_samples,
     bounded_run,
+    finish,
     inlined,
     integrator,
-    no_begin,
-    no_finish,
     steps_per_sample,
 )
 from ..numerics.linear_filters import first_order_lag
@@ -183,7 +183,7 @@ def steps_between_samples(dynamics: PolynomialDynamics, interval: float, refined
     return max(most, int(min(np.ceil(interval / (LAG_STEP * shortest)), MOST_LAG_STEPS)))
 
 
-_integrate = integrator(PolynomialJoint, lambda kind: Methods(no_begin, _rates, no_finish))
+_integrate = integrator(PolynomialJoint, lambda kind: Methods(begin, _rates, finish))
 
 
 def free_run(

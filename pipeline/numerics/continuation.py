@@ -6,7 +6,7 @@ with a symmetric ∂G/∂y (a Hessian), scaled so that a change of order 1 is la
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -15,6 +15,7 @@ from .arrays import BoolArray, FloatArray
 
 Residual = Callable[[FloatArray, float], tuple[FloatArray, FloatArray, FloatArray]]
 """(y (n,), λ) → G (n,), ∂G/∂y (n, n), ∂G/∂λ (n,)."""
+Kind = Literal["fold", "branch point"]
 FARTHEST = 10.0
 """Largest |y|, in the scaled coordinates, that a branch is followed to."""
 LONGEST = 0.02
@@ -25,7 +26,7 @@ LONGEST = 0.02
 class SpecialPoint:
     """Point at which the number of equilibria changes: a fold, or a branch point (pitchfork)."""
 
-    kind: Literal["fold", "branch point"]
+    kind: Kind
     parameter: float
     y: FloatArray
 
@@ -64,6 +65,13 @@ class _Point:
     tangent: FloatArray
     stable: bool
     bordered: float
+
+
+_TESTS: dict[Kind, Callable[[_Point], float]] = {
+    "branch point": lambda point: point.bordered,
+    "fold": lambda point: float(point.tangent[-1]),
+}
+"""What is zero at a special point."""
 
 
 def _point(residual: Residual, x: FloatArray, orientation: FloatArray) -> _Point:
@@ -118,12 +126,10 @@ def _locate(
 
 def _special(residual: Residual, old: _Point, new: _Point, step: float) -> SpecialPoint | None:
     """The fold or branch point between two neighbours, if there is one."""
-    if old.bordered * new.bordered < 0.0:
-        x = _locate(residual, old, new, step, lambda point: point.bordered)
-        return SpecialPoint("branch point", float(x[-1]), x[:-1])
-    if old.tangent[-1] * new.tangent[-1] < 0.0:
-        x = _locate(residual, old, new, step, lambda point: float(point.tangent[-1]))
-        return SpecialPoint("fold", float(x[-1]), x[:-1])
+    for kind, test in _TESTS.items():
+        if test(old) * test(new) < 0.0:
+            x = _locate(residual, old, new, step, test)
+            return SpecialPoint(kind, float(x[-1]), x[:-1])
     return None
 
 
@@ -169,12 +175,16 @@ def trace_branch(residual: Residual, y: FloatArray, parameter: float, *, bounds:
     """
     start = _point(residual, np.append(y, parameter), np.append(np.zeros(y.size), 1.0) + 1e-3)
     forward, special_forward = _follow(residual, start, bounds)
-    reverse = _Point(start.x, -start.tangent, start.stable, -start.bordered)
+    reverse = replace(start, tangent=-start.tangent, bordered=-start.bordered)
     backward, special_backward = _follow(residual, reverse, bounds)
     points = [*backward[:0:-1], *forward]
     xs = np.array([point.x for point in points])
-    stable = np.array([point.stable for point in points])
-    return Branch(xs[:, -1], xs[:, :-1], stable, (*special_backward[::-1], *special_forward))
+    return Branch(
+        parameter=xs[:, -1],
+        y=xs[:, :-1],
+        stable=np.array([point.stable for point in points]),
+        special=(*special_backward[::-1], *special_forward),
+    )
 
 
 def outermost_pair(stable: Sequence[bool], height: Sequence[float]) -> tuple[int, int, int] | None:

@@ -106,26 +106,11 @@ class Methods(NamedTuple):
     shown: Callable[..., tuple[float, float]] = _first_states
 
 
-def no_begin(system, x, node):
-    """Do nothing: for systems of differential equations alone."""
-
-
-def no_finish(system, x):
-    """Do nothing: for systems of differential equations alone."""
-
-
 def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., int]:
     """`integrate` for systems of a NamedTuple class, compiled with them.
 
     `methods` gives their functions; it gets their numba type, which differs between a batch and one.
     """
-    _implement(kind, methods)
-    own = FunctionType(integrate.__code__, integrate.__globals__, f"integrate_{kind.__name__}")
-    own.__qualname__ = own.__name__
-    return compiled(fastmath=FAST, _nrt=False)(own)
-
-
-def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
     cached = cache(methods)
 
     def of(system) -> Methods | None:
@@ -147,6 +132,10 @@ def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
     @implement(shown, jit_options=_OPTIONS)
     def _shown(system, x, j, width):
         return own.shown if (own := of(system)) else None
+
+    integrate_kind = FunctionType(integrate.__code__, integrate.__globals__, f"integrate_{kind.__name__}")
+    integrate_kind.__qualname__ = integrate_kind.__name__
+    return compiled(fastmath=FAST, _nrt=False)(integrate_kind)
 
 
 def workspace(x: FloatArray) -> FloatArray:

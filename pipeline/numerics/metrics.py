@@ -62,9 +62,8 @@ def rmse(measured: FloatArray, calculated: FloatArray) -> float | None:
 
 def signal_range(measured: FloatArray) -> float | None:
     """``max − min`` over the finite rows, the denominator of eq. 41; None where no row is finite."""
-    measured = np.asarray(measured, dtype=np.float64)
-    finite = measured[np.isfinite(measured)]
-    return float(np.max(finite) - np.min(finite)) if finite.size else None
+    finite = np.asarray(measured, dtype=np.float64)[np.isfinite(measured)]
+    return float(np.ptp(finite)) if finite.size else None
 
 
 def nrmse(measured: FloatArray, calculated: FloatArray) -> float | None:

@@ -19,6 +19,7 @@ reduced to the velocities before it is factorised, 4×4 for all columns together
 is diagonal in z.
 """
 
+from itertools import accumulate
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -32,14 +33,8 @@ INTERNAL = 3
 FIRST_Z = 2 * RITZ
 STATES = FIRST_Z + INTERNAL
 """q_m, q̇_m, z, and where z begins."""
-R_Q = 0
-R_V = R_Q + RITZ * RITZ
-R_Z = R_V + RITZ * RITZ
-Z_Q = R_Z + RITZ * INTERNAL
-Z_V = Z_Q + INTERNAL * RITZ
-Z_Z = Z_V + INTERNAL * RITZ
-R_S = Z_Z + INTERNAL
-SLOPES = R_S + RITZ * 2
+_BLOCKS = (RITZ * RITZ, RITZ * RITZ, RITZ * INTERNAL, INTERNAL * RITZ, INTERNAL * RITZ, INTERNAL, RITZ * 2)
+R_Q, R_V, R_Z, Z_Q, Z_V, Z_Z, R_S, SLOPES = accumulate(_BLOCKS, initial=0)
 """Offsets of the blocks of `motion_slopes`: r_q, r_v (4, 4), r_z (4, 3), z_q, z_v (3, 4), z_z (3,), r_s (4, 2)."""
 
 
@@ -269,9 +264,7 @@ def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> Non
     for i in range(RITZ):
         m0, m1, m2, m3 = _row(1.0, mass[i], 0)
         q0, q1, q2, q3 = _row(inverse, slopes, R_Q + RITZ * i)
-        z0 = slopes[R_Z + 3 * i]
-        z1 = slopes[R_Z + 3 * i + 1]
-        z2 = slopes[R_Z + 3 * i + 2]
+        z0, z1, z2, _ = _row(1.0, slopes, R_Z + 3 * i)
         for c in range(p):
             value = work.forces[i * p + c] - z0 * internal[c] - z1 * internal[p + c] - z2 * internal[2 * p + c]
             value += m0 * below[c] + m1 * below[p + c] + m2 * below[2 * p + c] + m3 * below[3 * p + c]

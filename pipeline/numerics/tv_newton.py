@@ -38,23 +38,13 @@ from .compiled import compiled, inner
 
 def difference_weights(order: int) -> FloatArray:
     """Weight of sample j of the first m + 1 in ``∇^k y`` at the last of them, shape (m+1, m+1)."""
-    weights = np.zeros((order + 1, order + 1))
-    weights[0, order] = 1.0
-    for k in range(1, order + 1):
-        for j in range(order + 1):
-            weights[k, j] = weights[k - 1, j] - (weights[k - 1, j + 1] if j < order else 0.0)
-    return weights
+    return np.array([np.diff(np.eye(order + 1), k, axis=0)[-1] for k in range(order + 1)])
 
 
 def start_covariance(weights: FloatArray, first_variance: float) -> FloatArray:
     """Covariance of the state after the first m + 1 samples, the very first of variance `first_variance`."""
-    covariance = np.empty(weights.shape)
-    for k in range(weights.shape[0]):
-        for l in range(weights.shape[0]):
-            covariance[k, l] = first_variance * weights[k, 0] * weights[l, 0]
-            for j in range(1, weights.shape[1]):
-                covariance[k, l] += weights[k, j] * weights[l, j]
-    return covariance
+    variances = np.r_[first_variance, np.ones(len(weights) - 1)]
+    return np.asarray((variances * weights) @ weights.T)
 
 
 @inner
@@ -250,13 +240,11 @@ def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> floa
     delta : float
         Rounding of the total variation [signal].
     """
-    b, y, t, _, _, lam = at
-    dy, dt, _, _ = step
     variation = 0.0
     misfit = 0.0
-    for i in range(b.size):
-        variation += lam[i] * excess(t[i] + share * dt[i], delta)
-        e = y[i] + share * dy[i] - b[i]
+    for i in range(at.b.size):
+        variation += at.lam[i] * excess(at.t[i] + share * step.dt[i], delta)
+        e = at.y[i] + share * step.dy[i] - at.b[i]
         misfit += e * e
     return variation + 0.5 * misfit
 
@@ -337,9 +325,8 @@ def _step(
     b, y, _, q, _, _ = at
     dy, dt, dp, _ = step
     size = len(start)
-    mean = room[0]
     adjoint = room[1]
-    _filter(at, step, delta, start, cov, mean)
+    _filter(at, step, delta, start, cov, room[0])
     longest, variation, misfit = _smooth(at, step, delta, adjoint)
     for j in range(size):
         response = 0.0

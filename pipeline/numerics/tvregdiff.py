@@ -150,12 +150,11 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
         elif gap <= _CLOSE_ENOUGH * value:
             delta = max(problem.delta, _REDUCTION * delta)
             value = objective(at, step, 0.0, delta)
-    constant = problem.delta * float(at.lam[n - problem.differences :].sum())
-    least = objective(at, step, 0.0, problem.delta) + constant
+    straight = problem.delta * float(at.lam[n - problem.differences :].sum())
     return Minimiser(
         y=at.y,
         t=at.t,
-        objective=least,
+        objective=objective(at, step, 0.0, problem.delta) + straight,
         gap=advance(at, step, 0.0, 0.0, problem.delta),
         iterations=iteration,
         status=status,
@@ -165,7 +164,7 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
 def _roughness(problem: VariationProblem) -> float:
     """Mean size of the data's own differences [signal]; the median would be zero for a noise-free step."""
     differences = np.diff(problem.b, problem.order + 1)
-    return float(np.abs(differences, out=differences).mean()) if differences.size else 0.0
+    return float(np.abs(differences, out=differences).mean())
 
 
 def _descend(at: Iterate, step: NewtonStep, delta: float, highest: float, full: float) -> tuple[float, float]:

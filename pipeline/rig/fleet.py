@@ -16,7 +16,7 @@ from pydantic import Field, model_validator
 from ..errors import InputError
 from ..settings.logs import Number, Role, SettingsTable, Whole
 from ..store.atomic import write_text
-from ..store.outputs import new_outputs, rebased
+from ..store.outputs import new_outputs
 from .bench import RATE, Bench, BenchRecord, Readings, random_bench, record
 from .excitation import DURATION, EXCITATIONS, Sequence, command, load_sequence, random_excitation
 from .joint import wells
@@ -313,33 +313,11 @@ def recorded() -> tuple[dict[str, Readings], str]:
         return logs, str(stored["truth"])
 
 
-def write_demo(folder: Path) -> Path:
-    """Write what a rig would leave of the prototype: two raw logs and its TOML; and, beside them, the truth.
-
-    Parameters
-    ----------
-    folder : Path
-        Made if missing. Gets ``demo.toml``, ``train.mat``, ``validation.mat`` (1 kHz, 37.5 s, ControlDesk layout) and
-        ``truth.json``.
-
-    Returns
-    -------
-    Path
-        The prototype's TOML.
-    """
-    folder.mkdir(parents=True, exist_ok=True)
-    logs, truth = recorded()
-    for name, log in logs.items():
-        LAYOUTS["mat"].save(log, folder / f"{name}.mat")
-    (folder / "truth.json").write_text(f"{truth}\n", encoding="utf-8", newline="\n")
-    mass = float(json.loads(truth)["moving_mass"])
-    prototype = folder / "demo.toml"
-    write_text(prototype, prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat", more=_MORE))
-    return prototype  # written last and whole: where it is there, so are the logs
-
-
 def write_demo_logs(run: Path, *, force: bool = False) -> Path:
-    """Write the demo's raw logs beside the run folder, once; returns the prototype's settings file.
+    """Write what a rig would leave of the demo beside the run folder, once; returns the prototype's settings file.
+
+    These are ``demo.toml``, ``train.mat``, ``validation.mat`` (1 kHz, 37.5 s, ControlDesk layout), and the truth as
+    ``truth.json``.
 
     Raises
     ------
@@ -351,5 +329,11 @@ def write_demo_logs(run: Path, *, force: bool = False) -> Path:
     if prototype.is_file():
         return prototype
     with new_outputs(folder, "demo", force=force, names=("train.mat", "validation.mat", "truth.json")) as staged:
-        prototype = write_demo(staged)
-    return rebased(prototype, staged, folder)
+        logs, truth = recorded()
+        for name, log in logs.items():
+            LAYOUTS["mat"].save(log, staged / f"{name}.mat")
+        (staged / "truth.json").write_text(f"{truth}\n", encoding="utf-8", newline="\n")
+        mass = float(json.loads(truth)["moving_mass"])
+        text = prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat", more=_MORE)
+        write_text(staged / prototype.name, text)
+    return prototype

@@ -99,11 +99,12 @@ def _charge(
     dt = h / FINE
     for side in range(2):
         decay = -np.expm1(-dt / around.lag[side])
-        rate = around.rate_limit[side]
         total = 0.0
         for _ in range(FINE):
             before = membranes[side]
-            v[side] = charged(v[side], command[side], decay, rate, around.power_over_capacitance[side], dt)
+            v[side] = charged(
+                v[side], command[side], decay, around.rate_limit[side], around.power_over_capacitance[side], dt
+            )
             now = v[side] + (before - v[side]) * around.charge_left
             total += (before * before + before * now + now * now) / 3.0
             membranes[side] = now

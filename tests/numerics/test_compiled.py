@@ -119,7 +119,7 @@ def test_no_kernel_depends_on_a_room_that_the_state_of_the_sources_leaves_out() 
 
 _SYSTEM = """from typing import NamedTuple
 import numpy as np
-from pipeline.numerics.fixed_step import Methods, integrator, no_begin, no_finish, workspace
+from pipeline.numerics.fixed_step import Methods, begin, finish, integrator, workspace
 
 class {name}(NamedTuple):
     rate: float
@@ -128,7 +128,7 @@ def _rates(system, x, node, dx, acceleration):
     dx[0], dx[1] = x[1], -{factor} * system.rate * x[1]
     acceleration[0] = dx[1]
 
-run = integrator({name}, lambda kind: Methods(no_begin, _rates, no_finish))
+run = integrator({name}, lambda kind: Methods(begin, _rates, finish))
 x = np.array([0.0, 1.0])
 run({name}(1.0), x, np.empty((2, 3, 1)), workspace(x), 100, 0.01, -np.inf, np.inf)
 print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))

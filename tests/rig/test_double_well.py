@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from scipy.io import loadmat
 
 from pipeline.rig.bench import Converter
-from pipeline.rig.fleet import write_demo
+from pipeline.rig.fleet import write_demo_logs
 from tests.double_well import DoubleWell
 
 
@@ -48,7 +48,7 @@ def test_converter_keeps_its_limits_and_reaches_its_command() -> None:
 
 
 def test_demo_writes_a_prototype_as_a_rig_would(tmp_path: Path) -> None:
-    path = write_demo(tmp_path / "demo")
+    path = write_demo_logs(tmp_path / "demo")
     prototype = tomllib.loads(path.read_text(encoding="utf-8"))
     planted = json.loads((path.parent / "truth.json").read_text(encoding="utf-8"))
     assert prototype["plant"]["mass"]["value"] == pytest.approx(planted["moving_mass"], abs=1e-4)

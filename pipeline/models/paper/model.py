@@ -34,13 +34,13 @@ from ...generated.terms import GAUSSIAN, LAGGED_RATES
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import (
     Methods,
+    begin,
     between_samples,
     bounded_run,
     escape_bounds,
+    finish,
     inlined,
     integrator,
-    no_begin,
-    no_finish,
     run_status,
     steps_per_sample,
 )
@@ -107,7 +107,7 @@ def _move(system, x, u, dx):
     dx[1], dx[2] = _lagged_rates((x[0], x[1], x[2], system.values[0], system.values[1], forcing, system.lag))
 
 
-_integrate = integrator(LaggedJoint, lambda kind: Methods(no_begin, _rates, no_finish))
+_integrate = integrator(LaggedJoint, lambda kind: Methods(begin, _rates, finish))
 
 
 @dataclass(frozen=True)
