@@ -508,7 +508,7 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
     rests = [rest_state(q, np.zeros(2), k, p, basis, weights, 0.0) for q in grid]
     first, per_metre, curves = tabulate(basis, weights, NODES)
     numbers = {
-        "offset": plant.offset,
+        "offset": plant.instruments.offset,
         "wall": plant.wall,
         "farthest": farthest,
         **{f"kept_{side}": left for side, left in zip(SIDES, decays, strict=True)},
@@ -534,5 +534,6 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
 
 def acting_lags(plant: ControlledJoint, settings: Settings) -> tuple[float, float]:
     """Time constants [s] from command to force: the converters', and delay and charging time of the identification."""
-    left, right = (max(lag + plant.delay + plant.charging, 0.5 * PERIOD) for lag in settings.lags)
+    own = plant.instruments
+    left, right = (max(lag + own.delay + own.charging, 0.5 * PERIOD) for lag in settings.lags)
     return left, right

@@ -47,8 +47,8 @@ class Ensemble:
 
     Attributes
     ----------
-    constants, weights, basis : FloatArray
-        See `run_joints`.
+    coefficients : JointCoefficients
+        Constants and corrections of the joints.
     offsets : FloatArray, shape (B,)
         Of each laser [m].
     delays, charging : FloatArray, shape (B,)
@@ -59,29 +59,24 @@ class Ensemble:
         Voltages that act over those commanded.
     highest : float
         Largest voltage [V]: trained, and what the converters may give.
-    steps : int
-        Runge-Kutta steps in `INTERVAL`.
-    wall, lead : float
-        See `run_joints`.
+    stepping : Stepping
+        Steps in `INTERVAL`, and what all joints share.
     """
 
-    constants: FloatArray
-    weights: FloatArray
-    basis: FloatArray
+    coefficients: JointCoefficients
     offsets: FloatArray
     delays: FloatArray
     charging: FloatArray
     lags: FloatArray
     gains: FloatArray
     highest: float
-    steps: int
-    wall: float
-    lead: float
+    stepping: Stepping
 
     def subset(self, which: slice) -> "Ensemble":
         """Some of the vectors."""
-        own = ("constants", "weights", "offsets", "delays", "charging", "lags", "gains")
-        return replace(self, **{name: getattr(self, name)[which] for name in own})
+        constants, weights, basis = self.coefficients
+        own = {name: getattr(self, name)[which] for name in ("offsets", "delays", "charging", "lags", "gains")}
+        return replace(self, coefficients=JointCoefficients(constants[which], weights[which], basis), **own)
 
     def run(self, commands: FloatArray, start: float) -> FloatArray:
         """Readings of the laser [m] every `INTERVAL`, shape (P, B, N), from rest at the reading `start` [m].
@@ -106,19 +101,21 @@ class Ensemble:
         """
         # An interval without voltage first: a run begins at rest under its first voltages.
         commands = np.pad(commands, ((0, 0), (round(INTERVAL / PERIOD), 0), (0, 0)))
-        half = 2 * self.steps * round(commands.shape[1] * PERIOD / INTERVAL) + 1
+        half = 2 * self.stepping.substeps * round(commands.shape[1] * PERIOD / INTERVAL) + 1
+        width = INTERVAL / (2 * self.stepping.substeps)
         squares = []
         for gain, lags, charging, delay in zip(self.gains, self.lags, self.charging, self.delays, strict=True):
             membranes = _behind(_behind(np.repeat(commands, _FINE, axis=1), lags), [charging] * 2)
-            squares.append(gain**2 * _mean_squares(membranes, half, INTERVAL / (2 * self.steps), delay))
+            squares.append(gain**2 * _mean_squares(membranes, half, width, delay))
         return np.stack(squares, axis=1)
 
     def simulate(self, squares: FloatArray, start: float) -> FloatArray:
         """Readings [m] as of `run` under squared voltages [V²], shape (P, B, H, 2), as of `squares`."""
         pulses, count, half, _ = squares.shape
-        samples = (half - 1) // (2 * self.steps) + 1
+        samples = (half - 1) // (2 * self.stepping.substeps) + 1
+        constants, weights, basis = self.coefficients
         runs = run_joints(
-            JointCoefficients(np.tile(self.constants, (pulses, 1)), np.tile(self.weights, (pulses, 1, 1)), self.basis),
+            JointCoefficients(np.tile(constants, (pulses, 1)), np.tile(weights, (pulses, 1, 1)), basis),
             Driving(
                 squares.reshape(pulses * count, half, 2),
                 np.arange(pulses * count),
@@ -126,7 +123,7 @@ class Ensemble:
                 np.array([start, 0.0, 0.0]),
             ),
             Followed(np.zeros(0), np.zeros(samples)),
-            Stepping(INTERVAL, self.steps, self.wall, self.lead),
+            self.stepping,
         )
         return np.ascontiguousarray(runs[:, 1:, 0].reshape(pulses, count, samples - 1))
 
@@ -171,18 +168,14 @@ def ensemble_at(
     condensed = model.joint
     instruments = [condensed.instruments(theta) for theta in thetas]
     return Ensemble(
-        constants=condensed.in_use(thetas),
-        weights=condensed.weights(thetas),
-        basis=condensed.basis,
+        coefficients=JointCoefficients(condensed.in_use(thetas), condensed.weights(thetas), condensed.basis),
         offsets=np.array([instrument.offset for instrument in instruments]),
         delays=np.array([instrument.delay for instrument in instruments]),
         charging=np.array([instrument.charging for instrument in instruments]),
         lags=lags,
         gains=gains,
         highest=min(condensed.largest_voltage, highest),
-        steps=condensed.substeps(model.theta, INTERVAL),
-        wall=condensed.q_stop,
-        lead=condensed.lead,
+        stepping=Stepping(INTERVAL, condensed.substeps(model.theta, INTERVAL), condensed.q_stop, condensed.lead),
     )
 
 

@@ -151,8 +151,8 @@ class Law(NamedTuple):
                 raise ValueError("constants of another version")
             numbers = np.array([values["numbers"][name] for name in NUMBERS], dtype=np.float64)
             law = cls(numbers, *(np.array(values[name], dtype=np.float64) for name in cls._fields[1:]))
-            wrong = any(getattr(law, name).shape != shape for name, shape in _SHAPES.items())
-            if wrong or law.curves.shape[1:] != (6, CURVES) or not len(law.curves):
+            shapes = {name: getattr(law, name).shape for name in _SHAPES}
+            if shapes != _SHAPES or law.curves.shape[1:] != (6, CURVES) or not len(law.curves):
                 raise ValueError("a table has another shape")
             if not all(np.all(np.abs(values) <= _LARGEST) for values in law):
                 raise ValueError("a number is too large, or none")

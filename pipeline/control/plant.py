@@ -20,6 +20,7 @@ from ..numerics.continuation import outermost_pair
 
 if TYPE_CHECKING:
     from ..models.hybrid.model import HybridModel
+    from ..models.hybrid.parameters import Instruments
 
 
 NAMES = (
@@ -52,14 +53,8 @@ class ControlledJoint:
     ----------
     constants : Constants
         Of the joint.
-    offset : float
-        Of the laser [m]: reading = q + offset.
-    delay : float
-        Time [s] by which the voltages act later than measured.
-    charging : float
-        Time constant [s] with which the membranes charge through their electrodes.
-    probe : FloatArray, shape (2,)
-        Readings [V] of the probes at zero voltage.
+    instruments : Instruments
+        Offset of the laser, delay of the voltages, charging of the membranes.
     highest : float
         Largest trained voltage [V].
     wall : float
@@ -69,32 +64,25 @@ class ControlledJoint:
     """
 
     constants: Constants
-    offset: float
-    delay: float
-    charging: float
-    probe: FloatArray
+    instruments: "Instruments"
     highest: float
     wall: float
     rests: tuple[float, float] | None = None
 
     def reading(self, q: float) -> float:
         """Reading of the laser [m] at the displacement q [m]."""
-        return q + self.offset
+        return q + self.instruments.offset
 
 
 def plant_of(model: "HybridModel", rests: tuple[float, float] | None = None) -> ControlledJoint:
     """The plant of an identified hybrid joint, whose logs show these rests (readings [m])."""
     theta = model.theta
     condensed = model.joint
-    instruments = condensed.instruments(theta)
     k = condensed.in_use(theta)
     constants = Constants(k, prepare(k[None])[0], condensed.basis, condensed.weights(theta))
     return ControlledJoint(
         constants=constants,
-        offset=float(instruments.offset),
-        delay=float(instruments.delay),
-        charging=float(instruments.charging),
-        probe=np.asarray(instruments.probe, dtype=np.float64),
+        instruments=condensed.instruments(theta),
         highest=condensed.largest_voltage,
         wall=0.5 * condensed.length,
         rests=rests,
@@ -312,7 +300,7 @@ def _window(plant: ControlledJoint) -> tuple[float, float]:
     """Displacements [m] between which equilibria are looked for."""
     if plant.rests is None:
         return -_BEYOND * plant.wall, _BEYOND * plant.wall
-    left, right = (reading - plant.offset for reading in plant.rests)
+    left, right = (reading - plant.instruments.offset for reading in plant.rests)
     return left - _BEYOND * (right - left), right + _BEYOND * (right - left)
 
 

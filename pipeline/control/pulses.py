@@ -136,7 +136,7 @@ def design_pulse(
     searches = []
     for _ in range(_SEARCHES):
         pulses = rng.uniform(_BOUNDS[:, 0], _BOUNDS[:, 1], (_POPULATION, len(_BOUNDS)))
-        pulses[::2, 1], pulses[::2, 3] = 1.0, -1.0
+        pulses[::2, [1, 3]] = 1.0, -1.0
         searches.append(search(alone, pulses, _ROUNDS))
     costs = cost(np.array([each.x for each in searches]).T, judges)
     best = search(judges, searches[int(np.argmin(costs))].population, _ROUNDS // 2).x

@@ -70,13 +70,12 @@ def switching_map(
     """
     voltages = np.linspace(LEAST_VOLTAGE, 1.0, CELLS) * joint.highest
     durations = np.geomspace(SHORTEST, LONGEST, CELLS)
-    side = 0 if to == "right" else 1
     draws = joint.subset(slice(1, None)) if len(joint.gains) > 1 else joint
     count = len(draws.gains)
     total = np.empty((CELLS, CELLS))
     for i, duration in enumerate(durations):
         on_progress(f"to the {to}", i / CELLS)
-        squares = draws.squares(pulses(voltages, np.full(CELLS, duration), side))
+        squares = draws.squares(pulses(voltages, np.full(CELLS, duration), 0 if to == "right" else 1))
         total[:, i] = np.count_nonzero(_switched(draws, squares, wells, to), axis=1)
     share = total / count
     middle = (share + NORMAL_90**2 / (2 * count)) / (1 + NORMAL_90**2 / count)

@@ -182,7 +182,7 @@ Kernel = tuple[str, dict[str, Expression], dict[str, Expression]]
 
 def kernels(s: FullSymbols) -> dict[str, Kernel]:
     """Everything that is compiled of the full-order joint."""
-    return _shape_kernels(s) | _motion_kernels(s) | _linear_kernels(s)
+    return _shape_kernels(s) | _motion_kernels(s)
 
 
 def _shape_kernels(s: FullSymbols) -> dict[str, Kernel]:
@@ -227,11 +227,16 @@ def _shape_kernels(s: FullSymbols) -> dict[str, Kernel]:
 
 
 def _motion_kernels(s: FullSymbols) -> dict[str, Kernel]:
-    """The equations of motion M q̈_m = τ."""
+    """The equations of motion M q̈_m = τ and their derivatives."""
     moving = {"qm": s.qm, "qm_dot": s.qm_dot, "z": s.z, "v_squared": s.v_squared, "force": s.force, "p": s.p}
-    mass = _symmetric(ca.jacobian(residual(s), s.qm_ddot))
-    tau = -ca.substitute(residual(s), s.qm_ddot, ca.SX.zeros(4))
+    packed = {"x": ca.vertcat(s.qm, s.qm_dot, s.z), "v_squared": s.v_squared, "force": s.force, "p": s.p}
+    force = residual(s)
+    mass = _symmetric(ca.jacobian(force, s.qm_ddot))
+    tau = -ca.substitute(force, s.qm_ddot, ca.SX.zeros(4))
     rates = internal_rates(s)
+    blocks = [ca.jacobian(force, along) for along in (s.qm, s.qm_dot, s.z)]
+    blocks += [ca.jacobian(rates, along) for along in (s.qm, s.qm_dot)]
+    blocks += [ca.diag(ca.jacobian(rates, s.z)), ca.jacobian(force, s.v_squared)]
     return {
         "dynamics": (
             "Mass matrix M (4, 4), right-hand side τ (4,) of M q̈_m = τ, and ż (3,).",
@@ -240,31 +245,15 @@ def _motion_kernels(s: FullSymbols) -> dict[str, Kernel]:
         ),
         "motion": (
             "As `dynamics`, of x = [q_m, q̇_m, z] (11,): M, and q̇_m, τ, ż in `right` (11,).",
-            _packed(s),
+            packed,
             {"mass": mass, "right": ca.vertcat(s.qm_dot, tau, rates)},
         ),
-    }
-
-
-def _linear_kernels(s: FullSymbols) -> dict[str, Kernel]:
-    """Derivatives of the equations of motion."""
-    force = residual(s)
-    rates = internal_rates(s)
-    blocks = [ca.jacobian(force, along) for along in (s.qm, s.qm_dot, s.z)]
-    blocks += [ca.jacobian(rates, along) for along in (s.qm, s.qm_dot)]
-    blocks += [ca.diag(ca.jacobian(rates, s.z)), ca.jacobian(force, s.v_squared)]
-    return {
         "motion_slopes": (
             "Derivatives of r = M q̈_m − τ and ż, q̈_m = `a` (4,): r_q, r_v, r_z, z_q, z_v, z_z, and r_s by v_i² (79,).",
-            _packed(s) | {"a": s.qm_ddot},
+            packed | {"a": s.qm_ddot},
             {"slopes": ca.vertcat(*(ca.vec(block.T) for block in blocks))},
         ),
     }
-
-
-def _packed(s: FullSymbols) -> dict[str, Expression]:
-    """Inputs with the state in one vector."""
-    return {"x": ca.vertcat(s.qm, s.qm_dot, s.z), "v_squared": s.v_squared, "force": s.force, "p": s.p}
 
 
 def _symmetric(matrix: Expression) -> Expression:

@@ -17,7 +17,6 @@ from . import (
     beam,
     condensed_joint,
     condensed_parts,
-    data_driven_joint,
     elements,
     full_joint,
 )
@@ -143,13 +142,7 @@ def _function(name: str, docstring: str, source: Graph) -> str:
 
 
 def _terms() -> str:
-    kernels = (
-        elements.kernels()
-        | data_driven_joint.kernels()
-        | elements.bell_kernels()
-        | data_driven_joint.lagged_kernels()
-        | full_joint.reduced_kernels()
-    )
+    kernels = elements.kernels() | full_joint.reduced_kernels()
     summary = "Terms of the models of which each run has as many as it needs: see the functions of the same names."
     return _module(summary, {name: graph(inputs, outputs) for name, (inputs, outputs) in kernels.items()})
 

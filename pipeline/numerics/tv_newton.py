@@ -66,8 +66,7 @@ def advance_covariance(covariance: FloatArray, variance: float, gains: FloatArra
             covariance[k, l] -= gains[k] * covariance[0, l]
             covariance[l, k] = covariance[k, l]
     for k in range(order + 1):
-        covariance[0, k] = gains[k]
-        covariance[k, 0] = gains[k]
+        covariance[0, k] = covariance[k, 0] = gains[k]
     return inverse
 
 
@@ -333,8 +332,7 @@ def _step(
         for k in range(size):
             response += start[k, j] * adjoint[k]
         dy[j] = b[j] - y[j] - q[j] + (first_variance if j == 0 else 1.0) * response
-        dt[j] = 0.0
-        dp[j] = 0.0
+        dt[j] = dp[j] = 0.0
         misfit += (y[j] + dy[j] - b[j]) ** 2
     return longest, variation + 0.5 * misfit
 

@@ -281,22 +281,19 @@ def tvregdiff(
     _check(data, order, start, dt=dt, alpha=alpha, epsilon=epsilon)
     columns = data[:, None] if data.ndim == 1 else data
     factors = None if weights is None else _checked_weights(weights, data.shape[0])
-    derivative = np.empty_like(columns)
-    integral = np.empty_like(columns)
     solved = []
-    for k in range(columns.shape[1]):
+    for column in columns.T:
         problem = VariationProblem(
-            b=columns[:, k] - columns[0, k],
+            b=column - column[0],
             lam=alpha / dt**order,
             delta=math.sqrt(epsilon) * dt**order,
             order=order,
             fitted_start=start == "fitted",
             weights=factors,
         )
-        minimiser = minimise_variation(problem, tolerance=tolerance, max_iterations=max_iterations)
-        solved.append(minimiser)
-        integral[:, k] = columns[0, k] + minimiser.y
-        derivative[:, k] = _at_samples(minimiser.y, dt, order)
+        solved.append(minimise_variation(problem, tolerance=tolerance, max_iterations=max_iterations))
+    derivative = np.stack([_at_samples(channel.y, dt, order) for channel in solved], axis=1)
+    integral = columns[0] + np.stack([channel.y for channel in solved], axis=1)
     slowest = max(solved, key=lambda channel: (channel.status != "converged", channel.iterations))
     return TvDerivative(
         derivative=derivative.reshape(data.shape),

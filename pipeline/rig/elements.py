@@ -76,10 +76,12 @@ def tip(x: FloatArray, p: RigParameters, pose: FloatArray, jacobian: FloatArray)
         pose[2] = np.arctan(slope)
         for j in range(3):
             jacobian[2, j] /= 1.0 + slope * slope
-        jacobian[0, 3], jacobian[1, 3], jacobian[2, 3] = 0.0, l, 0.0
+        jacobian[0, 3] = jacobian[2, 3] = 0.0
+        jacobian[1, 3] = l
         return
     link = l / n
-    pose[0], pose[1], pose[2] = 0.0, 0.0, x[n - 1]
+    pose[0] = pose[1] = 0.0
+    pose[2] = x[n - 1]
     for i in range(n):
         s = np.sin(x[i])
         c = np.cos(x[i])

@@ -73,9 +73,10 @@ def command(bursts: list[Burst], t: FloatArray) -> FloatArray:
         first, last = np.searchsorted(t, [burst.start, burst.start + burst.duration])
         if burst.shape == "pulse":
             v[first:last] = burst.left, burst.right
-            continue
-        swing = _swing(burst, t[first:last] - burst.start)
-        v[first:last] = np.column_stack([burst.left * np.maximum(swing, 0.0), burst.right * np.maximum(-swing, 0.0)])
+        else:
+            swing = _swing(burst, t[first:last] - burst.start)
+            sides = (burst.left * np.maximum(swing, 0.0), burst.right * np.maximum(-swing, 0.0))
+            v[first:last] = np.column_stack(sides)
     return v
 
 
@@ -181,36 +182,36 @@ def draw_burst(
         Share of the pulses in which the joint does not come to rest.
     """
     amplitude = top if rng.random() < 0.55 else float(rng.uniform(0.5, 1.0)) * top
-    if kind == "pulse":
-        length = float(rng.uniform(0.1, 0.6) if rng.random() < short else rng.uniform(1.0, 2.4))
-        return Burst("pulse", start, length, *((amplitude, 0.0) if side == 0 else (0.0, amplitude)))
-    if kind == "both":
-        left, right = rng.uniform(0.5, 0.95, 2) * top
-        return Burst(
-            shape="pulse", start=start, duration=float(rng.uniform(0.8, 2.2)), left=float(left), right=float(right)
-        )
-    if kind == "chirp":
-        return Burst(
-            shape="chirp",
-            start=start,
-            frequencies=np.array([rng.uniform(0.5, 2.0), rng.uniform(4.0, 10.0)]),
-            duration=float(rng.uniform(1.0, 2.4)),
-            left=amplitude,
-            right=amplitude,
-        )
-    if kind == "steps":
-        levels = rng.uniform(-1.0, 1.0, int(rng.integers(6, 16)))
-        length = STEP_HOLD * levels.size * float(rng.uniform(1.0, 4.0))
-        return Burst(shape="steps", start=start, duration=length, left=top, right=top, levels=levels)
-    return Burst(
-        shape="multisine",
-        start=start,
-        frequencies=rng.uniform(0.3, 8.0, MULTISINE_LINES),
-        levels=rng.uniform(0.0, 2 * np.pi, MULTISINE_LINES),
-        duration=float(rng.uniform(2.0, 5.0)),
-        left=amplitude,
-        right=amplitude,
-    )
+    match kind:
+        case "pulse":
+            length = float(rng.uniform(0.1, 0.6) if rng.random() < short else rng.uniform(1.0, 2.4))
+            return Burst("pulse", start, length, *((amplitude, 0.0) if side == 0 else (0.0, amplitude)))
+        case "both":
+            left, right = (rng.uniform(0.5, 0.95, 2) * top).tolist()
+            return Burst("pulse", start, float(rng.uniform(0.8, 2.2)), left, right)
+        case "chirp":
+            return Burst(
+                shape="chirp",
+                start=start,
+                frequencies=np.array([rng.uniform(0.5, 2.0), rng.uniform(4.0, 10.0)]),
+                duration=float(rng.uniform(1.0, 2.4)),
+                left=amplitude,
+                right=amplitude,
+            )
+        case "steps":
+            levels = rng.uniform(-1.0, 1.0, int(rng.integers(6, 16)))
+            length = STEP_HOLD * levels.size * float(rng.uniform(1.0, 4.0))
+            return Burst("steps", start, length, left=top, right=top, levels=levels)
+        case "multisine":
+            return Burst(
+                shape="multisine",
+                start=start,
+                frequencies=rng.uniform(0.3, 8.0, MULTISINE_LINES),
+                levels=rng.uniform(0.0, 2 * np.pi, MULTISINE_LINES),
+                duration=float(rng.uniform(2.0, 5.0)),
+                left=amplitude,
+                right=amplitude,
+            )
 
 
 TIME = "time"

@@ -64,7 +64,7 @@ def simulate(p: RigParameters, v: FloatArray, dt: float, *, stride: int = 15, x0
     if not follows:
         raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
     q, qdot = _hermite(poses[:, 0], rates[:, 0], v.shape[0], stride, stride * dt)
-    phi, _ = _hermite(poses[:, 1], rates[:, 1], v.shape[0], stride, stride * dt)
+    phi, _ = _hermite(poses[:, 2], rates[:, 2], v.shape[0], stride, stride * dt)
     return Motion(q, qdot, phi)
 
 

@@ -18,7 +18,7 @@ from ..numerics.compiled import compiled, inner, intrinsic, types
 from .bench import Bench, Converter, Laser, Probe, Readings, bent, charge_left, charged
 from .excitation import MAX_VOLTAGE
 from .joint import barrier, rest, tip_displacement, wells
-from .midpoint import KEEP, advance, at_rest, read_tip, workspace
+from .midpoint import KEEP, advance, at_rest, locate_tip
 from .parameters import RigParameters
 
 HALVES = 2
@@ -160,25 +160,19 @@ def close_loop(
     -----
     Cost: 9 ms for a second of motion, and the controller's own time.
     """
-    n = start.size
     h = PERIOD / HALVES
-    state = at_rest(p, start)
-    work = workspace(p, n)
-    inverse = np.zeros((n, n))
-    vm = np.zeros(n)
-    pose = np.zeros(2)
-    rate = np.zeros(2)
+    state, work = at_rest(p, start)
     v = np.zeros(2)
     membranes = np.zeros(2)
     command = np.zeros(2)
-    read_tip(state, p, work, pose, rate)
     reading = 0.0
-    anchor = pose[0]
+    anchor = work.pose[0]
     for row in range(out.shape[0]):
-        read_tip(state, p, work, pose, rate)
+        locate_tip(state.x, state.v, p, work)
+        q = work.pose[0]
         if row == 0 or around.lost[row] != FROZEN:
-            reading = laser_reading(pose[0], row, around)
-        anchor = min(max(anchor, pose[0] - GIVE), pose[0] + GIVE)
+            reading = laser_reading(q, row, around)
+        anchor = min(max(anchor, q - GIVE), q + GIVE)
         if row % HALVES == 0:
             call_step(address, reading, target[row], command.ctypes.data)
             for side in range(2):
@@ -188,13 +182,13 @@ def close_loop(
                     refused[0] += 1
                 elif asked != command[side]:
                     refused[1] += 1
-        out[row, 0], out[row, 5] = reading, pose[0]
+        out[row, 0], out[row, 5] = reading, q
         for side in range(2):
             out[row, 1 + side], out[row, 3 + side] = v[side], command[side]
         _charge(v, membranes, command, h, around, state.charge)
-        state.hand[0] = around.force[row] - around.drag * (pose[0] - anchor) / GIVE
+        state.hand[0] = around.force[row] - around.drag * (q - anchor) / GIVE
         state.hand[1] = around.spring[row]
-        if not advance(h, row % KEEP == 0, state, p, work, inverse, vm):
+        if not advance(h, row % KEEP == 0, state, p, work):
             return False
     return True
 

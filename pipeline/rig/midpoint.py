@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..numerics.arrays import FloatArray
-from ..numerics.compiled import compiled, inner
+from ..numerics.compiled import compiled, copy_into, inner
 from .elements import (
     elastic,
     hinge_angle,
@@ -56,10 +56,10 @@ class _Work(NamedTuple):
     """Arrays that are filled over and over."""
 
     x: FloatArray  # (n,) at the midpoint
-    pose: FloatArray  # (3,)
+    pose: FloatArray  # (3,) of the tip: q, u_y, φ
     jacobian: FloatArray  # (3, n)
+    speed: FloatArray  # (3,) rates of the pose
     gradient: FloatArray  # (3,)
-    speed: FloatArray  # (3,)
     load: FloatArray  # (3,)
     force: FloatArray  # (n,)
     bias: FloatArray  # (n,)
@@ -67,6 +67,8 @@ class _Work(NamedTuple):
     branches: FloatArray  # (2, branches) at the midpoint
     z: FloatArray  # (elements,) as the last evaluation leaves it
     layers: FloatArray  # (layers, n) as the last evaluation leaves them
+    middle: FloatArray  # (n,) rates at the midpoint of the last step
+    inverse: FloatArray  # (n, n) that of the last Jacobian
 
 
 @inner
@@ -78,11 +80,7 @@ def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: 
         x[j] = state.x[j] + 0.5 * h * vm[j]
     elastic(x, vm, p, work.force)
     yielding(x, state.bends, state.layers, p, work.force, work.layers)
-    tip(x, p, work.pose, work.jacobian)
-    for c in range(3):
-        work.speed[c] = 0.0
-        for j in range(n):
-            work.speed[c] += work.jacobian[c, j] * vm[j]
+    locate_tip(x, vm, p, work)
     _membrane_load(0.5 * h, state, p, work)
     rub = slide(
         state.z,
@@ -154,10 +152,9 @@ def _invert(a: FloatArray, inverse: FloatArray) -> None:
 
 
 @inner
-def _newton(
-    vm: FloatArray, h: float, renew: bool, state: _State, p: RigParameters, work: _Work, inverse: FloatArray
-) -> bool:
-    """Solve the step for `vm` in place; False if that fails. `inverse` is the Jacobian's, renewed on demand."""
+def _newton(h: float, renew: bool, state: _State, p: RigParameters, work: _Work) -> bool:
+    """Solve the step for `work.middle`, from what it holds; False if that fails. The Jacobian is renewed on demand."""
+    vm = work.middle
     n = vm.size
     residuals = np.empty((n + 1, n))
     tangent = np.empty((n, n))
@@ -174,13 +171,13 @@ def _newton(
             for j in range(n):
                 for i in range(n):
                     tangent[i, j] = (residuals[j, i] - residual[i]) * (h / _NUDGE)
-            _invert(tangent, inverse)
+            _invert(tangent, work.inverse)
         largest = 0.0
         size = 1.0
         for i in range(n):
             change = 0.0
             for j in range(n):
-                change += inverse[i, j] * residual[j]
+                change += work.inverse[i, j] * residual[j]
             vm[i] -= change
             if not abs(change) <= largest:  # so written, a NaN stays
                 largest = abs(change)
@@ -201,8 +198,11 @@ def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
 
 
 @inner
-def at_rest(p: RigParameters, start: FloatArray) -> _State:
-    """The joint at rest at the coordinates `start`, shape (n,), its viscous branches and friction relaxed."""
+def at_rest(p: RigParameters, start: FloatArray) -> tuple[_State, _Work]:
+    """The joint at rest at the coordinates `start`, shape (n,), and arrays for its steps.
+
+    Its viscous branches and friction are relaxed.
+    """
     n = start.size
     state = _State(
         x=start.copy(),
@@ -217,23 +217,12 @@ def at_rest(p: RigParameters, start: FloatArray) -> _State:
         age=np.zeros(1),
         hand=np.zeros(2),
     )
-    pose = np.zeros(3)
-    tip(state.x, p, pose, np.zeros((3, n)))
-    state.sliding[0] = pose[0] + p.friction_arm * pose[2]
-    for i in range(n):
-        state.bends[i] = hinge_angle(state.x, i)
-    return state
-
-
-@inner
-def workspace(p: RigParameters, n: int) -> _Work:
-    """Arrays for the steps of a joint with `n` coordinates."""
-    return _Work(
+    work = _Work(
         x=np.zeros(n),
         pose=np.zeros(3),
         jacobian=np.zeros((3, n)),
-        gradient=np.zeros(3),
         speed=np.zeros(3),
+        gradient=np.zeros(3),
         load=np.zeros(3),
         force=np.zeros(n),
         bias=np.zeros(n),
@@ -241,42 +230,41 @@ def workspace(p: RigParameters, n: int) -> _Work:
         branches=np.zeros(p.branch_modulus.shape),
         z=np.zeros(p.slip_force.size),
         layers=np.zeros((p.plastic_share.size, n)),
+        middle=np.zeros(n),
+        inverse=np.zeros((n, n)),
     )
+    locate_tip(state.x, state.v, p, work)
+    state.sliding[0] = work.pose[0] + p.friction_arm * work.pose[2]
+    for i in range(n):
+        state.bends[i] = hinge_angle(state.x, i)
+    return state, work
 
 
 @inner
-def read_tip(state: _State, p: RigParameters, work: _Work, pose: FloatArray, rate: FloatArray) -> None:
-    """Fill `pose` and `rate`, shape (2,), with (q, φ) and their rates; `work.pose` is that of the state.
+def locate_tip(x: FloatArray, v: FloatArray, p: RigParameters, work: _Work) -> None:
+    """Fill pose, Jacobian and speed of the tip in `work`.
 
     Parameters
     ----------
-    state : _State
-        State of the joint.
+    x, v : FloatArray, shape (n,)
+        Coordinates and their rates.
     p : RigParameters
         The joint.
     work : _Work
         Arrays of the integrator.
-    pose : FloatArray, shape (2,)
-        Takes q [m] and φ [rad].
-    rate : FloatArray, shape (2,)
-        Takes their rates.
     """
-    tip(state.x, p, work.pose, work.jacobian)
-    for row in range(2):
-        pose[row] = work.pose[2 * row]
-        rate[row] = 0.0
-        for j in range(state.v.size):
-            rate[row] += work.jacobian[2 * row, j] * state.v[j]
+    tip(x, p, work.pose, work.jacobian)
+    for c in range(3):
+        work.speed[c] = 0.0
+        for j in range(v.size):
+            work.speed[c] += work.jacobian[c, j] * v[j]
 
 
 @inner
-def advance(
-    h: float, renew: bool, state: _State, p: RigParameters, work: _Work, inverse: FloatArray, vm: FloatArray
-) -> bool:
+def advance(h: float, renew: bool, state: _State, p: RigParameters, work: _Work) -> bool:
     """One step of `h` [s] under `state.charge` and `state.hand`; False if the joint cannot follow.
 
-    `work.pose` must be that of the state (see `read_tip`); `inverse`, shape (n, n), and `vm`, shape (n,), are kept for
-    the next step.
+    `work.pose` must be that of the state (see `locate_tip`).
 
     Parameters
     ----------
@@ -290,20 +278,17 @@ def advance(
         The joint.
     work : _Work
         Arrays of the integrator.
-    inverse : FloatArray, shape (n, n)
-        Inverse of the Newton matrix.
-    vm : FloatArray, shape (n,)
-        Rates at the midpoint.
     """
+    n = state.x.size
     for side in range(2):
         state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p)[0]
-    for j in range(vm.size):
-        vm[j] = state.v[j]
-    if not _newton(vm, h, renew, state, p, work, inverse):
+    for j in range(n):
+        work.middle[j] = state.v[j]
+    if not _newton(h, renew, state, p, work):
         return False
-    for j in range(vm.size):
-        state.x[j] += h * vm[j]
-        state.v[j] = 2.0 * vm[j] - state.v[j]
+    for j in range(n):
+        state.x[j] += h * work.middle[j]
+        state.v[j] = 2.0 * work.middle[j] - state.v[j]
     for side in range(2):
         for b in range(p.branch_time.size):
             state.branches[side, b] = 2.0 * work.branches[side, b] - state.branches[side, b]
@@ -315,7 +300,7 @@ def advance(
         state.z[i] = work.z[i]
     state.sliding[0] = sliding
     yielding(state.x, state.bends, state.layers, p, work.force, work.layers)
-    for i in range(vm.size):
+    for i in range(n):
         state.bends[i] = hinge_angle(state.x, i)
         for k in range(p.plastic_share.size):
             state.layers[k, i] = work.layers[k, i]
@@ -344,8 +329,8 @@ def march(
 
     Returns
     -------
-    poses, rates : FloatArray, shape (steps + 1, 2)
-        (q, φ) and their rates at the start of each step, and after the last.
+    poses, rates : FloatArray, shape (steps + 1, 3)
+        (q, u_y, φ) and their rates at the start of each step, and after the last.
     x, v : FloatArray, shape (n,)
         Coordinates and their rates after the last step.
     follows : bool
@@ -355,19 +340,18 @@ def march(
     -----
     Cost: about 2.5 residuals of 1.5 µs a step, and n more every twelve steps.
     """
-    n = start.size
     steps = (e.shape[0] - 1) // stride + 1
-    poses = np.empty((steps + 1, 2))
-    rates = np.empty((steps + 1, 2))
-    state = at_rest(p, start)
-    work = workspace(p, n)
-    inverse = np.zeros((n, n))
-    vm = np.zeros(n)
-    for step in range(steps):
-        read_tip(state, p, work, poses[step], rates[step])
+    poses = np.empty((steps + 1, 3))
+    rates = np.empty((steps + 1, 3))
+    state, work = at_rest(p, start)
+    for step in range(steps + 1):
+        locate_tip(state.x, state.v, p, work)
+        copy_into(poses[step], work.pose)
+        copy_into(rates[step], work.speed)
+        if step == steps:
+            break
         for side in range(2):
             state.charge[side] = _mean(e, side, step * stride, stride)
-        if not advance(stride * dt, step % KEEP == 0, state, p, work, inverse, vm):
+        if not advance(stride * dt, step % KEEP == 0, state, p, work):
             return poses, rates, state.x, state.v, False
-    read_tip(state, p, work, poses[steps], rates[steps])
     return poses, rates, state.x, state.v, True

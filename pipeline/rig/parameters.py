@@ -160,10 +160,8 @@ _LAWS = {"beam": BEAMS, "rubber": RUBBERS, "strain": STRAINS, "friction": FRICTI
 
 def as_json(p: RigParameters) -> dict[str, object]:
     """`p` as plain numbers and lists, laws by name."""
-    values: dict[str, object] = {
-        key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in p._asdict().items()
-    }
-    return values | {key: names[getattr(p, key)] for key, names in _LAWS.items()}
+    laws = {key: names[getattr(p, key)] for key, names in _LAWS.items()}
+    return {key: x.tolist() if isinstance(x, np.ndarray) else x for key, x in p._asdict().items()} | laws
 
 
 def from_json(values: Mapping[str, Any]) -> RigParameters:

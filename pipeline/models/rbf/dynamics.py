@@ -1,6 +1,6 @@
 """Numbers and state equation of the data-driven joint, in a run of kernels and for traced values.
 
-It is that of `pipeline.equations.data_driven_joint`, which has one curve, relaxing element or friction state of each
+It is that of `pipeline.equations.elements`, which has one curve, relaxing element or friction state of each
 kind; here they are summed over as many as a joint has. F goes on as its cubic outside [low, high], but restores there
 at least as much as at the end, so that without inputs nothing rests far outside.
 
