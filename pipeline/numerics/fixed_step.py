@@ -48,10 +48,11 @@ def inlined(function: Kernel) -> Kernel:
     return inlinable(**_OPTIONS)(function)  # type: ignore[no-any-return]
 
 
-# What `integrate` calls; the compiler puts in its place what `integrator` was given for the system's class.
+# What `integrate` calls; the compiler puts in its place what `integrator` was given for the system's class. Systems of
+# differential equations alone are given `begin` and `finish` themselves, which do nothing.
 
 
-def begin(system: Any, x: FloatArray, node: int) -> None:
+def begin(system, x, node):
     """A step begins at the state x and the half step `node`."""
 
 
@@ -73,7 +74,7 @@ def rates(system: Any, x: FloatArray, node: int, dx: FloatArray, acceleration: F
     """
 
 
-def finish(system: Any, x: FloatArray) -> None:
+def finish(system, x):
     """Move what moves only with whole steps; x is the state at the end of the step."""
 
 
