@@ -164,14 +164,13 @@ _OF_NUMBERS = {"add", "sub", "mul", "neg", "le", "lt"}
 """Operations that are computed here if all operands are numbers; every language gives the same value."""
 
 
+@dataclass(eq=False)
 class Value:
     """A number in a graph that is being traced."""
 
     __array_ufunc__ = None  # so that a number of numpy leaves the operation to this class
-
-    def __init__(self, builder: Builder, place: int) -> None:
-        self.builder = builder
-        self.place = place
+    builder: Builder
+    place: int
 
     def __add__(self, other: Number) -> "Value":
         return function("add", self, other)

@@ -158,10 +158,30 @@ def closed_on_model(law: Law, joint: Law, start: float, target: FloatArray) -> t
     """
     s = np.zeros(CONTROLLER_STATE)
     plant = np.zeros(CONTROLLER_STATE)
-    q = np.empty(target.size)
-    v = np.empty((target.size, 2))
     begin_control(start, joint, plant)
     begin_control(start, law, s)
+    return go_on(law, s, joint, plant, target)
+
+
+@compiled
+def go_on(law: Law, s: FloatArray, joint: Law, plant: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Go on with a closed loop as `closed_on_model` returns it.
+
+    Parameters
+    ----------
+    law : Law
+        The controller.
+    s : FloatArray, shape (CONTROLLER_STATE,)
+        The controller's state; moved on.
+    joint : Law
+        Of the joint that is controlled.
+    plant : FloatArray, shape (CONTROLLER_STATE,)
+        The joint's state; moved on.
+    target : FloatArray, shape (N,)
+        Targets [m], one in each period.
+    """
+    q = np.empty(target.size)
+    v = np.empty((target.size, 2))
     for i in range(target.size):
         q[i] = plant[0] + joint.numbers[OFFSET]
         control(s, q[i], target[i], law, v[i])

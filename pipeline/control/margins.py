@@ -13,8 +13,7 @@ from scipy.linalg import expm
 
 from ..generated.condensed_joint import SHAPE, STATES, STOPS
 from ..numerics.arrays import FloatArray
-from ..numerics.compiled import compiled
-from .controller import OFFSET, begin_control, control, move
+from .controller import begin_control, control, go_on
 from .estimator import MEMORY, PERIOD, direction, travel
 from .feedback import INTEGRAL
 from .law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, SIDES, Law
@@ -63,18 +62,18 @@ def margins(plant: ControlledJoint, law: Law, saddle: float) -> Margins | None:
     """
     limits = np.isin(NUMBERS, ("slew", "allowed"))
     law = law._replace(numbers=np.where(limits, law.number("highest"), law.numbers))
-    slides = np.array([name.startswith("travel") for name in NUMBERS])
-    sliding = law._replace(numbers=np.where(slides, np.inf, law.numbers))
+    sliding = law._replace(numbers=np.where(np.char.startswith(NUMBERS, "travel"), np.inf, law.numbers))
+    targets = np.full(_SETTLES, saddle)
     s = np.zeros(CONTROLLER_STATE)
     joint = np.zeros(CONTROLLER_STATE)
     begin_control(saddle, sliding, s)
     begin_control(saddle, sliding, joint)
-    hold(sliding, s, joint, saddle, _SETTLES)
+    go_on(sliding, s, sliding, joint, targets)
     if abs(joint[0] + law.number("offset") - saddle) > law.number("near"):
         return None
     free = stepped(plant, law, joint, 0.0)
     slippery = differentiated(sliding, s, saddle)
-    hold(law, s, joint, saddle, _SETTLES)
+    go_on(law, s, law, joint, targets)
     sticky = differentiated(law, s, saddle)
     loops = [(free, slippery), (free, sticky), (stepped(plant, law, joint, 1.0), sticky)]
     if not all(_stable(*loop) for loop in loops):
@@ -85,29 +84,6 @@ def margins(plant: ControlledJoint, law: Law, saddle: float) -> Margins | None:
     )
     friction = _edge(lambda f: _stable(stepped(plant, law, joint, f), sticky), FACTOR)
     return Margins(max(low), min(high), min(_delay(*loop) for loop in loops), friction)
-
-
-@compiled
-def hold(law: Law, s: FloatArray, joint: FloatArray, target: float, periods: int) -> None:
-    """Move a controller `s` and the joint of its model, both states of a controller, on under one target [m].
-
-    Parameters
-    ----------
-    law : Law
-        Controller and model.
-    s : FloatArray, shape (CONTROLLER_STATE,)
-        The controller's state; moved on.
-    joint : FloatArray, shape (CONTROLLER_STATE,)
-        The joint's; moved on.
-    target : float
-        [m].
-    periods : int
-        Their number.
-    """
-    v = np.zeros(2)
-    for _ in range(periods):
-        control(s, joint[0] + law.numbers[OFFSET], target, law, v)
-        move(joint, v, law)
 
 
 def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float) -> Matrices:

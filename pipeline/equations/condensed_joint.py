@@ -137,7 +137,6 @@ def forces(s: CondensedSymbols, friction: Expression) -> tuple[Expression, list[
     x = s.x
     q = x[0]
     p = x[1]
-    turning = x[3]
     l = k("l")
     loss = k("bending_loss")
     g_q, g_t, g_b = beam_gradient(s)
@@ -145,9 +144,9 @@ def forces(s: CondensedSymbols, friction: Expression) -> tuple[Expression, list[
     phi = frame_angle(s)
     speed = p / l
     u_dot = ca.dot(along_u, s.speeds)
-    sides = [_membrane(s, side, phi, u_y, (p, turning, u_dot)) for side in range(2)]
+    sides = [_membrane(s, side, phi, u_y, (p, x[3], u_dot)) for side in range(2)]
     axial = _axial(s, sides)
-    end_dot = k("slope_by_q") * speed + k("slope_by_tau") * turning + k("slope_by_beta") * x[5]
+    end_dot = k("slope_by_q") * speed + k("slope_by_tau") * x[3] + k("slope_by_beta") * x[5]
     end_loss = loss * (STIFFNESS_QT * speed + STIFFNESS_TT * end_dot)
     beam_loss = loss * (STIFFNESS_QQ * speed + STIFFNESS_QT * end_dot) + k("slope_by_q") * end_loss
     force, moment = _corrections(s)

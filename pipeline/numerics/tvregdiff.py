@@ -123,7 +123,8 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     y, t, q, p, dy, dt, dp = np.zeros((7, n))
     at = Iterate(b=problem.b, y=y, t=t, q=q, p=p, lam=problem.lam_of_terms())  # the feasible constant signal
     step = NewtonStep(dy, dt, dp, np.empty((n, problem.order + 2)))
-    delta = max(problem.delta, _roughness(problem))
+    # From the mean size of the data's own differences on; the median would be zero for a noise-free step.
+    delta = max(problem.delta, float(np.abs(np.diff(problem.b, problem.order + 1)).mean()))
     value = objective(at, step, 0.0, delta)
     status: Status = "iteration limit"
     gap = 0.0
@@ -161,19 +162,12 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
     )
 
 
-def _roughness(problem: VariationProblem) -> float:
-    """Mean size of the data's own differences [signal]; the median would be zero for a noise-free step."""
-    differences = np.diff(problem.b, problem.order + 1)
-    return float(np.abs(differences, out=differences).mean())
-
-
-def _descend(at: Iterate, step: NewtonStep, delta: float, highest: float, full: float) -> tuple[float, float]:
+def _descend(at: Iterate, step: NewtonStep, delta: float, highest: float, value: float) -> tuple[float, float]:
     """Longest halving of the Newton step after which the objective is at most `highest`, and the objective there.
 
-    `full` is the objective after the whole step.
+    `value` is the objective after the whole step.
     """
     share = 1.0
-    value = full
     while value > highest * (1.0 + _OBJECTIVE_ROUNDING):
         share *= 0.5
         if share < _LEAST_STEP:
@@ -278,9 +272,10 @@ def tvregdiff(
         Fewer than two samples, a sample that is not finite, or a parameter out of range.
     """
     data = np.asarray(samples, dtype=np.float64)
-    _check(data, order, start, dt=dt, alpha=alpha, epsilon=epsilon)
+    factors = None if weights is None else np.asarray(weights, dtype=np.float64)
+    _check(data, factors, order, start, dt=dt, alpha=alpha, epsilon=epsilon)
     columns = data[:, None] if data.ndim == 1 else data
-    factors = None if weights is None else _checked_weights(weights, data.shape[0])
+
     solved = []
     for column in columns.T:
         problem = VariationProblem(
@@ -306,7 +301,7 @@ def tvregdiff(
     )
 
 
-def _check(data: FloatArray, order: int, start: str, **positive: float) -> None:
+def _check(data: FloatArray, factors: FloatArray | None, order: int, start: str, **positive: float) -> None:
     if data.ndim not in (1, 2) or data.shape[0] < 2 or data.size == 0:
         raise InputError(f"tvregdiff needs (N,) or (N, k) samples with N ≥ 2, got shape {data.shape}")
     if not np.isfinite(data).all():
@@ -318,13 +313,9 @@ def _check(data: FloatArray, order: int, start: str, **positive: float) -> None:
     for name, value in positive.items():
         if not (math.isfinite(value) and value > 0.0):
             raise InputError(f"tvregdiff needs a positive, finite {name}, got {value}")
-
-
-def _checked_weights(weights: ArrayLike, n: int) -> FloatArray:
-    factors = np.asarray(weights, dtype=np.float64)
-    if factors.shape != (n,) or not (np.isfinite(factors) & (factors > 0.0)).all():
+    n = data.shape[0]
+    if factors is not None and (factors.shape != (n,) or not (np.isfinite(factors) & (factors > 0.0)).all()):
         raise InputError(f"tvregdiff needs {n} positive, finite weights, one a sample, got shape {factors.shape}")
-    return factors
 
 
 def _at_samples(y: FloatArray, dt: float, order: int) -> FloatArray:

@@ -33,8 +33,6 @@ _MAX_TRIES = 20
 _BEAM_SHARE = 0.25  # of the beam's mass that moves with the frame, about
 
 _DRAWINGS = {"nominal": nominal, "table1": table1}
-_EXCITATIONS: dict[Role, str] = {"train": "training", "validation": "validation"}
-"""Default excitation of the logs."""
 
 
 class ExperimentFile(SettingsTable):
@@ -227,7 +225,7 @@ def _logs(
             t = bench.clock(sequence.duration)
             u = sequence.at(t)
         else:
-            excitation = experiment.excitation or _EXCITATIONS[role]
+            excitation = experiment.excitation or ("training" if role == "train" else role)
             t = bench.clock(experiment.duration)
             u = command(random_excitation(rng, duration=experiment.duration, excitation=excitation), t)
         yield SimulatedLog(role, stem, excitation, record(joint, bench, t, u, rng))

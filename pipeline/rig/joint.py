@@ -95,8 +95,7 @@ def rest(p: RigParameters, *, side: int) -> FloatArray:
 
 def wells(p: RigParameters) -> tuple[float, float]:
     """Tip displacement [m] of the relaxed equilibria on the left and on the right, without voltage."""
-    left, right = (tip_displacement(p, rest(p, side=side)) for side in (-1, 1))
-    return left, right
+    return tip_displacement(p, rest(p, side=-1)), tip_displacement(p, rest(p, side=1))
 
 
 def saddle(p: RigParameters) -> FloatArray:

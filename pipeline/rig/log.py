@@ -6,7 +6,6 @@ MAT files are as ControlDesk exports them: one struct with ``X`` (time axes) and
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any, Literal
 
 import numpy as np
@@ -48,10 +47,8 @@ def write_mat5(path: Path, t: FloatArray, channels: dict[str, tuple[FloatArray, 
 
 def _struct_array(records: list[dict[str, Any]]) -> NDArray[np.void]:
     """A 1×n MATLAB struct array from `records` with equal keys."""
-    array = np.empty((1, len(records)), dtype=[(field, object) for field in records[0]])
-    for i, record in enumerate(records):
-        array[0, i] = tuple(record.values())
-    return array
+    fields = [(field, object) for field in records[0]]
+    return np.array([[tuple(record.values()) for record in records]], dtype=fields)
 
 
 Channels = dict[str, tuple[FloatArray, str]]
@@ -82,11 +79,9 @@ class Layout:
     v2: tuple[str, str]
     write: Callable[[Path, FloatArray, dict[str, tuple[FloatArray, str]]], None]
 
-    def save(
-        self, log: Readings, path: Path, more: Mapping[tuple[str, str], FloatArray] = MappingProxyType({})
-    ) -> None:
+    def save(self, log: Readings, path: Path, more: Mapping[tuple[str, str], FloatArray] | None = None) -> None:
         """Write `log` in this layout, and `more` channels [SI] by name and unit; samples are in the units named."""
-        samples = {self.q: log.q, self.v1: log.v1, self.v2: log.v2, **more}
+        samples = {self.q: log.q, self.v1: log.v1, self.v2: log.v2, **(more or {})}
         channels = {name: (values * (1.0 / PLAIN[unit][0]), unit) for (name, unit), values in samples.items()}
         self.write(path, log.t, channels)
 

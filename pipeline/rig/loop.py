@@ -6,7 +6,7 @@ which are held until the next call. A command is limited to what the converters 
 
 import ctypes
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -197,49 +197,36 @@ _STEP = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_double, ctypes.POINTER(
 Step = Callable[[float, float], tuple[float, float]]
 
 
-@dataclass
 class Controller:
-    """A controller in memory.
+    """A controller from a function that gets the first reading [m] and returns the step function.
 
     Attributes
     ----------
-    step : int
-        Address of its step function.
-    begin : callable
-        Receives the first reading [m] before the first step.
+    address : int
+        Of its step for compiled code, while this object is alive.
     failure : list of Exception
         Errors of its Python; the voltages are zero from there on.
-    keep : tuple
-        Objects that must stay alive.
     """
 
-    step: int
-    begin: Callable[[float], None]
-    failure: list[Exception] = field(default_factory=list)
-    keep: tuple[Any, ...] = ()
+    def __init__(self, beginning: Callable[[float], Step]) -> None:
+        self._beginning = beginning
+        self._called = _STEP(self._answer)
+        self.address = ctypes.cast(self._called, ctypes.c_void_p).value or 0
+        self.failure: list[Exception] = []
 
+    def begin(self, q: float) -> None:
+        """Make the step function for the first reading [m]."""
+        self._step = self._beginning(q)
 
-def python_controller(beginning: Callable[[float], Step]) -> Controller:
-    """A controller from a function that gets the first reading [m] and returns the step function."""
-    failure: list[Exception] = []
-    steps: list[Step] = []
-
-    def begin(q: float) -> None:
-        """Make the step function for the first reading."""
-        steps.append(beginning(q))
-
-    def step(q: float, target: float, v: Any) -> None:
+    def _answer(self, q: float, target: float, v: Any) -> None:
         """Write the voltages [V] for a reading and a target [m] into `v`; zero from the first failure on."""
         left = right = 0.0
         try:
-            if not failure:
-                left, right = steps[-1](q, target)
+            if not self.failure:
+                left, right = self._step(q, target)
         except Exception as error:  # it cannot pass through the compiled loop
-            failure.append(error)
+            self.failure.append(error)
         v[0], v[1] = left, right
-
-    called = _STEP(step)
-    return Controller(ctypes.cast(called, ctypes.c_void_p).value or 0, begin, failure, (called,))
 
 
 def played(t: FloatArray, u: FloatArray) -> Controller:
@@ -252,7 +239,7 @@ def played(t: FloatArray, u: FloatArray) -> Controller:
         left, right = next(commands, (0.0, 0.0))
         return left, right
 
-    return python_controller(lambda _q: step)
+    return Controller(lambda _q: step)
 
 
 @dataclass(frozen=True)
@@ -375,7 +362,7 @@ def run_loop(
     controller.begin(laser_reading(tip_displacement(p, start), 0, around))
     out = np.zeros((rows, 6))
     refused = np.zeros(2, dtype=np.int64)
-    follows = close_loop(changed, start, around, target, controller.step, out, refused)
+    follows = close_loop(changed, start, around, target, controller.address, out, refused)
     if controller.failure:
         error = controller.failure[0]
         raise InputError(f"the controller failed: {type(error).__name__}: {error}") from error

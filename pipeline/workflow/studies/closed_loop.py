@@ -18,7 +18,7 @@ from ...rig.bench import Bench, random_bench
 from ...rig.excitation import MAX_VOLTAGE, load_sequence
 from ...rig.joint import saddle, tip_displacement, wells
 from ...rig.log import LAYOUTS
-from ...rig.loop import ClosedLoop, Controller, Scenario, bench_from_json, played, python_controller, run_loop
+from ...rig.loop import ClosedLoop, Controller, Scenario, bench_from_json, played, run_loop
 from ...rig.parameters import RigParameters, from_json, nominal, table1
 from ...rig.random_joint import Family, random_joint
 from ...rig_logs import read_recording
@@ -120,7 +120,7 @@ def designed(law: Law) -> Controller:
 
         return step
 
-    return python_controller(made)
+    return Controller(made)
 
 
 def _controller(run: Path | None, play: Path | None) -> Controller:
