@@ -235,9 +235,8 @@ def _first(
     if over[0] or not over.any():
         return None
     at = int(np.argmax(over))
-    middle = float(np.sqrt(volts[at - 1] * volts[at]))
     beyond = volts[at:][~over[at:]]
-    first = np.exp(_logarithms(joint, wells, to, duration, middle)[0])
+    first = np.exp(_logarithms(joint, wells, to, duration, float(np.sqrt(volts[at - 1] * volts[at])))[0])
     return float(first), float(beyond[0]) if beyond.size else None
 
 

@@ -237,19 +237,18 @@ def stop_rates(s: CondensedSymbols) -> list[Expression]:
     ]
 
 
-def linearised(s: CondensedSymbols) -> dict[str, Expression]:
-    """Rates of (x, z) and their exact derivatives.
+def linearised(s: CondensedSymbols) -> tuple[Expression, dict[str, Expression], Expression]:
+    """The corrections' slopes along q, an input; rates of (x, z) with their exact derivatives; and that by constants.
 
-    `f` (STATES + STOPS,); `a` by (x, z), with the corrections' slopes along q, the input `c_q`; `b` by the squared
-    voltages; `by_c` by the corrections; `by_k` by the constants. Where friction
-    turns or sticks, that of the side on which the motion goes on.
+    Rates are `f` (STATES + STOPS,), derivatives `a` by (x, z), with those slopes, `b` by the squared voltages and
+    `by_c` by the corrections. Where friction turns or sticks, that of the side on which the motion goes on.
     """
     slopes = ca.SX.sym("c_q", len(CORRECTIONS))
     f = ca.vertcat(rates(s, stop_forces(s, [s.z[i] for i in range(STOPS)])), *stop_rates(s))
     by_c = ca.jacobian(f, s.c)
     a = ca.jacobian(f, ca.vertcat(s.x, s.z))
     a[:, 0] = a[:, 0] + ca.mtimes(by_c, slopes)
-    return {"c_q": slopes, "f": f, "a": a, "b": ca.jacobian(f, s.u), "by_c": by_c, "by_k": ca.jacobian(f, s.k)}
+    return slopes, {"f": f, "a": a, "b": ca.jacobian(f, s.u), "by_c": by_c}, ca.jacobian(f, s.k)
 
 
 def rest_forces(s: CondensedSymbols) -> Expression:

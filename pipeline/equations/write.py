@@ -109,9 +109,7 @@ def _condensed() -> str:
 def _condensed_jacobian() -> str:
     s = condensed_parts.symbols()
     moving = {"x": s.x, "u": s.u, "k": s.k, "c": s.c, "z": s.z}
-    linear = condensed_joint.linearised(s)
-    by_k = linear.pop("by_k")
-    slopes = linear.pop("c_q")
+    slopes, linear, by_k = condensed_joint.linearised(s)
     exact = {"JACOBIAN": (moving | {"c_q": slopes}, linear), "BY_CONSTANTS": (moving, {"by_k": by_k})}
     return _module("Exact derivatives of the condensed joint's rates.", graphs(exact, "k"))
 

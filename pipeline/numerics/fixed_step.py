@@ -112,11 +112,11 @@ def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., i
 
     `methods` gives their functions; it gets their numba type, which differs between a batch and one.
     """
-    cached = cache(methods)
 
+    @cache
     def of(system) -> Methods | None:
         """The methods, if the system is of this class."""
-        return cached(system) if isinstance(system, _NAMED) and system.instance_class is kind else None
+        return methods(system) if isinstance(system, _NAMED) and system.instance_class is kind else None
 
     @implement(begin, jit_options=_OPTIONS)
     def _begin(system, x, node):

@@ -282,8 +282,7 @@ def advance(h: float, renew: bool, state: _State, p: RigParameters, work: _Work)
     n = state.x.size
     for side in range(2):
         state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p)[0]
-    for j in range(n):
-        work.middle[j] = state.v[j]
+    copy_into(work.middle, state.v)
     if not _newton(h, renew, state, p, work):
         return False
     for j in range(n):
@@ -296,8 +295,7 @@ def advance(h: float, renew: bool, state: _State, p: RigParameters, work: _Work)
     sliding = work.pose[0] + p.friction_arm * work.pose[2]
     shifted = sliding - state.sliding[0]
     slide(state.z, shifted, shifted / h, h, p, work.z)  # friction over the whole of the step just taken
-    for i in range(p.slip_force.size):
-        state.z[i] = work.z[i]
+    copy_into(state.z, work.z)
     state.sliding[0] = sliding
     yielding(state.x, state.bends, state.layers, p, work.force, work.layers)
     for i in range(n):
