@@ -159,8 +159,7 @@ def regulator(
     whole[:n, n] = 0.5 * (b[:, 0] / per_square[0] - b[:, 1] / per_square[1])
     whole[n, n:] = -1.0 / lag, 1.0 / lag
     step = expm(PERIOD * whole)
-    weight = np.zeros(FEEDBACK)
-    weight[:CORRECTED] = 1.0 / reach**2
+    weight = np.append(1.0 / reach**2, np.zeros(FEEDBACK - CORRECTED))
     control_weight = 1.0 / (float(np.mean(per_square)) * highest**2) ** 2
     drive = step[:-1, -1:]
     cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))

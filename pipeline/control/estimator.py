@@ -127,8 +127,9 @@ def listen(now: State, signals: Values, n: Numbers, rests: Values) -> Outputs:
     q, finite = _reading(signals, n)
     again = function("and", finite, function("le", RAMP, now["lost"][0]))
     strayed = function("and", finite, function("le", PERSISTENT, now["strayed"][0]))
-    fresh = rest(q, n) | {name: now[name] for name in _OF_COMMANDS}
-    anew = fresh | {name: now[name] for name in _OF_TARGETS}
+    fresh = rest(q, n) | {name: now[name] for name in ("volts", "commanded", "average")}
+    kept = ("target", "stood", "lost", "refused", "phase", "dwell", "tried")
+    anew = fresh | {name: now[name] for name in kept}
     restarted = {
         name: [choose(again, a, choose(strayed, b, c)) for a, b, c in zip(fresh[name], anew[name], old, strict=True)]
         for name, old in now.items()
@@ -149,10 +150,6 @@ def listen(now: State, signals: Values, n: Numbers, rests: Values) -> Outputs:
         **{name: [choose(other, 0.0, restarted[name][0])] for name in ("tried", "refused", "near")},
     }
     return {"s": joined(restarted | updated)}
-
-
-_OF_COMMANDS = ("volts", "commanded", "average")
-_OF_TARGETS = ("target", "stood", "lost", "refused", "phase", "dwell", "tried")
 
 
 def _reading(signals: Values, n: dict[str, Any]) -> tuple[Any, Any]:

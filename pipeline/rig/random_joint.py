@@ -56,9 +56,8 @@ def random_joint(rng: np.random.Generator, family: Family) -> RigParameters:
         If no draw gives a joint that switches.
     """
     for _ in range(_MAX_DRAWS):
-        p = _DRAWN[family](rng)
         try:
-            p = _tuned(p, float(rng.uniform(*_TARGETS)))
+            p = _tuned(_DRAWN[family](rng), float(rng.uniform(*_TARGETS)))
             if _switches(p):
                 return p
         except InputError:
