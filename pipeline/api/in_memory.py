@@ -13,8 +13,8 @@ from ..device.parameters import parameter_set
 from ..diagnostics.characteristics import believed_wells, stable_rests
 from ..diagnostics.check import check_logs, refusing, remarks
 from ..diagnostics.copies import shared_findings, shared_recordings
+from ..diagnostics.log_facts import LogSignals
 from ..diagnostics.sentences import sentences
-from ..diagnostics.weak_form import LogSignals
 from ..errors import DataRefusedError, InputError, warn_user
 from ..models.base import DynamicModel, kind_of, real_numbers
 from ..models.free_runs import free_run
