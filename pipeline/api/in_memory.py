@@ -12,8 +12,8 @@ from ..device.device import device
 from ..device.parameters import parameter_set
 from ..diagnostics.check import check_logs, refusing, remarks
 from ..diagnostics.copies import shared_findings, shared_recordings
+from ..diagnostics.log_facts import LogSignals
 from ..diagnostics.sentences import sentences
-from ..diagnostics.weak_form import LogSignals
 from ..errors import DataRefusedError, InputError, warn_user
 from ..models.base import FreeRun, kind_of, real_numbers
 from ..models.model_type import StoredModel, model_type

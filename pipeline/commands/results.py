@@ -309,12 +309,12 @@ def series(
 
     Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30
     """
-    from ..diagnostics.series import COLUMNS, conclusion, series_rows
+    from ..reporting.tables import SERIES_COLUMNS, series_conclusion, series_rows
     from ..workflow.studies.fleet import series_of
 
     facts = series_of(runs, at)
     if as_json:
         emit_json(asdict(facts))
     else:
-        emit_table(f"{len(facts.names)} runs of one device, ± 95 %", COLUMNS, series_rows(facts))
-        emit_text(conclusion(facts))
+        emit_table(f"{len(facts.names)} runs of one device, ± 95 %", SERIES_COLUMNS, series_rows(facts))
+        emit_text(series_conclusion(facts))
