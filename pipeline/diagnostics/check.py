@@ -456,10 +456,13 @@ def _cell(row: CheckRow | None) -> str:
 
 def _in_si(finding: Finding) -> dict[str, float]:
     """Numbers under keys with their SI units, and their standard errors."""
-    values = {}
-    for name, number in finding.numbers.items():
-        end = "" if number.unit == "1" else f"_{column_suffix(number.unit)}"
-        for key, value in ((f"{name}{end}", number.value), (f"{name}_error{end}", number.error)):
-            if value is not None and np.isfinite(value):
-                values[key] = float(value)
-    return values
+    ends = {
+        unit: "" if unit == "1" else f"_{column_suffix(unit)}"
+        for unit in {number.unit for number in finding.numbers.values()}
+    }
+    return {
+        f"{name}{kind}{ends[number.unit]}": float(value)
+        for name, number in finding.numbers.items()
+        for kind, value in (("", number.value), ("_error", number.error))
+        if value is not None and np.isfinite(value)
+    }

@@ -224,8 +224,8 @@ def _point(level: float, draws: Sequence[Sequence[Log]], held_out: Sequence[Log]
             model = identify(draw)
         except DebistError:
             refused += 1
-            continue
-        errors.append(held_out_error(model, held_out))
+        else:
+            errors.append(held_out_error(model, held_out))
     return StudyPoint(level, tuple(errors), refused)
 
 
