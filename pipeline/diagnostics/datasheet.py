@@ -10,7 +10,7 @@ from ..device.device import Device
 from ..models.base import DynamicModel, HasOutcomeDraws
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90, signal_range
-from ..scoring.wells import NoWells, Wells
+from ..scoring.wells import NoWells, Wells, wells_of
 from ..signals.findings import SEVERITIES, Finding, Number, Severity
 from ..store.columns import FACT_COLUMNS, STABLE
 from .characteristics import (
@@ -28,7 +28,7 @@ from .data_quality import data_checks
 from .events import RESTS, rest_events, ring_down
 from .grades import THRESHOLDS, Check, graded, of_finding
 from .model_quality import model_checks
-from .run_data import RunData, wells_of_run
+from .run_data import RunData
 
 FORMAT = "debist-datasheet/1"
 RING_TIME, RING_STEP = 2.0, 0.005  # s
@@ -205,8 +205,8 @@ def is_refused(checks: Iterable[Mapping[str, Any]]) -> bool:
 
 def make_datasheet(data: RunData) -> Datasheet:
     """Evaluate curves, rests and ring-downs of a run, and judge it."""
-    wells = wells_of_run(data)
-    records = [(g.motion.t, g.motion.q, g.motion.v) for g in data.logs]
+    motions = [log.motion for log in data.logs]
+    wells = wells_of(motions, plant=data.device)
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
@@ -217,10 +217,10 @@ def make_datasheet(data: RunData) -> Datasheet:
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
         wells = believed_wells(wells, source, stable, plant=data.device)
         rings = simulated_ring_downs(data.models[source], modelled.values, curves[source], len(data.device.inputs))
-        of_draws = drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device)
-        modelled.limits.update(intervals(rings, of_draws))
+        drawn_rings = drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device)
+        modelled.limits.update(intervals(rings, drawn_rings))
         modelled.values.update(rings)
-    measured = rest_events(records, wells, hum, plant=data.device)
+    measured = rest_events([(log.t, log.q, log.v) for log in motions], wells, hum, plant=data.device)
     in_free_run = _in_free_run(data, source, wells)
     facts = tuple(_facts(data, modelled, measured, wells, in_free_run))
     rest_errors = _rest_errors(in_free_run, modelled.values, measured, wells)

@@ -164,17 +164,15 @@ def rest_events(
             if rest.start in standing:
                 events[RESTS[side]].append(place)
             ring = _ring_down(t, q, rest, interval, wells) if number % step == 0 else None
-            if ring is not None and not _is_driven(ring, interval, hum):
+            # What does not decay is driven, and so is a line of the mains.
+            if (
+                ring is not None
+                and ring.damping >= LEAST_DAMPING
+                and all(abs(ring.frequency - aliased(line, interval)) >= MAINS_WIDTH for line in hum)
+            ):
                 events[f"frequency{side}"].append(ring.frequency)
                 events[f"damping{side}"].append(ring.damping)
     return {key: np.array(values) for key, values in events.items()}
-
-
-def _is_driven(ring: RingDown, interval: float, hum: Collection[float]) -> bool:
-    """True if it does not decay, or is a line of the mains [Hz] in samples an interval [s] apart."""
-    return ring.damping < LEAST_DAMPING or any(
-        abs(ring.frequency - aliased(line, interval)) < MAINS_WIDTH for line in hum
-    )
 
 
 def _ring_down(t: FloatArray, q: FloatArray, rest: slice, interval: float, wells: Wells | NoWells) -> RingDown | None:

@@ -101,7 +101,6 @@ def examine_excitation(
         smoothing=smoothing,
         inputs=plant.action,
     )
-    information: FloatArray = np.sum([weights.information(*each, interval) for each in motions], axis=0)
     wells = find_wells([(q, v, interval)], plant=plant)
     return Excitation(
         centres=weights.centres,
@@ -109,7 +108,7 @@ def examine_excitation(
         wells=wells,
         switches=_switches(q[valid], wells),
         largest=largest,
-        conditioning=conditioning(information),
+        conditioning=conditioning(np.sum([weights.information(*each, interval) for each in motions], axis=0)),
     )
 
 
