@@ -65,14 +65,15 @@ class JointSet:
 
 
 def _draw(place: Path | None, name: str, *drawn: Any) -> None:
-    """Draw a figure of `joint_figures` into a file, if one is wanted."""
+    """Draw a figure of `paper_figures` into a file, if one is wanted."""
     if place is not None:
-        from ..reporting import joint_figures
-        from ..reporting.plotted import save
+        from ..reporting import paper_figures
+        from ..reporting.plotted import form_of, paper_figure
         from ..store.outputs import new_outputs
 
+        figure = getattr(paper_figures, name)(*drawn)
         with new_outputs(place.parent, _FIGURE, force=None) as staged:
-            save(getattr(joint_figures, name)(*drawn), staged / place.name, joint_figures.COLOURED)
+            (staged / place.name).write_bytes(paper_figure(figure, paper_figures.COLOURED, form_of(place))[0])
 
 
 @app.command()

@@ -35,18 +35,6 @@ Rows = list[tuple[str, ...]]
 
 
 @dataclass(frozen=True)
-class ShownDatasheet:
-    """A datasheet for the terminal: facts, what the logs show of them, what acts, checks, and the assessment."""
-
-    title: str
-    facts: Rows
-    seen: Rows
-    elements: Rows
-    checks: Rows
-    assessment: str
-
-
-@dataclass(frozen=True)
 class SheetCell:
     """Texts of a cell: the model's value, and what the data show without a model and the free run there (or empty)."""
 
@@ -155,8 +143,11 @@ def _row(fitted: Calibrated) -> CalibratedRow:
     return CalibratedRow(fitted.name, nominal, quantity(fitted.value, fitted.unit, half), moved)
 
 
-def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
-    """The datasheet as text: the rows of the page, and what the logs show of them."""
+def datasheet_tables(document: dict[str, Any]) -> list[tuple[str, tuple[str, ...], Rows]]:
+    """The datasheet for the terminal, as tables with title, heading and rows.
+
+    The facts of the page, what the logs show of them, what acts, and last the checks of the assessment.
+    """
     sheet = sheet_rows([DatasheetFact(**fact) for fact in document["facts"]])
 
     def texts(row: SheetRow, of: Callable[[SheetCell], str]) -> tuple[str, ...]:
@@ -171,14 +162,30 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
     ]
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
     refused = document["facts_from"] == document["judged_model"] and is_refused(assessment["checks"])
-    return ShownDatasheet(
-        title=f"{document['name']}: {source}{NOT_USED if refused else ''}",
-        facts=[texts(row, lambda cell: cell.value) for row in sheet],
-        seen=[texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
-        elements=element_rows(document.get("elements", ())),
-        checks=checks,
-        assessment=f"data {assessment['data']}, model {document['judged_model']} {assessment['model']}",
-    )
+    wells = ("quantity", "left well, or the device", "right well")
+    return [
+        (
+            f"{document['name']}: {source}{NOT_USED if refused else ''}; ± half of the central 90 %, "
+            "ring-downs of small motion",
+            wells,
+            [texts(row, lambda cell: cell.value) for row in sheet],
+        ),
+        (
+            "measured in the logs, and in the model's free runs",
+            wells,
+            [texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
+        ),
+        (
+            "what acts along the training logs",
+            ("element", "RMS force", "of the restoring force"),
+            element_rows(document.get("elements", ())),
+        ),
+        (
+            f"assessment: data {assessment['data']}, model {document['judged_model']} {assessment['model']}",
+            ("about", "grade", "finding", "what to do"),
+            checks,
+        ),
+    ]
 
 
 def element_rows(elements: Sequence[Mapping[str, Any]]) -> Rows:

@@ -24,7 +24,7 @@ from .datasheet_rows import NOT_USED
 from .figure import Band, Cells, Figure, Line, Panel, Points
 from .instrument_table import instruments_figure
 from .log_figures import residual_figures
-from .recipe_figures import study_figure
+from .paper_figures import study_figure
 
 _Measured = tuple[FloatArray, FloatArray] | None
 _Wanted = tuple[str, str, tuple[float, float], Callable[[Curves], FloatArray | None], _Measured]
@@ -172,19 +172,13 @@ def _curve_panel(
             bands.append(Band(f"{model}, {prefixed(COVERAGE, '%', 0)} % band", model, q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, q[rows], inside[rows]))
+    circles = []
+    if measured is not None:
+        q, y = measured
+        visible = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
+        circles.append(Points("measured", "measured", q[visible], y[visible], "ring"))
     # The main model is drawn last, over its baselines.
-    return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), _circles(measured, lines, frame))
-
-
-def _circles(
-    measured: tuple[FloatArray, FloatArray] | None, lines: Sequence[Line], frame: tuple[float, float]
-) -> tuple[Points, ...]:
-    """The measured points inside the frame that the models' curves set."""
-    if measured is None:
-        return ()
-    q, y = measured
-    visible = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
-    return (Points("measured", "measured", q[visible], y[visible], "ring"),)
+    return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), tuple(circles))
 
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:

@@ -13,7 +13,6 @@ from ..numerics.arrays import FloatArray, IntArray
 from ..units.quantity import power, significant
 
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
-_ROOM = 0.1  # rows, above and below
 MARGIN = 0.04  # of the range of y, above and below
 
 # Origin of a line: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
@@ -65,20 +64,6 @@ class Band:
 
 
 Drawn = TypeVar("Drawn", Line, Band)
-
-
-def error_bars(label: str, at: FloatArray, half: FloatArray, across: FloatArray) -> Line:
-    """Bars from `at` − `half` to `at` + `half` as one interrupted line, each at its place `across`.
-
-    Parameters
-    ----------
-    label : str
-        Name of the quantity.
-    at, half, across : FloatArray, shape (n,)
-        Middles and half lengths along x, and places on y.
-    """
-    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
-    return Line(label, "measured", ends, np.repeat(across, 3), dash="solid")
 
 
 @dataclass(frozen=True)
@@ -140,27 +125,6 @@ class Panel:
     low: bool = False
     whole: bool = False
     names: tuple[str, ...] = ()
-
-
-def rows_panel(names: Sequence[str], bars: Line, usual: str, within: FloatArray, points: Sequence[Points]) -> Panel:
-    """A panel with a row for each quantity, and behind the rows what is usual.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Of the quantities, from below.
-    bars : Line
-        From :func:`error_bars`.
-    usual : str
-        Name of the area behind the rows.
-    within : FloatArray, shape (2,)
-        Its limits.
-    points : sequence of Points
-        Marks on the rows.
-    """
-    band = Band(usual, "reference", within, np.full(2, -0.5), np.full(2, len(names) - 0.5))
-    ends = (-0.5 - _ROOM, len(names) - 0.5 + _ROOM)
-    return Panel("", "1", (bars,), (band,), tuple(points), y_limits=ends, names=tuple(names))
 
 
 @dataclass(frozen=True)

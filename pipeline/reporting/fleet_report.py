@@ -76,7 +76,11 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
     scores = sheet["scores"]
     judged = sheet["judged_model"]
     of_q = [s for s in scores if s["signal"] == "q" and s["model"] == judged]
-    instruments, off = _instruments([row for row in sheet.get("instruments", ()) if row["model"] == judged])
+    instruments = [row for row in sheet.get("instruments", ()) if row["model"] == judged]
+    errors = [abs(row["estimate"]) / row["limit"] for row in instruments if row["estimate"] is not None]
+    checks = sheet["verdict"].get("checks", ())
+    failing = [check for grade in ("poor", "fair") for check in checks if check["grade"] == grade]
+    more = f" (and {len(failing) - 1} more)" if failing[1:] else ""
     return Summary(
         name=name,
         reason="",
@@ -84,28 +88,15 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
         done=True,
         data=str(sheet["verdict"]["data"]),
         model=str(sheet["verdict"]["model"]),
-        why=_why(sheet["verdict"].get("checks", ())),
+        why=f"{failing[0]['about']}: {failing[0]['statement']}{more}" if failing else "",
         diverged=any(s["status"] == "diverged" for s in scores if s["model"] == judged),
         error=_worst(of_q, "nrmse"),
         switches=_worst(of_q, "switch_accuracy"),
         training={s["role"] for s in of_q} == {"train"},
         facts={fact["key"]: (_value(fact), str(fact["unit"])) for fact in sheet["facts"] if fact["key"] in FACTS},
-        instruments=instruments,
-        off=off,
+        instruments=max(errors, default=float("nan")),
+        off=any(row["beyond"] or row["status"] == "another device" for row in instruments),
     )
-
-
-def _instruments(rows: Sequence[Mapping[str, Any]]) -> tuple[float, bool]:
-    """`Summary.instruments` and `Summary.off`."""
-    errors = [abs(row["estimate"]) / row["limit"] for row in rows if row["estimate"] is not None]
-    off = any(row["beyond"] or row["status"] == "another device" for row in rows)
-    return max(errors, default=float("nan")), off
-
-
-def _why(checks: Sequence[Mapping[str, Any]]) -> str:
-    failing = [check for grade in ("poor", "fair") for check in checks if check["grade"] == grade]
-    more = f" (and {len(failing) - 1} more)" if failing[1:] else ""
-    return f"{failing[0]['about']}: {failing[0]['statement']}{more}" if failing else ""
 
 
 def _value(fact: Mapping[str, Any]) -> float:
@@ -206,7 +197,12 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
         "count": len(fleet),
         "done": len(done),
         "failures": sum(bool(member.reason) for member in fleet),
-        "grades": _grades(done),
+        "grades": [
+            (about, grade, count)
+            for about in ("data", "model")
+            for grade in ("good", "fair", "poor")
+            if (count := sum(getattr(member, about) == grade for member in done))
+        ],
         "bare": sum(not member.model for member in done),
         "headings": [q.heading for q in quantities],
         "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
@@ -309,12 +305,3 @@ def _row(member: Summary, index: int, quantities: Sequence[tuple[FleetColumn, in
         "model": member.model,
         "cells": cells,
     }
-
-
-def _grades(done: Sequence[Summary]) -> list[tuple[str, str, int]]:
-    counts = (
-        (about, grade, sum(getattr(member, about) == grade for member in done))
-        for about in ("data", "model")
-        for grade in ("good", "fair", "poor")
-    )
-    return [count for count in counts if count[2]]

@@ -11,11 +11,12 @@ from ..diagnostics.sentences import READINGS, correction_text, shown, unit_of
 from ..settings.logs import LogPart
 from ..signals.findings import Number
 from ..system.names import log_title
-from .figure import Figure, Points, error_bars, rows_panel
+from .figure import Band, Figure, Line, Panel, Points
 
 Row = Mapping[str, Any]
 Parts = Mapping[tuple[str, str], LogPart]
 
+_ROOM = 0.1  # rows, above and below
 RELATIVE = "Errors are relative to the training logs: where one of those is wrong, correct it instead."
 
 ONE_OF_THEM = "Training logs differ: correct one of them, the farthest off, and run again."
@@ -76,8 +77,7 @@ def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> In
 
 
 def _name(row: Row) -> str:
-    quantity_name = str(row["quantity"])
-    return READINGS.get(quantity_name, quantity_name)
+    return READINGS.get(row["quantity"], str(row["quantity"]))
 
 
 def main_rows(rows: Sequence[Row]) -> list[Row]:
@@ -150,10 +150,13 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     beyond = np.array([row["beyond"] for row in measured])
     at = np.array([row["estimate"] for row in measured]) / limits
     half = SIGNIFICANCE * np.array([row["standard_error"] for row in measured]) / limits
-    bars = error_bars(f"± {SIGNIFICANCE:g} standard errors", at, half, y)
+    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()  # one interrupted line
+    bars = Line(f"± {SIGNIFICANCE:g} standard errors", "measured", ends, np.repeat(y, 3), dash="solid")
     off = [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
     points = [Points("a log", "measured", at[~beyond], y[~beyond]), *off]
-    panel = rows_panel(names, bars, "limit", np.array([-1.0, 1.0]), points)
+    limit = Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5))
+    height = (-0.5 - _ROOM, len(names) - 0.5 + _ROOM)
+    panel = Panel("", "1", (bars,), (limit,), tuple(points), y_limits=height, names=tuple(names))
     caption = f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}"
     return Figure(
         "instruments",

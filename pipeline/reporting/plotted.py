@@ -354,11 +354,6 @@ def form_of(target: Path) -> Format:
     return target.suffix[1:]  # type: ignore[return-value]
 
 
-def save(figure: Figure, target: Path, models: Sequence[str]) -> None:
-    """Write a figure; errors as for `form_of`."""
-    target.write_bytes(paper_figure(figure, models, form_of(target))[0])
-
-
 def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typeface: Typeface = "sans") -> list[bytes]:
     """The figure as the bytes of a file of each format, without a date in it.
 
@@ -386,15 +381,14 @@ def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typefa
 
 def page_chart(figure: Figure, models: Sequence[str]) -> list[Markup]:
     """The figure as one ``<svg>``, or as one for each of panels beside another."""
-    if figure.columns > 1:
-        return [_svg(_single(figure, number), models, PART) for number in range(len(figure.panels))]
-    return [_svg(figure, models, PART if figure.half else WHOLE)]
-
-
-def _single(figure: Figure, number: int) -> Figure:
-    panel = figure.panels[number]
-    title = figure.title if len(figure.panels) == 1 else f"{figure.title}: {panel.name}"
-    return replace(figure, title=title, panels=(panel,), columns=1)
+    if figure.columns == 1:
+        return [_svg(figure, models, PART if figure.half else WHOLE)]
+    several = len(figure.panels) > 1
+    parts = [
+        replace(figure, title=figure.title + f": {panel.name}" * several, panels=(panel,), columns=1)
+        for panel in figure.panels
+    ]
+    return [_svg(part, models, PART) for part in parts]
 
 
 def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:

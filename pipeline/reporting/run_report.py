@@ -7,7 +7,7 @@ from typing import Any
 
 from ..diagnostics.check import CheckRow, beside
 from ..diagnostics.datasheet import Datasheet
-from ..diagnostics.grades import OF_WELLS, THRESHOLDS, Check, Threshold
+from ..diagnostics.grades import OF_WELLS, THRESHOLDS, Check
 from ..diagnostics.run_data import WHY, RunData, judged_log
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
@@ -67,9 +67,19 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
             kind = name.partition("-")[0]
             charts[kind if kind in charts else ""].append(chart(figure, models))
     rows = sheet_rows(sheet.facts)
+    lengths = (
+        f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, "
+        f"{short(sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs), 4)} s"
+        for role in ("train", "validation")
+        if (logs := data.role(role))
+    )
+    log_checks = [CheckRow(**row) for row in data.log_checks]
+    check_header, check_rows = beside(log_checks)
+    judged_by = {check.name for check in sheet.checks}
+    two_wells = isinstance(sheet.wells, Wells)
     context = {
         "name": data.prototype.name,
-        "subtitle": _subtitle(data),
+        "subtitle": " · ".join((*lengths, f"models {', '.join(models)}")),
         "main_model": sheet.main_model,
         "assessment": assessment(sheet.checks),
         "data_grade": sheet.grades["data"],
@@ -77,9 +87,16 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "checks": sheet.checks,
         "facts": rows,
         "two_wells": any(len(row.cells) == 2 for row in rows),
-        "thresholds": _thresholds(sheet),
+        # Limits of wells only where there are two, or a check needs them.
+        "thresholds": {
+            name: limit for name, limit in THRESHOLDS.items() if two_wells or name in judged_by or name not in OF_WELLS
+        },
         "facts_caption": _facts_caption(sheet),
-        "log_checks": _log_checks(data),
+        "log_checks": {
+            "header": check_header,
+            "rows": check_rows,
+            "remarks": [row.remark for row in log_checks if row.state == "note"],
+        },
         **_scores(data, sheet),
         "overlay": _view(first, models, judged.key),
         "calibrated": calibrated_rows(data, sheet),
@@ -92,7 +109,18 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "control": charts["control"],
         "described": [_model(data, name) for name in models],
         **_provenance(data),
-        "sections": _sections(bool(charts["study"]), bool(charts["control"])),
+        "sections": [
+            ("overview", "Overview"),
+            ("datasheet", "Datasheet"),
+            ("logs", "Logs"),
+            ("errors", "Errors"),
+            *SECTION_TITLES.items(),
+            ("device", "Device"),
+            *([("control", "Control")] if charts["control"] else []),
+            ("models-described", "Models"),
+            *([("studies", "Studies")] if charts["study"] else []),
+            ("provenance", "Provenance"),
+        ],
         "viewer_json": json_for_script(viewer_data(interactive, models)),
     }
     return render("report.html.j2", ("uplot.min.js", "tables.js", "series.js", "viewer.js"), context)
@@ -106,30 +134,6 @@ def assessment(checks: Sequence[Check]) -> str:
             more = f" And {rest} more below." if rest else ""
             return f"{failing[0].statement[:1].upper()}{failing[0].statement[1:]}: {failing[0].advice}.{more}"
     return "All checks are within their limits."
-
-
-def _subtitle(data: RunData) -> str:
-    parts = (
-        f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, "
-        f"{short(sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs), 4)} s"
-        for role in ("train", "validation")
-        if (logs := data.role(role))
-    )
-    return " · ".join((*parts, f"models {', '.join(data.model_names)}"))
-
-
-def _log_checks(data: RunData) -> dict[str, Any]:
-    """Findings of the check of the logs against the settings, side by side."""
-    rows = [CheckRow(**row) for row in data.log_checks]
-    header, table = beside(rows)
-    return {"header": header, "rows": table, "remarks": [row.remark for row in rows if row.state == "note"]}
-
-
-def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
-    """Limits of the checks; those of wells only where there are two, or a check needs them."""
-    judged = {check.name for check in sheet.checks}
-    two = isinstance(sheet.wells, Wells)
-    return {name: limit for name, limit in THRESHOLDS.items() if two or name in judged or name not in OF_WELLS}
 
 
 def _facts_caption(sheet: Datasheet) -> str:
@@ -219,18 +223,3 @@ def _provenance(data: RunData) -> dict[str, Any]:
         "version": provenance["versions"].get("debist", "of unknown version"),
         "settings": json.dumps(provenance["prototype"], indent=1, ensure_ascii=False),
     }
-
-
-def _sections(studies: bool, control: bool) -> list[tuple[str, str]]:
-    return [
-        ("overview", "Overview"),
-        ("datasheet", "Datasheet"),
-        ("logs", "Logs"),
-        ("errors", "Errors"),
-        *SECTION_TITLES.items(),
-        ("device", "Device"),
-        *([("control", "Control")] if control else []),
-        ("models-described", "Models"),
-        *([("studies", "Studies")] if studies else []),
-        ("provenance", "Provenance"),
-    ]

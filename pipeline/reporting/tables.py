@@ -226,31 +226,16 @@ def disarmed(value: Any) -> Any:
 
 @dataclass(frozen=True)
 class MainTable:
-    """The table as text: where the errors were measured, the headings, and a line of cells for each model."""
+    """The table as text: where the errors were measured, headings, a line of cells for each model, what they mean.
+
+    `best` is the model with the lowest error of q; empty where no model has one.
+    """
 
     where: str
-    signals: tuple[str, ...]
-    extras: tuple[Column, ...]
+    heading: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
-
-    @property
-    def heading(self) -> tuple[str, ...]:
-        """The headings of its columns."""
-        errors = (f"{HEADINGS[signal]} [%]" for signal in self.signals)
-        return ("model", *errors, *(column.title for column in self.extras))
-
-    @property
-    def best(self) -> str:
-        """The model with the lowest error of q; empty where no model has one."""
-        errors = {row[0]: float(row[1]) for row in self.rows if row[1].replace(".", "", 1).isdigit()}
-        return min(errors, key=lambda model: errors[model], default="")
-
-    @property
-    def explanation(self) -> str:
-        """Meaning of the columns; that of errors is a line of its own."""
-        errors = "NRMSE in % of the measured range, free run from the first sample, worst log."
-        notes = [*notes_of(self.extras), *notes_on(row[0] for row in self.rows)]
-        return "\n".join(part for part in (errors, " ".join(notes)) if part)
+    explanation: str
+    best: str
 
 
 def main_table(scores: Sequence[ScoreRow]) -> MainTable:
@@ -279,7 +264,16 @@ def main_table(scores: Sequence[ScoreRow]) -> MainTable:
     logs = list(dict.fromkeys(str(row["log"]) for row in judged))
     named = f"log {logs[0]}" if len(logs) == 1 else f"logs {', '.join(logs)}"
     word = "validation" if role == "validation" else "training"
-    return MainTable(f"free runs on the {word} {named}", signals, extras, tuple(rows))
+    errors_of_q = {row[0]: float(row[1]) for row in rows if row[1].replace(".", "", 1).isdigit()}
+    meaning = "NRMSE in % of the measured range, free run from the first sample, worst log."
+    notes = " ".join([*notes_of(extras), *notes_on(row[0] for row in rows)])
+    return MainTable(
+        where=f"free runs on the {word} {named}",
+        heading=("model", *(f"{HEADINGS[signal]} [%]" for signal in signals), *(column.title for column in extras)),
+        rows=tuple(rows),
+        explanation=f"{meaning}\n{notes}" if notes else meaning,
+        best=min(errors_of_q, key=lambda model: errors_of_q[model], default=""),
+    )
 
 
 def _worst(errors: Sequence[float | None]) -> str:
