@@ -107,20 +107,25 @@ def equilibria(
     if figure is not None:
         _draw(figure, "equilibria_figure", joint, held, physics.energy_over_q(joint, v1=left, v2=right, force=pull))
     if as_json:
-        rests = [{"q_m": e.q, "phi_rad": e.phi, "stable": e.stable, "energy_J": e.energy} for e in held]
-        emit_json({"equilibria": rests})
+        emit_json(
+            {"equilibria": [{"q_m": e.q, "phi_rad": e.phi, "stable": e.stable, "energy_J": e.energy} for e in held]}
+        )
         return
     lowest = min((e.energy for e in held), default=0.0)
-    rows = [
-        (
-            prefixed(e.q, "m", 3),
-            f"{degrees(e.phi):z.2f}",
-            prefixed(e.energy - lowest, "µ", 1),
-            "yes" if e.stable else "no",
-        )
-        for e in held
-    ]
-    emit_table("Equilibria", ("q [mm]", "φ [deg]", "energy [µJ]", "stable"), rows, numeric_from=0)
+    emit_table(
+        "Equilibria",
+        ("q [mm]", "φ [deg]", "energy [µJ]", "stable"),
+        [
+            (
+                prefixed(e.q, "m", 3),
+                f"{degrees(e.phi):z.2f}",
+                prefixed(e.energy - lowest, "µ", 1),
+                "yes" if e.stable else "no",
+            )
+            for e in held
+        ],
+        numeric_from=0,
+    )
 
 
 @app.command()
@@ -141,23 +146,30 @@ def curves(parameters: JointSet, voltage: Voltage = "3 kV", figure: Figure = Non
         capacitances = {f"C{k}_F": column for k, column in enumerate(path.capacitance.T, start=1)}
         emit_json(document | {"q_m": path.q, "force_N": path.force} | capacitances)
         return
-    numbers = [
-        ("bistable from z_b [mm]", prefixed(result.z_b_min, "m", 3, "none")),
-        (f"switchable by {voltage} up to z_b [mm]", prefixed(result.z_b_max, "m", 3, "none")),
-        ("switching voltage, left to right [kV]", prefixed(result.switching.left, "k", 3, "none")),
-        ("switching voltage, right to left [kV]", prefixed(result.switching.right, "k", 3, "none")),
-        ("energy barrier [µJ]", prefixed(result.barrier, "µ", 1, "none")),
-    ]
-    emit_table("The joint", ("quantity", "value"), numbers)
-    rows = [
-        (
-            prefixed(path.q[i], "m", 1),
-            prefixed(path.force[i], "m", 2),
-            *(prefixed(c, "p", 1) for c in path.capacitance[i]),
-        )
-        for i in range(0, path.q.size, 16)
-    ]
-    emit_table("Without voltage", ("q [mm]", "F [mN]", "C1 [pF]", "C2 [pF]"), rows, numeric_from=0)
+    emit_table(
+        "The joint",
+        ("quantity", "value"),
+        [
+            ("bistable from z_b [mm]", prefixed(result.z_b_min, "m", 3, "none")),
+            (f"switchable by {voltage} up to z_b [mm]", prefixed(result.z_b_max, "m", 3, "none")),
+            ("switching voltage, left to right [kV]", prefixed(result.switching.left, "k", 3, "none")),
+            ("switching voltage, right to left [kV]", prefixed(result.switching.right, "k", 3, "none")),
+            ("energy barrier [µJ]", prefixed(result.barrier, "µ", 1, "none")),
+        ],
+    )
+    emit_table(
+        "Without voltage",
+        ("q [mm]", "F [mN]", "C1 [pF]", "C2 [pF]"),
+        [
+            (
+                prefixed(path.q[i], "m", 1),
+                prefixed(path.force[i], "m", 2),
+                *(prefixed(c, "p", 1) for c in path.capacitance[i]),
+            )
+            for i in range(0, path.q.size, 16)
+        ],
+        numeric_from=0,
+    )
 
 
 def _command_on_motions(show: "Callable[[JointParameters, Motions, Path | None, bool], None]") -> None:
@@ -195,15 +207,18 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
         columns = with_units({name: column[:stop] for name, column in values.items()}, units)
         emit_json({"diverged_at_s": motion.diverged_at} | columns)
         return
-    rows = [
-        ("duration [s]", f"{motion.t[-1] - motion.t[0]:.2f}"),
-        ("q from, to [mm]", f"{prefixed(q[0], 'm', 2)}, {prefixed(q[-1], 'm', 2)}"),
-        ("smallest, largest q [mm]", f"{prefixed(q.min(), 'm', 2)}, {prefixed(q.max(), 'm', 2)}"),
-        ("steps, rejected", f"{motion.accepted}, {motion.rejected}"),
-        ("processor time [s]", f"{motions.full_seconds:.3f}"),
-        ("diverged at [s]", prefixed(motion.diverged_at, "", 2, "none")),
-    ]
-    emit_table("Full-order simulation", ("quantity", "value"), rows)
+    emit_table(
+        "Full-order simulation",
+        ("quantity", "value"),
+        [
+            ("duration [s]", f"{motion.t[-1] - motion.t[0]:.2f}"),
+            ("q from, to [mm]", f"{prefixed(q[0], 'm', 2)}, {prefixed(q[-1], 'm', 2)}"),
+            ("smallest, largest q [mm]", f"{prefixed(q.min(), 'm', 2)}, {prefixed(q.max(), 'm', 2)}"),
+            ("steps, rejected", f"{motion.accepted}, {motion.rejected}"),
+            ("processor time [s]", f"{motions.full_seconds:.3f}"),
+            ("diverged at [s]", prefixed(motion.diverged_at, "", 2, "none")),
+        ],
+    )
 
 
 @_command_on_motions
@@ -224,8 +239,11 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
         emit_json(shares | {"x_m": result.x, "shapes": result.shapes})
     else:
         pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
-        rows = [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs]
-        emit_table("Modes of the beam", ("mode", "energy share [%]", "largest amplitude [mm]"), rows)
+        emit_table(
+            "Modes of the beam",
+            ("mode", "energy share [%]", "largest amplitude [mm]"),
+            [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs],
+        )
 
 
 @_command_on_motions
@@ -236,15 +254,22 @@ def reduce(joint: "JointParameters", motions: "Motions", figure: Path | None, as
     """
     _draw(figure, "motion_figure", motions)
     if as_json:
-        seconds = {"full": motions.full_seconds, "reduced": motions.reduced_seconds}
-        emit_json({"nrmse": motions.nrmse, "processor_time_s": seconds})
+        emit_json(
+            {
+                "nrmse": motions.nrmse,
+                "processor_time_s": {"full": motions.full_seconds, "reduced": motions.reduced_seconds},
+            }
+        )
     else:
-        rows = [
-            *((f"NRMSE of {name} [%]", prefixed(value, "%", 2, "none")) for name, value in motions.nrmse.items()),
-            ("processor time, full [s]", f"{motions.full_seconds:.3f}"),
-            ("processor time, reduced [s]", f"{motions.reduced_seconds:.4f}"),
-        ]
-        emit_table("Reduced against full model", ("quantity", "value"), rows)
+        emit_table(
+            "Reduced against full model",
+            ("quantity", "value"),
+            [
+                *((f"NRMSE of {name} [%]", prefixed(value, "%", 2, "none")) for name, value in motions.nrmse.items()),
+                ("processor time, full [s]", f"{motions.full_seconds:.3f}"),
+                ("processor time, reduced [s]", f"{motions.reduced_seconds:.4f}"),
+            ],
+        )
 
 
 @app.command()
@@ -281,5 +306,8 @@ def calibrate(
         emit_json(physics.calibration_document(fit))
         return
     entries = zip(fit.names, fit.values, fit.standard_errors, strict=True)
-    rows = [(name, f"{value:.5g}", f"{error:.2g}", QUANTITIES[name].unit) for name, value, error in entries]
-    emit_table(f"Calibrated; error of q {prefixed(fit.rmse, 'm', 3)} mm", ("parameter", "value", "±", "unit"), rows)
+    emit_table(
+        f"Calibrated; error of q {prefixed(fit.rmse, 'm', 3)} mm",
+        ("parameter", "value", "±", "unit"),
+        [(name, f"{value:.5g}", f"{error:.2g}", QUANTITIES[name].unit) for name, value, error in entries],
+    )

@@ -176,8 +176,12 @@ def study(
         emit_json(_study_document(result))
     else:
         columns, conclusion = study_conclusion(kind, result.columns, result.units, result.notes)
-        rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
-        emit_table(f"Study of {kind}", list(columns), rows, numeric_from=0)
+        emit_table(
+            f"Study of {kind}",
+            list(columns),
+            [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)],
+            numeric_from=0,
+        )
         emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
 
 
@@ -278,12 +282,14 @@ def learn(
 def _emit_learnt(siblings: "LearntFile") -> None:
     quantities = siblings.learnt.quantities
     gains = sorted(siblings.learnt.gains.values())
-    rows = [
-        (quantity.name, f"{quantity.mean:.3g}", f"{quantity.spread:.2g}", quantity.unit, f"{quantity.share:.2f}")
-        for quantity in quantities[:_QUANTITIES_SHOWN]
-    ]
-    heading = ("quantity", "mean deviation", "spread", "unit", "spread over the prior's")
-    emit_table(f"{len(siblings.siblings)} joints, the best known quantities", heading, rows)
+    emit_table(
+        f"{len(siblings.siblings)} joints, the best known quantities",
+        ("quantity", "mean deviation", "spread", "unit", "spread over the prior's"),
+        [
+            (quantity.name, f"{quantity.mean:.3g}", f"{quantity.spread:.2g}", quantity.unit, f"{quantity.share:.2f}")
+            for quantity in quantities[:_QUANTITIES_SHOWN]
+        ],
+    )
     halved = sum(quantity.share < 0.5 for quantity in quantities)
     emit_text(
         f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other joints as "

@@ -71,19 +71,20 @@ def write_crate(
         }
         program = software.pop("debist")
         program["softwareRequirements"] = list(software.values())  # the packages that move digits
-        action = crate.add_action(
-            program,
-            identifier="#run",
-            object=objects,
-            result=results,
-            properties={
-                "name": f"debist run {name}",
-                "description": f"debist run {name}.toml -o run",
-                "endTime": date.isoformat(timespec="seconds"),
-                "actionStatus": "http://schema.org/CompletedActionStatus",
-            },
-        )
-        crate.root_dataset["mentions"] = [action]
+        crate.root_dataset["mentions"] = [
+            crate.add_action(
+                program,
+                identifier="#run",
+                object=objects,
+                result=results,
+                properties={
+                    "name": f"debist run {name}",
+                    "description": f"debist run {name}.toml -o run",
+                    "endTime": date.isoformat(timespec="seconds"),
+                    "actionStatus": "http://schema.org/CompletedActionStatus",
+                },
+            )
+        ]
         zipped = Path(place) / "crate.zip"  # write_zip adds that ending to names without it
         crate.write_zip(zipped)
         with atomic_path(target) as temporary:
@@ -109,8 +110,15 @@ def _files(
     ]
     results = [_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts")]
     for name, record in sorted(run.manifest.artifacts.items()):
-        title = f"{record.recipe.stage}: {name}"
-        results.append(_file(crate, run.checked(name), f"run/{name}", title, contentHash=record.content_hash))
+        results.append(
+            _file(
+                crate,
+                run.checked(name),
+                f"run/{name}",
+                f"{record.recipe.stage}: {name}",
+                contentHash=record.content_hash,
+            )
+        )
     for stage in run.manifest.stages:
         if not run.stage_problem(stage):
             name = stage_file(stage)

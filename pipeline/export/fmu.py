@@ -50,8 +50,9 @@ def write_fmu(subject: Subject, folder: Path) -> Exported:
     what the FMU lacks.
     """
     realisation = subject.realisation()
-    sources = fmu_sources(subject, realisation)
-    return packed(sources, description(subject, realisation, guid(subject)), subject.identifier, folder)
+    return packed(
+        fmu_sources(subject, realisation), description(subject, realisation, guid(subject)), subject.identifier, folder
+    )
 
 
 def packed(sources: dict[str, str], description: str, identifier: str, folder: Path) -> Exported:
@@ -90,16 +91,19 @@ def packed(sources: dict[str, str], description: str, identifier: str, folder: P
 def fmu_sources(subject: Subject, realisation: Realisation) -> dict[str, str]:
     """The C files of the FMU; ``fmu.c`` includes the others."""
     flow = "flow" if "flow" in realisation.functions else "rates"
-    fields = model_fields(subject, realisation) | {
-        "guid": guid(subject),
-        "flow": flow,
-        "facts": facts(subject, realisation),
-    }
     return {
         **c_sources(subject, realisation, flow=flow == "flow"),
         "fmi2.h": asset("fmi2.h"),
         "fmu_common.h": asset("fmu_common.h"),
-        "fmu.c": render("fmu.c.j2", fields),
+        "fmu.c": render(
+            "fmu.c.j2",
+            model_fields(subject, realisation)
+            | {
+                "guid": guid(subject),
+                "flow": flow,
+                "facts": facts(subject, realisation),
+            },
+        ),
     }
 
 

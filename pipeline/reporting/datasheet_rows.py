@@ -107,8 +107,11 @@ def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
 
     Pure numbers of the beam's higher terms are left out: their names mean nothing outside the equations.
     """
-    quantities = calibrated(data.models.get(sheet.main_model))
-    return [_row(fitted) for fitted in quantities if fitted.unit != "1" or fitted.nominal == 1.0]
+    return [
+        _row(fitted)
+        for fitted in calibrated(data.models.get(sheet.main_model))
+        if fitted.unit != "1" or fitted.nominal == 1.0
+    ]
 
 
 def structure_summary(data: RunData, sheet: Datasheet) -> str:

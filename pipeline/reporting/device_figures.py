@@ -71,11 +71,10 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
     )
     hidden = f" Mostly outside the frame: {'; '.join(outside)}." if outside else ""
     circles = " Circles: measured." if data.measured_curves else ""
-    caption = f"Over the range of the training data; cut {cut}.{band}{per_mass}{hidden}{circles}"
     return Figure(
         "curves",
         "Characteristic curves",
-        caption=caption,
+        caption=f"Over the range of the training data; cut {cut}.{band}{per_mass}{hidden}{circles}",
         x_name="q",
         x_unit=data.device.displacement.symbol,
         panels=tuple(panels),
@@ -207,15 +206,13 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         rest = [e for e in equilibria(loaded.q, loaded.force) if np.interp(e.q, loaded.q, energy) <= ceiling]
         points += _marked(rest, role, loaded.q, energy)
     source = f"{name}{NOT_USED}" if sheet.refused and name == sheet.model else name
-    caption = f"Potential of {source} without input and with each input alone, counted from its lowest point."
-    panels = (Panel("energy U", data.device.energy_unit, tuple(lines), points=tuple(points)),)
     return Figure(
         "energy",
         "Energy landscape",
-        caption=caption,
+        caption=f"Potential of {source} without input and with each input alone, counted from its lowest point.",
         x_name="q",
         x_unit=data.device.displacement.symbol,
-        panels=panels,
+        panels=(Panel("energy U", data.device.energy_unit, tuple(lines), points=tuple(points)),),
         half=True,
     )
 
@@ -250,15 +247,13 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
             )
     if cells is None and not moves_unforced(data):
         return None
-    panel = Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=points, cells=cells)
-    title = "Phase portrait" if cells is None else "Phase portrait and basins"
     return Figure(
         "phase-portrait",
-        title,
+        "Phase portrait" if cells is None else "Phase portrait and basins",
         caption=caption,
         x_name="q",
         x_unit=data.device.displacement.symbol,
-        panels=(panel,),
+        panels=(Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=points, cells=cells),),
         tall=1.5,
     )
 
@@ -270,16 +265,13 @@ def _excitation(data: RunData) -> Figure:
     heights = np.repeat(np.maximum(counts, LEAST_DRAWN), 2)
     line = Line("training samples", "reference", x, heights)
     bars = Band("training samples", "reference", x, np.full(x.size, LEAST_DRAWN), heights)
-    panel = Panel("samples per centre", "1", (line,), (bars,), log=True)
-    caption = (
-        f"Training samples nearest to each of {len(places)} basis centres; where they are few, curves are uncertain."
-    )
     return Figure(
         "excitation",
         "Where the device was seen",
-        caption=caption,
+        caption=f"Training samples nearest to each of {len(places)} basis centres; where they are few, curves are "
+        "uncertain.",
         x_name="q",
         x_unit=data.device.displacement.symbol,
-        panels=(panel,),
+        panels=(Panel("samples per centre", "1", (line,), (bars,), log=True),),
         half=True,
     )

@@ -183,11 +183,14 @@ def writable(text: str) -> str:
 
 def shown(figure: Figure) -> Figure:
     """The figure without its hidden lines."""
-    panels = tuple(
-        replace(panel, lines=tuple(line for line in panel.lines if line.label not in figure.hidden))
-        for panel in figure.panels
+    return replace(
+        figure,
+        panels=tuple(
+            replace(panel, lines=tuple(line for line in panel.lines if line.label not in figure.hidden))
+            for panel in figure.panels
+        ),
+        hidden=(),
     )
-    return replace(figure, panels=panels, hidden=())
 
 
 def window(figure: Figure, start: float, stop: float) -> Figure:
@@ -208,8 +211,12 @@ def window(figure: Figure, start: float, stop: float) -> Figure:
         for panel in figure.panels
     )
     marks = {name: at[(at >= start) & (at <= stop)] for name, at in figure.marks.items()}
-    gaps = tuple((max(a, start), min(b, stop)) for a, b in figure.gaps if a < stop and b > start)
-    return replace(figure, panels=panels, marks=marks, gaps=gaps)
+    return replace(
+        figure,
+        panels=panels,
+        marks=marks,
+        gaps=tuple((max(a, start), min(b, stop)) for a, b in figure.gaps if a < stop and b > start),
+    )
 
 
 def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> Figure:
@@ -219,16 +226,19 @@ def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> F
         """True if lines and areas of this role stay."""
         return role not in models or role in wanted
 
-    panels = tuple(
-        replace(
-            panel,
-            lines=tuple(line for line in panel.lines if kept(line.role)),
-            bands=tuple(band for band in panel.bands if kept(band.role)),
-            points=tuple(points for points in panel.points if kept(points.role)),
-        )
-        for panel in figure.panels
+    return replace(
+        figure,
+        panels=tuple(
+            replace(
+                panel,
+                lines=tuple(line for line in panel.lines if kept(line.role)),
+                bands=tuple(band for band in panel.bands if kept(band.role)),
+                points=tuple(points for points in panel.points if kept(points.role)),
+            )
+            for panel in figure.panels
+        ),
+        hidden=(),
     )
-    return replace(figure, panels=panels, hidden=())
 
 
 def is_path(line: Line) -> bool:

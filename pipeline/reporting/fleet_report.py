@@ -154,21 +154,24 @@ def distribution(column: FleetColumn) -> Figure:
     outline = np.repeat(counts, 2)
     middle = float(np.median(values))
     highest = float(counts.max())
-    panel = Panel(
-        "prototypes",
-        "1",
-        lines=(Line("median", "reference", np.array([middle, middle]), np.array([0.0, highest]), dash="solid"),),
-        bands=(Band("prototypes", "v1", np.repeat(edges, 2)[1:-1], np.zeros_like(outline), outline),),
-        points=(Points("odd", "v2", odd, of_odd, marker="ring"),) if odd.size else (),
-        whole=True,
-    )
     return Figure(
         slug(column.title),
         column.title,
         caption="",
         x_name=column.title,
         x_unit=column.unit,
-        panels=(panel,),
+        panels=(
+            Panel(
+                "prototypes",
+                "1",
+                lines=(
+                    Line("median", "reference", np.array([middle, middle]), np.array([0.0, highest]), dash="solid"),
+                ),
+                bands=(Band("prototypes", "v1", np.repeat(edges, 2)[1:-1], np.zeros_like(outline), outline),),
+                points=(Points("odd", "v2", odd, of_odd, marker="ring"),) if odd.size else (),
+                whole=True,
+            ),
+        ),
         x_log=log,
         half=True,
     )
@@ -192,23 +195,26 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
     quantities = _quantities(fleet)
     done = [member for member in fleet if member.done]
     shown = [(q, decimals(q.values)) for q in quantities]
-    context = {
-        "title": page_name,
-        "count": len(fleet),
-        "done": len(done),
-        "failures": sum(bool(member.reason) for member in fleet),
-        "grades": [
-            (about, grade, count)
-            for about in ("data", "model")
-            for grade in ("good", "fair", "poor")
-            if (count := sum(getattr(member, about) == grade for member in done))
-        ],
-        "bare": sum(not member.model for member in done),
-        "headings": [q.heading for q in quantities],
-        "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
-        "charts": [chart(distribution(q), ()) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
-    }
-    return render("fleet.html.j2", ("tables.js",), context)
+    return render(
+        "fleet.html.j2",
+        ("tables.js",),
+        {
+            "title": page_name,
+            "count": len(fleet),
+            "done": len(done),
+            "failures": sum(bool(member.reason) for member in fleet),
+            "grades": [
+                (about, grade, count)
+                for about in ("data", "model")
+                for grade in ("good", "fair", "poor")
+                if (count := sum(getattr(member, about) == grade for member in done))
+            ],
+            "bare": sum(not member.model for member in done),
+            "headings": [q.heading for q in quantities],
+            "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
+            "charts": [chart(distribution(q), ()) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
+        },
+    )
 
 
 def _listed(members: Sequence[Summary], quantities: Sequence[FleetColumn]) -> list[int]:

@@ -155,15 +155,22 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     off = [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
     points = [Points("a log", "measured", at[~beyond], y[~beyond]), *off]
     limit = Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5))
-    height = (-0.5 - _ROOM, len(names) - 0.5 + _ROOM)
-    panel = Panel("", "1", (bars,), (limit,), tuple(points), y_limits=height, names=tuple(names))
-    caption = f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}"
     return Figure(
         "instruments",
         "Instruments of the logs",
-        caption=caption,
+        caption=f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}",
         x_name="error of the reading over its limit",
         x_unit="1",
-        panels=(panel,),
+        panels=(
+            Panel(
+                "",
+                "1",
+                (bars,),
+                (limit,),
+                tuple(points),
+                y_limits=(-0.5 - _ROOM, len(names) - 0.5 + _ROOM),
+                names=tuple(names),
+            ),
+        ),
         half=True,
     )

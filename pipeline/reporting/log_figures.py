@@ -86,8 +86,16 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     if "raw_rows" in notes:
         raw = f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
     shaded = " Shaded: masked rows." if _masked(t, log.record["segment"]) else ""
-    caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart{raw}.{shaded}"
-    return _timeline(data, log, wells, kind="signals", title="Measured signals", caption=caption, panels=panels)
+    return _timeline(
+        data,
+        log,
+        wells,
+        kind="signals",
+        title="Measured signals",
+        caption=f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart{raw}."
+        f"{shaded}",
+        panels=panels,
+    )
 
 
 def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
@@ -106,22 +114,28 @@ def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.motion.t
     velocity = np.gradient(log.motion.q, t)
     raw = {"qdot": velocity, "qddot": np.gradient(velocity, t)}
-    panels = [
-        Panel("q", unit["q"], (Line("q measured", "measured", t, log.motion.q),), low=True),
-        *(
-            Panel(
-                HEADINGS[name],
-                unit[name],
-                (
-                    Line("plain differences", "raw", t, differences),
-                    Line("regularised", "measured", t, getattr(log.motion, name)),
-                ),
-            )
-            for name, differences in raw.items()
-        ),
-    ]
-    caption = f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison."
-    return _timeline(data, log, wells, kind="derivatives", title="Derivatives", caption=caption, panels=panels)
+    return _timeline(
+        data,
+        log,
+        wells,
+        kind="derivatives",
+        title="Derivatives",
+        caption=f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison.",
+        panels=[
+            Panel("q", unit["q"], (Line("q measured", "measured", t, log.motion.q),), low=True),
+            *(
+                Panel(
+                    HEADINGS[name],
+                    unit[name],
+                    (
+                        Line("plain differences", "raw", t, differences),
+                        Line("regularised", "measured", t, getattr(log.motion, name)),
+                    ),
+                )
+                for name, differences in raw.items()
+            ),
+        ],
+    )
 
 
 def differentiation(data: RunData, log: LogData) -> str:
@@ -196,9 +210,14 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             off, _ = _with_tubes(off, about)
             caption += ", which reaches beyond the axis." if clipped else "."
         below.insert(0, Panel("error", data.device.displacement.symbol, (error,), bands=about, y_limits=off, low=True))
-    panels = [Panel("q", data.device.displacement.symbol, tuple(lines), bands=bands, y_limits=limits), *below]
     figure = _timeline(
-        data, log, wells, kind="overlay", title="Measured against the model", caption=caption, panels=panels
+        data,
+        log,
+        wells,
+        kind="overlay",
+        title="Measured against the model",
+        caption=caption,
+        panels=[Panel("q", data.device.displacement.symbol, tuple(lines), bands=bands, y_limits=limits), *below],
     )
     return replace(figure, hidden=tuple(line.label for line in others))
 
@@ -272,14 +291,14 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
     for k, (values, half) in enumerate(zip(residual.with_inputs, residual.input_bands, strict=True), start=1):
         panels.append(panel(f"correlation with v{k}{'²' if data.device.squared else ''}", values, float(half)))
     colour = "rings with the device" if rings else "fades as slowly as the device settles"
-    caption = (
-        f"{log.title.capitalize()}: {prefixed(residual.outside, '%', 0)} % of the correlations with inputs lie outside "
-        f"their bands, 1 % would by chance. The residual {colour}; what correlates with an input the model misses."
-    )
     return Figure(
         "residual-correlation",
         title="Residual analysis: memory and inputs",
-        caption=caption,
+        caption=(
+            f"{log.title.capitalize()}: {prefixed(residual.outside, '%', 0)} % of the correlations with inputs lie "
+            f"outside their bands, 1 % would by chance. The residual {colour}; what correlates with an input the model "
+            "misses."
+        ),
         x_name="lag",
         x_unit="s",
         panels=tuple(panels),
@@ -292,15 +311,13 @@ def _spectrum(data: RunData, log: LogData, model: str, residual: Residual) -> Fi
         Line("measured q", "measured", residual.frequency, residual.measured_density),
         Line(f"residual of {model}", model, residual.frequency, residual.density),
     )
-    caption = f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing."
-    panel = Panel("power spectral density", f"{data.device.displacement.symbol}²/Hz", lines, log=True)
     return Figure(
         "residual-spectrum",
         title="Residual analysis: spectrum",
-        caption=caption,
+        caption=f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing.",
         x_name="frequency",
         x_unit="Hz",
-        panels=(panel,),
+        panels=(Panel("power spectral density", f"{data.device.displacement.symbol}²/Hz", lines, log=True),),
         x_log=True,
         half=True,
     )

@@ -67,8 +67,12 @@ def _equilibria(result: "Characteristics") -> Panel:
 def _force(result: "Characteristics", *states: str) -> Panel:
     """Force that holds the tip."""
     shown = {state: result.paths[state] for state in states or result.paths}
-    lines = [line for s, p in shown.items() for line in _by_stability(_STATES[s], _role(s), p.q, p.force, p.stable)]
-    return Panel("F", "N", tuple(lines), y_limits=None if states else (-0.1, 0.1))
+    return Panel(
+        "F",
+        "N",
+        tuple([line for s, p in shown.items() for line in _by_stability(_STATES[s], _role(s), p.q, p.force, p.stable)]),
+        y_limits=None if states else (-0.1, 0.1),
+    )
 
 
 def _energy(result: "Characteristics") -> Panel:
@@ -105,8 +109,15 @@ def characteristics_figure(result: "Characteristics") -> Figure:
     """Figures 3 to 5, the double well and the tip rotation on the static path."""
     path = result.paths["off"]
     rotation = Panel("φ", "rad", (Line("no voltage", "measured", path.q, path.phi, "solid"),))
-    panels = (_equilibria(result), _force(result), _energy(result), rotation, *_capacitances(result))
-    return _over_q("characteristics", "Characteristic curves of the joint", *panels)
+    return _over_q(
+        "characteristics",
+        "Characteristic curves of the joint",
+        _equilibria(result),
+        _force(result),
+        _energy(result),
+        rotation,
+        *_capacitances(result),
+    )
 
 
 def equilibria_figure(
@@ -130,8 +141,12 @@ def equilibria_figure(
         x, w = beam_shapes(e.qm[None, :], joint.l)
         shapes.append(Line(name, role, x, w[0], "solid" if e.stable else "dotted", wide=True))
     potential = Panel("U − ½ΣCv² − Fq", "J", held, points=tuple(points), x=("q", "m"))
-    beam = Panel("w", "m", tuple(shapes), x=("x", "m"))
-    return _over_q("equilibria", "Total potential, and the beam in its equilibria", potential, beam)
+    return _over_q(
+        "equilibria",
+        "Total potential, and the beam in its equilibria",
+        potential,
+        Panel("w", "m", tuple(shapes), x=("x", "m")),
+    )
 
 
 def modes_figure(joint: "JointParameters", modes: "BeamModes", t: FloatArray) -> Figure:
@@ -145,14 +160,19 @@ def modes_figure(joint: "JointParameters", modes: "BeamModes", t: FloatArray) ->
         Line(name, role, t, a, "solid") for name, role, a in zip(names, COLOURED, modes.amplitudes.T, strict=False)
     )
     bending, axial = _static_path(joint)
-    panels = (
-        Panel("mode shape", "1", shapes, x=("x", "m")),
-        Panel("amplitude", "m", amplitudes, x=("t", "s")),
-        Panel("share of w(l)", "m", bending, x=("q", "m")),
-        Panel("u₀", "m", axial, x=("q", "m")),
-    )
     return Figure(
-        "modes", "Modes of the beam, and the static path", caption="", x_name="", x_unit="", panels=panels, columns=2
+        "modes",
+        "Modes of the beam, and the static path",
+        caption="",
+        x_name="",
+        x_unit="",
+        panels=(
+            Panel("mode shape", "1", shapes, x=("x", "m")),
+            Panel("amplitude", "m", amplitudes, x=("t", "s")),
+            Panel("share of w(l)", "m", bending, x=("q", "m")),
+            Panel("u₀", "m", axial, x=("q", "m")),
+        ),
+        columns=2,
     )
 
 
@@ -181,21 +201,27 @@ def motion_figure(motions: "Motions") -> Figure:
     full = motions.full
     reduced = motions.reduced
     voltages = tuple(Line(n, _role(n), full.t, motions.v[:, k], "solid") for k, n in enumerate(("left", "right")))
-    panels = (
-        Panel("v", "V", voltages),
-        *(
-            Panel(
-                name,
-                unit,
-                (
-                    Line("full order, 10 states", "measured", full.t, a, "solid"),
-                    Line("reduced to q", "both", full.t, b, "dashed"),
-                ),
-            )
-            for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot))
+    return Figure(
+        "motion",
+        "Full-order against reduced model",
+        caption="",
+        x_name="t",
+        x_unit="s",
+        panels=(
+            Panel("v", "V", voltages),
+            *(
+                Panel(
+                    name,
+                    unit,
+                    (
+                        Line("full order, 10 states", "measured", full.t, a, "solid"),
+                        Line("reduced to q", "both", full.t, b, "dashed"),
+                    ),
+                )
+                for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot))
+            ),
         ),
     )
-    return Figure("motion", "Full-order against reduced model", caption="", x_name="t", x_unit="s", panels=panels)
 
 
 ZOOM = (24.0, 30.0)
@@ -209,26 +235,31 @@ def basis_figure(q: FloatArray, bells: FloatArray, weights: FloatArray) -> Figur
     functions = tuple(Line(f"{len(weights)} basis functions", "v1", q, bell) for bell in bells.T)
     terms = tuple(Line("its terms", "raw", q, term) for term in (bells * weights).T)
     total = Line("weighted sum", "rbf-paper", q, bells @ weights, "solid")
-    panels = (Panel("φᵢ", "1", functions), Panel("c", "N/m", (*terms, total)))
-    return _over_q("basis", "Basis functions", *panels)
+    return _over_q("basis", "Basis functions", Panel("φᵢ", "1", functions), Panel("c", "N/m", (*terms, total)))
 
 
 def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
     """Rank and condition number at each accepted step of the search for T_z (§ 4.2)."""
     lag = search["lag_s"]
-    panels = tuple(
-        Panel(
-            title,
-            "1",
-            (Line("accepted steps", "measured", lag, search[key], "solid"),),
-            points=(Points("taken", "rbf-paper", lag[-1:], search[key][-1:], "ring"),),
-            log=key == "condition",
-            whole=key == "rank",
-        )
-        for title, key in (("rank", "rank"), ("condition number", "condition"))
-    )
     return Figure(
-        "lag-search", "Search for T_z", caption="", x_name="T_z", x_unit="s", panels=panels, columns=2, x_log=True
+        "lag-search",
+        "Search for T_z",
+        caption="",
+        x_name="T_z",
+        x_unit="s",
+        panels=tuple(
+            Panel(
+                title,
+                "1",
+                (Line("accepted steps", "measured", lag, search[key], "solid"),),
+                points=(Points("taken", "rbf-paper", lag[-1:], search[key][-1:], "ring"),),
+                log=key == "condition",
+                whole=key == "rank",
+            )
+            for title, key in (("rank", "rank"), ("condition number", "condition"))
+        ),
+        columns=2,
+        x_log=True,
     )
 
 
@@ -236,14 +267,20 @@ def signals_figure(log: LogData) -> Figure:
     """Figure 11a: voltages, position, velocity and acceleration of a log."""
     motion = log.motion
     sides = zip(("left", "right"), ("v1", "v2"), motion.v.T, strict=True)
-    panels = (
-        Panel("v", "V", tuple(Line(side, name, motion.t, v) for side, name, v in sides)),
-        *(
-            Panel(name, unit, (Line("measured", "measured", motion.t, values),))
-            for name, unit, values in (("q", "m", motion.q), ("q̇", "m/s", motion.qdot), ("q̈", "m/s²", motion.qddot))
+    return Figure(
+        "signals",
+        "Excitation and measured motion",
+        caption="",
+        x_name="time",
+        x_unit="s",
+        panels=(
+            Panel("v", "V", tuple(Line(side, name, motion.t, v) for side, name, v in sides)),
+            *(
+                Panel(name, unit, (Line("measured", "measured", motion.t, values),))
+                for name, unit, values in (("q", "m", motion.q), ("q̇", "m/s", motion.qdot), ("q̈", "m/s²", motion.qddot))
+            ),
         ),
     )
-    return Figure("signals", "Excitation and measured motion", caption="", x_name="time", x_unit="s", panels=panels)
 
 
 def basis_study_figure(
@@ -254,13 +291,15 @@ def basis_study_figure(
     here = (columns["basis_functions"] == chosen[0]) & (columns["smoothing"] == chosen[1])
     x = columns["basis_functions"][here]
     factors = {"nrmse": PERCENT}
-    panels = tuple(
-        replace(
-            panel, points=(Points("the recipe", "measured", x, factors.get(key, 1.0) * columns[key][here], "ring"),)
-        )
-        for key, panel in zip(("mse", "condition", "nrmse"), figure.panels, strict=True)
+    return replace(
+        figure,
+        panels=tuple(
+            replace(
+                panel, points=(Points("the recipe", "measured", x, factors.get(key, 1.0) * columns[key][here], "ring"),)
+            )
+            for key, panel in zip(("mse", "condition", "nrmse"), figure.panels, strict=True)
+        ),
     )
-    return replace(figure, panels=panels)
 
 
 def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
@@ -320,23 +359,21 @@ def study_figure(name: StudyName, columns: Columns, units: Mapping[str, str]) ->
 
 
 def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
-    panels = tuple(
-        Panel(
-            title,
-            units[key],
-            (Line("longest segment of the first training log", "v1", columns["alpha"], columns[key]),),
-            log=True,
-        )
-        for key, title in (("misfit", "misfit"), ("roughness", "roughness of q̈"))
-    )
-    caption = "Small α leaves noise in the acceleration (roughness), large α smooths the motion away (misfit)."
     return Figure(
         "study-alpha",
         "Regularisation parameter",
-        caption=caption,
+        caption="Small α leaves noise in the acceleration (roughness), large α smooths the motion away (misfit).",
         x_name="α",
         x_unit=units["alpha"],
-        panels=panels,
+        panels=tuple(
+            Panel(
+                title,
+                units[key],
+                (Line("longest segment of the first training log", "v1", columns["alpha"], columns[key]),),
+                log=True,
+            )
+            for key, title in (("misfit", "misfit"), ("roughness", "roughness of q̈"))
+        ),
         x_log=True,
     )
 
@@ -359,22 +396,20 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
             for i, (value, rows) in enumerate(rows_of.items())
         )
 
-    panels = (
-        Panel("MSE of q̈", units["mse"], lines("mse"), log=True),
-        Panel("condition number", "1", lines("condition"), log=True),
-        Panel("NRMSE of q", "%", lines("nrmse")),
-    )
-    caption = (
-        "Training error of the acceleration, conditioning, and free-run error on the logs held out (100 %: diverged, "
-        "or missed everything)."
-    )
     return Figure(
         "study-basis",
         "Basis functions and smoothing",
-        caption=caption,
+        caption=(
+            "Training error of the acceleration, conditioning, and free-run error on the logs held out (100 %: "
+            "diverged, or missed everything)."
+        ),
         x_name="basis functions M",
         x_unit="1",
-        panels=panels,
+        panels=(
+            Panel("MSE of q̈", units["mse"], lines("mse"), log=True),
+            Panel("condition number", "1", lines("condition"), log=True),
+            Panel("NRMSE of q", "%", lines("nrmse")),
+        ),
         whole=True,
     )
 
@@ -385,15 +420,13 @@ def _data(columns: Columns, _: Mapping[str, str]) -> Figure:
     x = columns["samples"][rows][order]
     median, low, high = (PERCENT * columns[key][rows][order] for key in ("nrmse", "nrmse_low", "nrmse_high"))
     spread = (Points("smallest", "reference", x, low, "ring"), Points("largest", "reference", x, high, "cross"))
-    panel = Panel("NRMSE of q", "%", (Line("median", "v1", x, median),), points=spread)
-    caption = "Free-run error on the logs held out against the amount of training data; repeats at random places."
     return Figure(
         "study-data",
         "Amount of training data",
-        caption=caption,
+        caption="Free-run error on the logs held out against the amount of training data; repeats at random places.",
         x_name="training samples",
         x_unit="1",
-        panels=(panel,),
+        panels=(Panel("NRMSE of q", "%", (Line("median", "v1", x, median),), points=spread),),
         x_log=True,
         whole=True,
     )
@@ -419,14 +452,13 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
         )
         name = "constant F" if drift == 0.0 else f"F + {PERCENT * drift:g} %"
         panels.append(Panel(name, "%", lines, log=True))
-    caption = (
-        "Recursive least squares: error of the restoring force against that of the whole log, over its range. Below, a "
-        "growth of the restoring force is planted in the log, and the estimate has to follow it."
-    )
     return Figure(
         "study-online",
         "Online identification",
-        caption=caption,
+        caption=(
+            "Recursive least squares: error of the restoring force against that of the whole log, over its range. "
+            "Below, a growth of the restoring force is planted in the log, and the estimate has to follow it."
+        ),
         x_name="length of the stream",
         x_unit="s",
         panels=tuple(panels),

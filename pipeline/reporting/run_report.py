@@ -77,53 +77,58 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     check_header, check_rows = beside(log_checks)
     judged_by = {check.name for check in sheet.checks}
     two_wells = isinstance(sheet.wells, Wells)
-    context = {
-        "name": data.prototype.name,
-        "subtitle": " · ".join((*lengths, f"models {', '.join(models)}")),
-        "main_model": sheet.main_model,
-        "assessment": assessment(sheet.checks),
-        "data_grade": sheet.grades["data"],
-        "model_grade": sheet.grades["model"],
-        "checks": sheet.checks,
-        "facts": rows,
-        "two_wells": any(len(row.cells) == 2 for row in rows),
-        # Limits of wells only where there are two, or a check needs them.
-        "thresholds": {
-            name: limit for name, limit in THRESHOLDS.items() if two_wells or name in judged_by or name not in OF_WELLS
+    return render(
+        "report.html.j2",
+        ("uplot.min.js", "tables.js", "series.js", "viewer.js"),
+        {
+            "name": data.prototype.name,
+            "subtitle": " · ".join((*lengths, f"models {', '.join(models)}")),
+            "main_model": sheet.main_model,
+            "assessment": assessment(sheet.checks),
+            "data_grade": sheet.grades["data"],
+            "model_grade": sheet.grades["model"],
+            "checks": sheet.checks,
+            "facts": rows,
+            "two_wells": any(len(row.cells) == 2 for row in rows),
+            # Limits of wells only where there are two, or a check needs them.
+            "thresholds": {
+                name: limit
+                for name, limit in THRESHOLDS.items()
+                if two_wells or name in judged_by or name not in OF_WELLS
+            },
+            "facts_caption": _facts_caption(sheet),
+            "log_checks": {
+                "header": check_header,
+                "rows": check_rows,
+                "remarks": [row.remark for row in log_checks if row.state == "note"],
+            },
+            **_scores(data, sheet),
+            "overlay": _view(first, models, judged.key),
+            "calibrated": calibrated_rows(data, sheet),
+            "structure": structure_summary(data, sheet),
+            "elements": element_rows(sheet.elements(data)),
+            "timelines": [_timeline(data, views, kind) for kind in SECTION_TITLES],
+            "charts": charts[""],
+            "residuals": charts["residual"],
+            "studies": charts["study"],
+            "control": charts["control"],
+            "described": [_model(data, name) for name in models],
+            **_provenance(data),
+            "sections": [
+                ("overview", "Overview"),
+                ("datasheet", "Datasheet"),
+                ("logs", "Logs"),
+                ("errors", "Errors"),
+                *SECTION_TITLES.items(),
+                ("device", "Device"),
+                *([("control", "Control")] if charts["control"] else []),
+                ("models-described", "Models"),
+                *([("studies", "Studies")] if charts["study"] else []),
+                ("provenance", "Provenance"),
+            ],
+            "viewer_json": json_for_script(viewer_data(interactive, models)),
         },
-        "facts_caption": _facts_caption(sheet),
-        "log_checks": {
-            "header": check_header,
-            "rows": check_rows,
-            "remarks": [row.remark for row in log_checks if row.state == "note"],
-        },
-        **_scores(data, sheet),
-        "overlay": _view(first, models, judged.key),
-        "calibrated": calibrated_rows(data, sheet),
-        "structure": structure_summary(data, sheet),
-        "elements": element_rows(sheet.elements(data)),
-        "timelines": [_timeline(data, views, kind) for kind in SECTION_TITLES],
-        "charts": charts[""],
-        "residuals": charts["residual"],
-        "studies": charts["study"],
-        "control": charts["control"],
-        "described": [_model(data, name) for name in models],
-        **_provenance(data),
-        "sections": [
-            ("overview", "Overview"),
-            ("datasheet", "Datasheet"),
-            ("logs", "Logs"),
-            ("errors", "Errors"),
-            *SECTION_TITLES.items(),
-            ("device", "Device"),
-            *([("control", "Control")] if charts["control"] else []),
-            ("models-described", "Models"),
-            *([("studies", "Studies")] if charts["study"] else []),
-            ("provenance", "Provenance"),
-        ],
-        "viewer_json": json_for_script(viewer_data(interactive, models)),
-    }
-    return render("report.html.j2", ("uplot.min.js", "tables.js", "series.js", "viewer.js"), context)
+    )
 
 
 def assessment(checks: Sequence[Check]) -> str:
@@ -172,14 +177,24 @@ def _score_table(name: str, table: NrmseTable) -> dict[str, Any]:
                 cell |= {"number": "–", "interval": ""}  # when it diverged stands in the first cell
         rows.append({"log": log_title(row.role, row.log), "model": row.model, "cells": cells})
     errors = ((f"{HEADINGS[s]} [%]", "") for s in table.signals)
-    headings = [("log", ""), ("model", ""), *errors, *((column.heading, column.help) for column in table.extras)]
-    return {"name": name, "headings": headings, "rows": rows, "caption": table.explanation, "repeats": ""}
+    return {
+        "name": name,
+        "headings": [("log", ""), ("model", ""), *errors, *((column.heading, column.help) for column in table.extras)],
+        "rows": rows,
+        "caption": table.explanation,
+        "repeats": "",
+    }
 
 
 def _cell(cell: TableCell) -> dict[str, Any]:
     value = cell.number if cell.is_number else ""
-    shown = cell.number + (BEST if cell.best else TIED * cell.tied)
-    return {"number": shown, "interval": cell.interval, "best": cell.best, "bad": cell.diverged, "value": value}
+    return {
+        "number": cell.number + (BEST if cell.best else TIED * cell.tied),
+        "interval": cell.interval,
+        "best": cell.best,
+        "bad": cell.diverged,
+        "value": value,
+    }
 
 
 def _without_q(figure: Figure) -> Figure:

@@ -149,8 +149,11 @@ def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
     """Errors by horizon and what a run notes of itself, each with its interval; `scores` as in `nrmse_table`."""
     of_q = [row for row in scores if row["signal"] == "q"]
     columns = _columns("behaviour", of_q)
-    rows = (Row(r["role"], r["log"], r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q)
-    return NrmseTable((), columns, tuple(rows))
+    return NrmseTable(
+        (),
+        columns,
+        tuple(Row(r["role"], r["log"], r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q),
+    )
 
 
 def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
@@ -176,8 +179,7 @@ def _error(record: ScoreRow | None, model: str, front: set[str]) -> TableCell:
         return TableCell(f"diverged at t = {moment(record['diverged_at_s'])}", diverged=True)
     if record["nrmse"] is None:
         return TableCell("undefined")
-    number = _number(record, "nrmse", 100.0, 2)
-    return replace(number, best=front == {model}, tied=len(front) > 1 and model in front)
+    return replace(_number(record, "nrmse", 100.0, 2), best=front == {model}, tied=len(front) > 1 and model in front)
 
 
 def _cell(record: ScoreRow, column: Column) -> TableCell:
