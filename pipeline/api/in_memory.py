@@ -203,8 +203,13 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
     q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
-    of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts))
-    log = on_uniform_clocks(RawLog(q, tuple(inputs), notes=of_codes))
+    log = on_uniform_clocks(
+        RawLog(
+            q,
+            tuple(inputs),
+            notes=tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts)),
+        )
+    )
     if signals.unit != "m":
         log = with_displacement(log, device(prototype), parameter_set(prototype, _in_this_folder()))
     measured = log.q[1][np.isfinite(log.q[1])]
@@ -322,8 +327,10 @@ def signals_of(table: pd.DataFrame) -> Signals:
         )
     if other := [name for name in table.columns if "v2_V" not in table and f"{name}".lower().startswith("v2")]:
         raise InputError(f"the DataFrame has the column {other[0]}; call it v2_V and give it in V, or leave it out")
-    voltages = [table[name] for name in ("v1_V", "v2_V") if name in table]
-    return replace(arrays_of(table["t_s"], table[displacement], *voltages), unit=displacement.removeprefix("q_"))
+    return replace(
+        arrays_of(table["t_s"], table[displacement], *([table[name] for name in ("v1_V", "v2_V") if name in table])),
+        unit=displacement.removeprefix("q_"),
+    )
 
 
 def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:

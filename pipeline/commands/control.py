@@ -182,12 +182,15 @@ def design(
     from ..workflow.studies import control
 
     with Progress(quiet=quiet) as progress:
-        settings = replace(
-            _settings(max_voltage, lag),
-            slew=_limit(slew, "V/s", "--slew"),
-            average=_limit(average_voltage, "V", "--average-voltage"),
+        document = control.design(
+            run,
+            replace(
+                _settings(max_voltage, lag),
+                slew=_limit(slew, "V/s", "--slew"),
+                average=_limit(average_voltage, "V", "--average-voltage"),
+            ),
+            progress,
         )
-        document = control.design(run, settings, progress)
     if as_json:
         emit_json(document)
         return
@@ -195,7 +198,6 @@ def design(
     predicted = document["predicted"]["steps"]
     left, saddle, right = (prefixed(places[name], "m", 2) for name in ("left", "saddle", "right"))
     lags = " and ".join(prefixed(lag, "m", 1) for lag in document["lags_s"])
-    targets = ("to the right", "to the left", "to the unstable equilibrium")
     emit_text(
         "\n".join(
             (
@@ -205,7 +207,9 @@ def design(
                 *(
                     f"on the model, {target}: {_settles(step['settling_s'])}, overshoot "
                     f"{prefixed(step['overshoot_m'], 'm', 2)} mm, RMS {prefixed(step['rms_m'], 'm', 3)} mm then"
-                    for target, step in zip(targets, predicted, strict=True)
+                    for target, step in zip(
+                        ("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True
+                    )
                 ),
                 _margins(document["margins"]),
                 *(f"warning: {warning}" for warning in document["warnings"]),

@@ -105,8 +105,7 @@ def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
     q, v = excitation.plant.displacement.symbol, excitation.plant.inputs[0].symbol
     facts = asdict(excitation.excitation)
     facts["wells"] = with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q))
-    units = {"centres": q, "largest": v}
-    return {"excitation": with_units(facts, units)} | with_units(shown, {"interval": "s"})
+    return {"excitation": with_units(facts, {"centres": q, "largest": v})} | with_units(shown, {"interval": "s"})
 
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:

@@ -11,7 +11,7 @@ from ..errors import InputError
 from ..units.quantity import prefixed
 from ..units.units import parse_quantity
 from .boundary import group, with_options
-from .console import Parameters, Quiet, StatusLine, emit_json, emit_table, with_units
+from .console import Parameters, Quiet, StatusLine, emit_json, emit_table
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -141,10 +141,16 @@ def curves(parameters: JointSet, voltage: Voltage = "3 kV", figure: Figure = Non
     path = result.paths["off"]
     _draw(figure, "characteristics_figure", result)
     if as_json:
-        limits = {"z_b_min_m": result.z_b_min, "z_b_max_m": result.z_b_max}
-        document = limits | {"switching_voltage_V": result.switching.both_ways}
-        capacitances = {f"C{k}_F": column for k, column in enumerate(path.capacitance.T, start=1)}
-        emit_json(document | {"q_m": path.q, "force_N": path.force} | capacitances)
+        emit_json(
+            {
+                "z_b_min_m": result.z_b_min,
+                "z_b_max_m": result.z_b_max,
+                "switching_voltage_V": result.switching.both_ways,
+                "q_m": path.q,
+                "force_N": path.force,
+                **{f"C{k}_F": column for k, column in enumerate(path.capacitance.T, start=1)},
+            }
+        )
         return
     emit_table(
         "The joint",
@@ -202,10 +208,16 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
     stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
     q = motion.q[:stop]
     if as_json:
-        values = {"t": motion.t, "q": motion.q, "qdot": motion.q_dot, "qddot": motion.q_ddot, "phi": motion.phi}
-        units = {"t": "s", "q": "m", "qdot": "m/s", "qddot": "m/s²", "phi": "rad"}
-        columns = with_units({name: column[:stop] for name, column in values.items()}, units)
-        emit_json({"diverged_at_s": motion.diverged_at} | columns)
+        emit_json(
+            {
+                "diverged_at_s": motion.diverged_at,
+                "t_s": motion.t[:stop],
+                "q_m": q,
+                "qdot_m_per_s": motion.q_dot[:stop],
+                "qddot_m_per_s2": motion.q_ddot[:stop],
+                "phi_rad": motion.phi[:stop],
+            }
+        )
         return
     emit_table(
         "Full-order simulation",
@@ -235,8 +247,14 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
     _draw(figure, "modes_figure", joint, result, motions.full.t)
     peaks = abs(result.amplitudes).max(axis=0)
     if as_json:
-        shares = {"energy_share": result.energy_share, "largest_amplitude_m": peaks}
-        emit_json(shares | {"x_m": result.x, "shapes": result.shapes})
+        emit_json(
+            {
+                "energy_share": result.energy_share,
+                "largest_amplitude_m": peaks,
+                "x_m": result.x,
+                "shapes": result.shapes,
+            }
+        )
     else:
         pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
         emit_table(

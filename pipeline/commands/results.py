@@ -2,7 +2,7 @@
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -29,7 +29,6 @@ from .outcome import emit_table_2
 if TYPE_CHECKING:
     from ..workflow.studies.diff import RunDifferences
     from ..workflow.studies.fleet import LearntFile
-    from ..workflow.studies.study import StudyResult
     from ..workflow.verify import Verified
 
 
@@ -168,12 +167,17 @@ def study(
     Example: debist study alpha runs/P1
     """
     from ..reporting.tables import study_conclusion
+    from ..store.manifest import to_json
     from ..workflow.studies.study import run_study
 
     with Progress(quiet=quiet or as_json) as progress:
         result = run_study(run, kind, progress, jobs=jobs)
     if as_json:
-        emit_json(_study_document(result))
+        units = result.units
+        of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
+        columns = with_units(result.columns, units)
+        notes = with_units(result.notes, of_notes)
+        emit_json(to_json({"columns": columns, "figure": result.figure, "notes": notes}))
     else:
         columns, conclusion = study_conclusion(kind, result.columns, result.units, result.notes)
         emit_table(
@@ -183,16 +187,6 @@ def study(
             numeric_from=0,
         )
         emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
-
-
-def _study_document(result: "StudyResult") -> Any:
-    """A study for `--json`, with units in the keys."""
-    from ..store.manifest import to_json
-
-    units = result.units
-    of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
-    notes = with_units(result.notes, of_notes)
-    return to_json({"columns": with_units(result.columns, units), "figure": result.figure, "notes": notes})
 
 
 _MOST_NAMED = 20

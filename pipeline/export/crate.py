@@ -60,8 +60,9 @@ def write_crate(
     crate.datePublished = date = datetime.fromtimestamp((run.root / MANIFEST).stat().st_mtime, UTC)
     crate.metadata.extra_contexts.append("https://w3id.org/ro/terms/workflow-run/context")
     crate.metadata.extra_terms["contentHash"] = "urn:debist:content-hash"
-    profile = _entity(crate, PROFILE, "CreativeWork", "Process Run Crate", version=PROFILE.rsplit("/", 1)[1])
-    crate.root_dataset["conformsTo"] = [profile]
+    crate.root_dataset["conformsTo"] = [
+        _entity(crate, PROFILE, "CreativeWork", "Process Run Crate", version=PROFILE.rsplit("/", 1)[1])
+    ]
     with tempfile.TemporaryDirectory(prefix="debist-") as place:
         texts = {f"{name}.toml": settings, NAME: environment_text(run.manifest.versions), **more}
         objects, results = _files(crate, run, texts, inputs, Path(place))
@@ -128,8 +129,14 @@ def _files(
 
 def _file(crate: Any, source: Path, name: str, title: str, **more: str) -> Any:
     kind = _FORMATS.get(source.suffix) or mimetypes.guess_type(name)[0] or "application/octet-stream"
-    described = {"encodingFormat": kind, "contentSize": str(source.stat().st_size), "sha256": file_sha256(source)}
-    return crate.add_file(source, dest_path=name, properties={"name": title, **more, **described})
+    properties = {
+        "name": title,
+        **more,
+        "encodingFormat": kind,
+        "contentSize": str(source.stat().st_size),
+        "sha256": file_sha256(source),
+    }
+    return crate.add_file(source, dest_path=name, properties=properties)
 
 
 def environment_text(versions: Mapping[str, str]) -> str:

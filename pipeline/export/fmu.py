@@ -188,14 +188,15 @@ def facts(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     spans += [
         (f"v{i}", f"value of input {i} in", *of) for i, of in enumerate(zip(v.v, v.v_units, strict=True), start=1)
     ]
-    samples = "interval of the samples on which the model was identified"
     return [
         *(
             _constant(f"{name}_{end}", bound, unit, f"{word} {meaning} the training logs")
             for name, meaning, span, unit in spans
             for end, word, bound in zip(("min", "max"), ("least", "largest"), span, strict=True)
         ),
-        _constant("sample_interval", v.sample_interval, "s", samples),
+        _constant(
+            "sample_interval", v.sample_interval, "s", "interval of the samples on which the model was identified"
+        ),
         _constant("longest_step", realisation.step, "s", "longest internal step of co-simulation"),
         _constant("delay", realisation.delay, "s", "outputs belong to a time this much later than the voltages"),
     ]

@@ -60,8 +60,12 @@ def _map(drawn_map: Mapping[str, Any]) -> Figure:
     most = maximum_filter(probability, 3, mode="nearest")
     least = minimum_filter(probability, 3, mode="nearest")
     index = np.select([most < _LIKELY[0], least > _LIKELY[1]], [0, 2], 3).astype(np.int8)
-    labels = ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws")
-    cells = Cells(labels, np.array(drawn_map["durations"]), np.array(drawn_map["voltages"]), index)
+    cells = Cells(
+        ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws"),
+        np.array(drawn_map["durations"]),
+        np.array(drawn_map["voltages"]),
+        index,
+    )
     return Figure(
         f"control-map-{drawn_map['to']}",
         title=f"Does a pulse switch to the {drawn_map['to']}?",

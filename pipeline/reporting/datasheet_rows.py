@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..diagnostics.calibrated import Calibrated, calibrated
+from ..diagnostics.calibrated import Calibrated
 from ..diagnostics.datasheet import Datasheet, DatasheetFact, is_refused
 from ..diagnostics.run_data import RunData
 from ..store.columns import FACT_COLUMNS, STABLE, FactColumn
@@ -102,25 +102,16 @@ class CalibratedRow:
     moved: bool
 
 
-def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
-    """One row for each quantity that the hybrid model's fit moves; none of another main model.
-
-    Pure numbers of the beam's higher terms are left out: their names mean nothing outside the equations.
-    """
-    return [
-        _row(fitted)
-        for fitted in calibrated(data.models.get(sheet.main_model))
-        if fitted.unit != "1" or fitted.nominal == 1.0
-    ]
-
-
 def structure_summary(data: RunData, sheet: Datasheet) -> str:
     """Sentences on the main model: its type, the reason, the count of its basis functions and their effect."""
     description = data.descriptions.get(sheet.main_model, {})
     if (count := description.get("basis_functions")) is None:
         return ""
-    physical = description.get("physical_parameters", 0)
-    sentences = [_WHAT.get((sheet.main_model, bool(count)), "").format(count=count, physical=physical)]
+    sentences = [
+        _WHAT.get((sheet.main_model, bool(count)), "").format(
+            count=count, physical=description.get("physical_parameters", 0)
+        )
+    ]
     choice = data.choice or {}
     if choice.get("chosen") == sheet.main_model and data.why_chosen:
         sentences.append(f"Why this model: {data.why_chosen}.")
@@ -136,7 +127,8 @@ def structure_summary(data: RunData, sheet: Datasheet) -> str:
     return " ".join(sentence for sentence in sentences if sentence)
 
 
-def _row(fitted: Calibrated) -> CalibratedRow:
+def calibrated_row(fitted: Calibrated) -> CalibratedRow:
+    """The row of a quantity that the hybrid model's fit moves."""
     half = (fitted.high - fitted.low) / 2.0
     nominal = "–" if fitted.nominal is None else quantity(fitted.nominal, fitted.unit, like=fitted.value)
     moved = fitted.nominal is not None and not fitted.low <= fitted.nominal <= fitted.high
@@ -245,8 +237,12 @@ def described(
     tables: list[tuple[str, FactRows]] = []
     fitted = [facts.pop(key, ()) for key in ("fitted", "values", "standard_errors")]
     if fitted[0]:
-        pairs = zip(*fitted, strict=False)
-        tables.append(("fitted", [_quantity_row(key, pair, displacement, fitted=True) for key, *pair in pairs]))
+        tables.append(
+            (
+                "fitted",
+                [_quantity_row(key, pair, displacement, fitted=True) for key, *pair in (zip(*fitted, strict=False))],
+            )
+        )
     rows: FactRows = []
     for key, value in facts.items():
         fitted_part = key in _FITTED
@@ -308,8 +304,10 @@ def terms(equation: str) -> list[str]:
     """The parts of an equation between which a line may break."""
     raised = re.sub(r"\^(-?\d+)", lambda m: power(int(m[1])), equation)
     powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{power(int(m[2]))}", raised)
-    signed = re.split(r" (?=[+-]\d)", powers)
-    parts = [re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part) for part in signed]
+    parts = [
+        re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part)
+        for part in (re.split(r" (?=[+-]\d)", powers))
+    ]
     if len(parts) == 1:
         return parts
     # The first term needs no plus, and stands beside the equals sign.

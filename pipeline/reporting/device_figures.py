@@ -97,8 +97,7 @@ def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
         yield "damping d", units["d"], visited, lambda c: c.damping, _on(measured, "d")
     for k in range(len(first.gains)):
         slope = _on(measured, f"dC{k + 1}_dq") if electrostatic else None
-        pick = partial(_gain, k=k, factor=factor)
-        yield symbol.format("₁₂"[k]), unit, visited_range(data, k), pick, slope
+        yield symbol.format("₁₂"[k]), unit, visited_range(data, k), partial(_gain, k=k, factor=factor), slope
 
 
 def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
@@ -223,8 +222,7 @@ def _marked(
     """Equilibria on a curve over q: dots where stable, rings where not."""
     for marker, kind in (("dot", True), ("ring", False)):
         if (places := np.array([e.q for e in places_of_rest if e.stable is kind])).size:
-            at = np.interp(places, q, heights)
-            yield Points(_EQUILIBRIA[kind], role, places, at, marker)  # type: ignore[arg-type]
+            yield Points(_EQUILIBRIA[kind], role, places, np.interp(places, q, heights), marker)  # type: ignore[arg-type]
 
 
 def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:

@@ -415,15 +415,11 @@ _LINE = '<path class="{}" d="M0 6H30"/>'
 
 def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Markup]]:
     """Label and sample of everything that is drawn, each label once, for the page: 30 by 12 units, with classes."""
-    return [_swatch(*entry) for entry in entries(figure, models, marks=marks)]
+    return [swatch(*entry) for entry in entries(figure, models, marks=marks)]
 
 
-def event_swatches(figure: Figure) -> list[tuple[str, Markup]]:
-    """Label and sample of the upright lines of a figure."""
-    return [_swatch(name, MARKS[name]) for name in figure.marks if name in MARKS]
-
-
-def _swatch(label: str, style: Style) -> tuple[str, Markup]:
+def swatch(label: str, style: Style) -> tuple[str, Markup]:
+    """The label with its sample."""
     dashed = "dash" if style.dash in ("dashed", "dotted") else ""
     names = " ".join(part for part in (style.kind, style.slot, dashed) if part)
     return label, Markup(_SHAPES.get(style.kind.rstrip("0123"), _LINE)).format(names)  # noqa: S704 - literals above

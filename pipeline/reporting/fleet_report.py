@@ -14,7 +14,7 @@ from ..numerics.metrics import robust_std
 from ..store.columns import FACT_COLUMNS
 from ..system.names import slug
 from ..units.quantity import scale, significant
-from .figure import Band, Figure, Line, Panel, Points
+from .figure import Band, Figure, Line, Panel, Points, axis_label
 from .page import render
 from .plotted import chart
 
@@ -127,11 +127,6 @@ class FleetColumn:
     outliers: np.ndarray[tuple[int], np.dtype[np.bool_]]
     scored: bool = False
 
-    @property
-    def heading(self) -> str:
-        """Title and unit."""
-        return f"{self.title} in {self.unit}" if self.unit not in ("", "1") else self.title
-
 
 def decimals(values: FloatArray) -> int | None:
     """Decimals for a column whose values are of one size, so that its points align; else None."""
@@ -153,7 +148,6 @@ def distribution(column: FleetColumn) -> Figure:
     of_odd = counts[np.clip(np.searchsorted(edges, odd, side="right") - 1, 0, counts.size - 1)]
     outline = np.repeat(counts, 2)
     middle = float(np.median(values))
-    highest = float(counts.max())
     return Figure(
         slug(column.title),
         column.title,
@@ -165,7 +159,13 @@ def distribution(column: FleetColumn) -> Figure:
                 "prototypes",
                 "1",
                 lines=(
-                    Line("median", "reference", np.array([middle, middle]), np.array([0.0, highest]), dash="solid"),
+                    Line(
+                        "median",
+                        "reference",
+                        np.array([middle, middle]),
+                        np.array([0.0, float(counts.max())]),
+                        dash="solid",
+                    ),
                 ),
                 bands=(Band("prototypes", "v1", np.repeat(edges, 2)[1:-1], np.zeros_like(outline), outline),),
                 points=(Points("odd", "v2", odd, of_odd, marker="ring"),) if odd.size else (),
@@ -210,7 +210,7 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
                 if (count := sum(getattr(member, about) == grade for member in done))
             ],
             "bare": sum(not member.model for member in done),
-            "headings": [q.heading for q in quantities],
+            "headings": [axis_label(q.title, q.unit) for q in quantities],
             "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
             "charts": [chart(distribution(q), ()) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
         },

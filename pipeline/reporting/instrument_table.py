@@ -89,8 +89,7 @@ def _log_lines(rows: Sequence[Row], title: str, displacement: str) -> list[tuple
     """Lines of one log; the first one names it."""
     first = rows[0]
     if first["status"] == "another device":
-        left = f"{first['residual_ratio']:.2g} times what the training logs leave"
-        return [(title, "another device", left, "")]
+        return [(title, "another device", f"{first['residual_ratio']:.2g} times what the training logs leave", "")]
     if first["status"] == "not measured":
         return [(title, "not measured", "the model does not follow the log", "")]
     lines = list[tuple[str, ...]]()
@@ -100,8 +99,14 @@ def _log_lines(rows: Sequence[Row], title: str, displacement: str) -> list[tuple
     for row in rows:
         if row["beyond"]:
             name = _name(row)
-            reads = _shown(row, "estimate", displacement, row["standard_error"])
-            lines.append((title, name, reads, _shown(row, "limit", displacement)))
+            lines.append(
+                (
+                    title,
+                    name,
+                    _shown(row, "estimate", displacement, row["standard_error"]),
+                    _shown(row, "limit", displacement),
+                )
+            )
             title = ""
     return lines
 

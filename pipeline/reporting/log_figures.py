@@ -210,16 +210,18 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             off, _ = _with_tubes(off, about)
             caption += ", which reaches beyond the axis." if clipped else "."
         below.insert(0, Panel("error", data.device.displacement.symbol, (error,), bands=about, y_limits=off, low=True))
-    figure = _timeline(
-        data,
-        log,
-        wells,
-        kind="overlay",
-        title="Measured against the model",
-        caption=caption,
-        panels=[Panel("q", data.device.displacement.symbol, tuple(lines), bands=bands, y_limits=limits), *below],
+    return replace(
+        _timeline(
+            data,
+            log,
+            wells,
+            kind="overlay",
+            title="Measured against the model",
+            caption=caption,
+            panels=[Panel("q", data.device.displacement.symbol, tuple(lines), bands=bands, y_limits=limits), *below],
+        ),
+        hidden=tuple(line.label for line in others),
     )
-    return replace(figure, hidden=tuple(line.label for line in others))
 
 
 def _limits(signals: Sequence[FloatArray]) -> tuple[float, float]:
@@ -284,8 +286,12 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
     def panel(title: str, values: FloatArray, half: float) -> Panel:
         """A correlation within its band."""
         width = np.full(residual.lags.size, half)
-        band = Band("99 % band without correlation", "reference", residual.lags, -width, width)
-        return Panel(title, "1", (Line(f"residual of {model}", model, residual.lags, values),), (band,))
+        return Panel(
+            title,
+            "1",
+            (Line(f"residual of {model}", model, residual.lags, values),),
+            (Band("99 % band without correlation", "reference", residual.lags, -width, width),),
+        )
 
     panels = [panel("autocorrelation", residual.correlation, residual.band)]
     for k, (values, half) in enumerate(zip(residual.with_inputs, residual.input_bands, strict=True), start=1):

@@ -53,8 +53,9 @@ def packed(y: FloatArray, longest: int = LONGEST) -> dict[str, Any]:
     change = np.diff(codes, prepend=0) % 65536
     planes = np.concatenate((change & 255, change >> 8)).astype(np.uint8)
     # For repetitions or for noise, whichever is shorter.
-    strategies = (zlib.Z_DEFAULT_STRATEGY, zlib.Z_FILTERED)
-    packers = [zlib.compressobj(level=DEFLATION, strategy=strategy) for strategy in strategies]
+    packers = [
+        zlib.compressobj(level=DEFLATION, strategy=strategy) for strategy in (zlib.Z_DEFAULT_STRATEGY, zlib.Z_FILTERED)
+    ]
     deflated = min((packer.compress(planes.tobytes()) + packer.flush() for packer in packers), key=len)
     return {"n": int(y.size), "low": low, "step": step, "data": base64.b64encode(deflated).decode("ascii")}
 

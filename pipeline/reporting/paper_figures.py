@@ -108,14 +108,13 @@ def paper_joint_figures(result: "Characteristics") -> dict[str, Figure]:
 def characteristics_figure(result: "Characteristics") -> Figure:
     """Figures 3 to 5, the double well and the tip rotation on the static path."""
     path = result.paths["off"]
-    rotation = Panel("φ", "rad", (Line("no voltage", "measured", path.q, path.phi, "solid"),))
     return _over_q(
         "characteristics",
         "Characteristic curves of the joint",
         _equilibria(result),
         _force(result),
         _energy(result),
-        rotation,
+        Panel("φ", "rad", (Line("no voltage", "measured", path.q, path.phi, "solid"),)),
         *_capacitances(result),
     )
 
@@ -200,7 +199,6 @@ def motion_figure(motions: "Motions") -> Figure:
     """Figure 7: full-order and reduced motion under the same voltages."""
     full = motions.full
     reduced = motions.reduced
-    voltages = tuple(Line(n, _role(n), full.t, motions.v[:, k], "solid") for k, n in enumerate(("left", "right")))
     return Figure(
         "motion",
         "Full-order against reduced model",
@@ -208,7 +206,11 @@ def motion_figure(motions: "Motions") -> Figure:
         x_name="t",
         x_unit="s",
         panels=(
-            Panel("v", "V", voltages),
+            Panel(
+                "v",
+                "V",
+                tuple(Line(n, _role(n), full.t, motions.v[:, k], "solid") for k, n in enumerate(("left", "right"))),
+            ),
             *(
                 Panel(
                     name,
@@ -266,7 +268,6 @@ def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
 def signals_figure(log: LogData) -> Figure:
     """Figure 11a: voltages, position, velocity and acceleration of a log."""
     motion = log.motion
-    sides = zip(("left", "right"), ("v1", "v2"), motion.v.T, strict=True)
     return Figure(
         "signals",
         "Excitation and measured motion",
@@ -274,7 +275,14 @@ def signals_figure(log: LogData) -> Figure:
         x_name="time",
         x_unit="s",
         panels=(
-            Panel("v", "V", tuple(Line(side, name, motion.t, v) for side, name, v in sides)),
+            Panel(
+                "v",
+                "V",
+                tuple(
+                    Line(side, name, motion.t, v)
+                    for side, name, v in zip(("left", "right"), ("v1", "v2"), motion.v.T, strict=True)
+                ),
+            ),
             *(
                 Panel(name, unit, (Line("measured", "measured", motion.t, values),))
                 for name, unit, values in (("q", "m", motion.q), ("q̇", "m/s", motion.qdot), ("q̈", "m/s²", motion.qddot))
@@ -419,14 +427,23 @@ def _data(columns: Columns, _: Mapping[str, str]) -> Figure:
     order = np.argsort(columns["samples"][rows])
     x = columns["samples"][rows][order]
     median, low, high = (PERCENT * columns[key][rows][order] for key in ("nrmse", "nrmse_low", "nrmse_high"))
-    spread = (Points("smallest", "reference", x, low, "ring"), Points("largest", "reference", x, high, "cross"))
     return Figure(
         "study-data",
         "Amount of training data",
         caption="Free-run error on the logs held out against the amount of training data; repeats at random places.",
         x_name="training samples",
         x_unit="1",
-        panels=(Panel("NRMSE of q", "%", (Line("median", "v1", x, median),), points=spread),),
+        panels=(
+            Panel(
+                "NRMSE of q",
+                "%",
+                (Line("median", "v1", x, median),),
+                points=(
+                    Points("smallest", "reference", x, low, "ring"),
+                    Points("largest", "reference", x, high, "cross"),
+                ),
+            ),
+        ),
         x_log=True,
         whole=True,
     )

@@ -384,11 +384,12 @@ def page_chart(figure: Figure, models: Sequence[str]) -> list[Markup]:
     if figure.columns == 1:
         return [_svg(figure, models, PART if figure.half else WHOLE)]
     several = len(figure.panels) > 1
-    parts = [
-        replace(figure, title=figure.title + f": {panel.name}" * several, panels=(panel,), columns=1)
+    return [
+        _svg(
+            replace(figure, title=figure.title + f": {panel.name}" * several, panels=(panel,), columns=1), models, PART
+        )
         for panel in figure.panels
     ]
-    return [_svg(part, models, PART) for part in parts]
 
 
 def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
@@ -420,6 +421,5 @@ def chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
 
 def _attributes(style: str) -> str:
     """A style as presentation attributes; the style sheet sets the letters, except their anchor."""
-    pairs = (part.split(":", 1) for part in style.split(";") if ":" in part)
-    named = [(key.strip(), value.strip()) for key, value in pairs]
-    return "".join(f' {key}="{escape(value)}"' for key, value in named if key != "font")
+    pairs = (map(str.strip, part.split(":", 1)) for part in style.split(";") if ":" in part)
+    return "".join(f' {key}="{escape(value)}"' for key, value in pairs if key != "font")

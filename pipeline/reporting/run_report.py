@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from ..diagnostics.calibrated import calibrated
 from ..diagnostics.check import CheckRow, beside
 from ..diagnostics.datasheet import Datasheet
 from ..diagnostics.grades import OF_WELLS, THRESHOLDS, Check
@@ -16,14 +17,14 @@ from .control_figures import control_figures
 from .datasheet_rows import (
     NOT_USED,
     Described,
-    calibrated_rows,
+    calibrated_row,
     described,
     element_rows,
     sheet_rows,
     structure_summary,
 )
 from .device_figures import device_figures
-from .figure import Figure, event_swatches, swatches
+from .figure import MARKS, Figure, swatch, swatches
 from .log_figures import LOG_FIGURES, log_figures, overlay
 from .page import json_for_script, render, viewer_data
 from .plotted import chart
@@ -104,7 +105,12 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
             },
             **_scores(data, sheet),
             "overlay": _view(first, models, judged.key),
-            "calibrated": calibrated_rows(data, sheet),
+            # Pure numbers of the beam's higher terms are left out: their names mean nothing outside the equations.
+            "calibrated": [
+                calibrated_row(fitted)
+                for fitted in calibrated(data.models.get(sheet.main_model))
+                if fitted.unit != "1" or fitted.nominal == 1.0
+            ],
             "structure": structure_summary(data, sheet),
             "elements": element_rows(sheet.elements(data)),
             "timelines": [_timeline(data, views, kind) for kind in SECTION_TITLES],
@@ -214,7 +220,8 @@ def _timeline(data: RunData, figures: Mapping[str, Figure], kind: str) -> dict[s
 
 
 def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
-    return {"figure": figure, "legend": swatches(figure, models), "axis": axis, "events": event_swatches(figure)}
+    events = [swatch(name, MARKS[name]) for name in figure.marks if name in MARKS]
+    return {"figure": figure, "legend": swatches(figure, models), "axis": axis, "events": events}
 
 
 def _model(data: RunData, name: str) -> Described:
