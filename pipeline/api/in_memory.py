@@ -148,8 +148,13 @@ def log_in(table: Any) -> Log | None:
     """
     if not hasattr(table, "columns") or "segment" not in table:
         return None
-    motion_names = {column_name(name, unit): name for unit in ("m", "rad") for name in ("q", "qdot", "qddot")}
-    names = {"t_s": "t", "v1_V": "v1", "v2_V": "v2", "segment": "segment", **motion_names}
+    names = {
+        "t_s": "t",
+        "v1_V": "v1",
+        "v2_V": "v2",
+        "segment": "segment",
+        **{column_name(name, unit): name for unit in ("m", "rad") for name in ("q", "qdot", "qddot")},
+    }
     columns = {names[name]: np.asarray(table[name]) for name in table.columns if name in names}
     if not {"t", "q", "qdot", "qddot", "v1"} <= columns.keys():
         return None
@@ -300,8 +305,7 @@ def free_run_frame(
         Further columns by name.
     """
     inputs = {f"v{k}": column for k, column in enumerate(v.T, start=1)}
-    motion = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
-    table = frame({**motion, **tubes, **inputs, **more}, *units)
+    table = frame({**{"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}, **tubes, **inputs, **more}, *units)
     table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
     return table
 

@@ -416,11 +416,15 @@ class Model:
             raise InputError(f"q has the shape {places.shape}; give one column of displacements, shape (n,)")
         refuse_other_units({"q": float(abs(places).max(initial=0.0))}, self._prototype)
         units = device(self._prototype).curve_units
-        columns = {
-            f"{name}_{column_suffix(units[name.split('_')[0].rstrip('12')])}": curve
-            for name, curve in self.core.curves(places).items()
-        }
-        return pd.DataFrame({f"q_{self._units[0]}": places, **columns})
+        return pd.DataFrame(
+            {
+                f"q_{self._units[0]}": places,
+                **{
+                    f"{name}_{column_suffix(units[name.split('_')[0].rstrip('12')])}": curve
+                    for name, curve in self.core.curves(places).items()
+                },
+            }
+        )
 
     def describe(self) -> dict[str, Any]:
         """Structure, parameters and diagnostics, with units in the keys."""

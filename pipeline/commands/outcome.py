@@ -125,9 +125,9 @@ def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *,
         stale = [result for result in results if not result.up_to_date]
         if stale and all(result.stage == "report" and result.reasons == [FIRST_TIME] for result in stale):
             rows.append((str(root), "up to date", f"without a report; `debist report {shell_word(root)}` makes it"))
-            continue
-        state = "unreadable" if error else "stale" if stale else "up to date"
-        rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))
+        else:
+            state = "unreadable" if error else "stale" if stale else "up to date"
+            rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))
     emit_table("runs", ("run", "state", "why"), rows, numeric_from=None)
 
 
@@ -263,8 +263,10 @@ class BatchProgress(StatusLine):
             state = f"failed: {outcome.reason}" if outcome.failed else well
             # In a cluster's log each line stands alone.
             stamp = f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} " if self._line is None else ""
-            line = f"{stamp}[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"
-            typer.echo(printable(line), err=True)
+            typer.echo(
+                printable(f"{stamp}[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"),
+                err=True,
+            )
         self._show_running()
 
     def _show_running(self) -> None:

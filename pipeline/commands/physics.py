@@ -41,10 +41,6 @@ Figure = Annotated[
     typer.Option("--figure", metavar="FILE", callback=_free_place, help="Write a figure: .svg, .pdf or .png."),
 ]
 Voltage = Annotated[str, typer.Option("--voltage", help="Driving voltage with its unit.")]
-Signals = Annotated[
-    Path | None,
-    typer.Option("--signals", metavar="FILE", help="signals.parquet of a run, for its voltages [default: pulses]."),
-]
 
 
 @dataclass(frozen=True)
@@ -183,7 +179,12 @@ def _command_on_motions(show: "Callable[[JointParameters, Motions, Path | None, 
 
     def command(
         parameters: JointSet,
-        signals: Signals = None,
+        signals: Annotated[
+            Path | None,
+            typer.Option(
+                "--signals", metavar="FILE", help="signals.parquet of a run, for its voltages [default: pulses]."
+            ),
+        ] = None,
         voltage: Voltage = "3 kV",
         figure: Figure = None,
         as_json: Json = False,

@@ -173,11 +173,9 @@ def study(
     with Progress(quiet=quiet or as_json) as progress:
         result = run_study(run, kind, progress, jobs=jobs)
     if as_json:
-        units = result.units
-        of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
-        columns = with_units(result.columns, units)
-        notes = with_units(result.notes, of_notes)
-        emit_json(to_json({"columns": columns, "figure": result.figure, "notes": notes}))
+        of_notes = {"automatic_alpha": result.units.get("alpha", ""), "noise_std": result.units.get("misfit", "")}
+        columns = with_units(result.columns, result.units)
+        emit_json(to_json({"columns": columns, "figure": result.figure, "notes": with_units(result.notes, of_notes)}))
     else:
         columns, conclusion = study_conclusion(kind, result.columns, result.units, result.notes)
         emit_table(
@@ -230,11 +228,6 @@ def _emit_verified(checked: "Verified") -> None:
 
 fleet_group = group("A prior for the next joint, from many joints of one drawing.")
 _QUANTITIES_SHOWN = 15
-
-
-@fleet_group.callback()
-def fleet() -> None:
-    """A prior for the next joint, from many joints of one drawing."""
 
 
 @fleet_group.command()

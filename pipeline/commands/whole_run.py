@@ -43,12 +43,12 @@ def show(run: Run, as_json: Json = False) -> None:
     document = load_datasheet(run)
     if as_json:
         emit_json(document)
-        return
-    facts, *more, assessment = datasheet_tables(document)
-    for table in (facts, *(table for table in more if table[-1])):
-        emit_table(*table)
-    outcome.emit_instruments(run)
-    emit_table(*assessment, numeric_from=None)
+    else:
+        facts, *more, assessment = datasheet_tables(document)
+        for table in (facts, *(table for table in more if table[-1])):
+            emit_table(*table)
+        outcome.emit_instruments(run)
+        emit_table(*assessment, numeric_from=None)
 
 
 @dataclass(frozen=True)

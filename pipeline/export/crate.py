@@ -129,14 +129,17 @@ def _files(
 
 def _file(crate: Any, source: Path, name: str, title: str, **more: str) -> Any:
     kind = _FORMATS.get(source.suffix) or mimetypes.guess_type(name)[0] or "application/octet-stream"
-    properties = {
-        "name": title,
-        **more,
-        "encodingFormat": kind,
-        "contentSize": str(source.stat().st_size),
-        "sha256": file_sha256(source),
-    }
-    return crate.add_file(source, dest_path=name, properties=properties)
+    return crate.add_file(
+        source,
+        dest_path=name,
+        properties={
+            "name": title,
+            **more,
+            "encodingFormat": kind,
+            "contentSize": str(source.stat().st_size),
+            "sha256": file_sha256(source),
+        },
+    )
 
 
 def environment_text(versions: Mapping[str, str]) -> str:

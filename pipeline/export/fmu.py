@@ -218,8 +218,13 @@ def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
         FmuVariable("qdot", f"{unit}/s", "its velocity", "output", "continuous"),
         FmuVariable("qddot", f"{unit}/s2", "its acceleration", "output", "continuous"),
         FmuVariable("check", None, "0, or 1 (q) + 2 (a voltage) beyond the training range", "output", "discrete"),
-        _parameter("q_start", unit, "displacement at the start, after a long rest there", subject.start[0]),
-        _parameter("qdot_start", f"{unit}/s", "velocity at the start", subject.start[1]),
+        *(
+            FmuVariable(name, symbol, meaning, "parameter", "fixed", "exact", start=start)
+            for name, symbol, meaning, start in (
+                ("q_start", unit, "displacement at the start, after a long rest there", subject.start[0]),
+                ("qdot_start", f"{unit}/s", "velocity at the start", subject.start[1]),
+            )
+        ),
     ]
     states = [
         FmuVariable(x.name, x.unit, x.meaning, "local", "continuous", "calculated", nominal=x.nominal)
@@ -250,7 +255,3 @@ def description(subject: Subject, realisation: Realisation, guid: str) -> str:
         "initial": sorted([*outputs, *(places[x.name] for x in realisation.states), *derivatives]),
     }
     return render("modelDescription.xml.j2", fields)
-
-
-def _parameter(name: str, unit: str, meaning: str, start: float) -> FmuVariable:
-    return FmuVariable(name, unit, meaning, "parameter", "fixed", "exact", start=start)

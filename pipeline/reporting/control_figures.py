@@ -60,12 +60,6 @@ def _map(drawn_map: Mapping[str, Any]) -> Figure:
     most = maximum_filter(probability, 3, mode="nearest")
     least = minimum_filter(probability, 3, mode="nearest")
     index = np.select([most < _LIKELY[0], least > _LIKELY[1]], [0, 2], 3).astype(np.int8)
-    cells = Cells(
-        ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws"),
-        np.array(drawn_map["durations"]),
-        np.array(drawn_map["voltages"]),
-        index,
-    )
     return Figure(
         f"control-map-{drawn_map['to']}",
         title=f"Does a pulse switch to the {drawn_map['to']}?",
@@ -73,7 +67,18 @@ def _map(drawn_map: Mapping[str, Any]) -> Figure:
         "decide.",
         x_name="duration",
         x_unit="s",
-        panels=(Panel("voltage", "V", cells=cells),),
+        panels=(
+            Panel(
+                "voltage",
+                "V",
+                cells=Cells(
+                    ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws"),
+                    np.array(drawn_map["durations"]),
+                    np.array(drawn_map["voltages"]),
+                    index,
+                ),
+            ),
+        ),
         x_log=True,
         half=True,
     )
@@ -109,8 +114,6 @@ def _pulse(document: Mapping[str, Any]) -> Figure:
 def _loop(document: Mapping[str, Any]) -> Figure:
     run = {name: np.array(values) for name, values in document["predicted"].items() if name != "steps"}
     t = run["t_s"]
-    motion = Panel("q", "m", (Line("target", "reference", t, run["target_m"]), Line("q", "measured", t, run["q_m"])))
-    volts = Panel("voltage", "V", (Line("left", "v1", t, run["v_V"][:, 0]), Line("right", "v2", t, run["v_V"][:, 1])))
     return Figure(
         "control-loop",
         "Closed loop",
@@ -118,5 +121,8 @@ def _loop(document: Mapping[str, Any]) -> Figure:
         "equilibrium.",
         x_name="time",
         x_unit="s",
-        panels=(motion, volts),
+        panels=(
+            Panel("q", "m", (Line("target", "reference", t, run["target_m"]), Line("q", "measured", t, run["q_m"]))),
+            Panel("voltage", "V", (Line("left", "v1", t, run["v_V"][:, 0]), Line("right", "v2", t, run["v_V"][:, 1]))),
+        ),
     )

@@ -196,8 +196,6 @@ def element_rows(elements: Sequence[Mapping[str, Any]]) -> Rows:
 
 
 LONGEST_LIST = 12
-_FITTED = ("deviations",)  # parts whose pairs are a value and its standard deviation
-_ENDS = ("end_stops",)  # pairs that are the ends of a range; other pairs are lists
 _UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|1_per_m|m|s|kg|V|Hz|N))$")
 
 FactRows = list[tuple[str, str]]
@@ -245,7 +243,7 @@ def described(
         )
     rows: FactRows = []
     for key, value in facts.items():
-        fitted_part = key in _FITTED
+        fitted_part = key == "deviations"  # whose pairs are a value and its standard deviation
         if isinstance(value, Mapping) and len(value) > LONGEST_LIST:
             tables.append(
                 (_words(key), [_quantity_row(k, v, displacement, fitted=fitted_part) for k, v in value.items()])
@@ -268,7 +266,7 @@ def _quantity_row(key: str, value: Any, displacement: str, *, fitted: bool = Fal
     if isinstance(value, list | tuple) and len(value) == 2 and all(isinstance(number, float) for number in value):
         if fitted:
             return _words(name), quantity(value[0], unit, value[1])
-        if name.endswith(_ENDS):
+        if name.endswith("end_stops"):  # the ends of a range; other pairs are lists
             return _words(name), _list(value, unit, " … ")
     return _words(name), _text(value, unit)
 

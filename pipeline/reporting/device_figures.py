@@ -96,8 +96,13 @@ def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
     if first.damping is not None:
         yield "damping d", units["d"], visited, lambda c: c.damping, _on(measured, "d")
     for k in range(len(first.gains)):
-        slope = _on(measured, f"dC{k + 1}_dq") if electrostatic else None
-        yield symbol.format("₁₂"[k]), unit, visited_range(data, k), partial(_gain, k=k, factor=factor), slope
+        yield (
+            symbol.format("₁₂"[k]),
+            unit,
+            visited_range(data, k),
+            partial(_gain, k=k, factor=factor),
+            _on(measured, f"dC{k + 1}_dq") if electrostatic else None,
+        )
 
 
 def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
@@ -261,8 +266,6 @@ def _excitation(data: RunData) -> Figure:
     half = float(places[1] - places[0]) / 2.0
     x: FloatArray = np.repeat(np.concatenate(([places[0] - half], places + half)), 2)[1:-1]
     heights = np.repeat(np.maximum(counts, LEAST_DRAWN), 2)
-    line = Line("training samples", "reference", x, heights)
-    bars = Band("training samples", "reference", x, np.full(x.size, LEAST_DRAWN), heights)
     return Figure(
         "excitation",
         "Where the device was seen",
@@ -270,6 +273,14 @@ def _excitation(data: RunData) -> Figure:
         "uncertain.",
         x_name="q",
         x_unit=data.device.displacement.symbol,
-        panels=(Panel("samples per centre", "1", (line,), (bars,), log=True),),
+        panels=(
+            Panel(
+                "samples per centre",
+                "1",
+                (Line("training samples", "reference", x, heights),),
+                (Band("training samples", "reference", x, np.full(x.size, LEAST_DRAWN), heights),),
+                log=True,
+            ),
+        ),
         half=True,
     )

@@ -210,11 +210,10 @@ def window(figure: Figure, start: float, stop: float) -> Figure:
         )
         for panel in figure.panels
     )
-    marks = {name: at[(at >= start) & (at <= stop)] for name, at in figure.marks.items()}
     return replace(
         figure,
         panels=panels,
-        marks=marks,
+        marks={name: at[(at >= start) & (at <= stop)] for name, at in figure.marks.items()},
         gaps=tuple((max(a, start), min(b, stop)) for a, b in figure.gaps if a < stop and b > start),
     )
 
@@ -318,9 +317,6 @@ def _range(arrays: list[FloatArray]) -> tuple[float, float]:
     return low - pad, high + pad
 
 
-Kind = Literal[
-    "mark", "snap", "cell0", "cell1", "cell2", "cell3", "band", "line", "wide", "trace", "dot", "ring", "cross"
-]
 # Class on the page, colour on paper, dash pattern (on, off in points). Order: models as they come.
 MODEL_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#999933", "#882255", "#56B4E9", "#8C6D31")
 MODEL_DASHES: tuple[tuple[float, ...], ...] = (
@@ -358,7 +354,7 @@ def slot_dashes(name: str) -> tuple[float, ...]:
 class Style:
     """Look of a line or area, with the colour class (`pipeline.reporting.figure.slot`) of its model or log."""
 
-    kind: Kind
+    kind: str
     slot: str = ""
     dash: Dash = "role"
 
@@ -385,7 +381,7 @@ def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:
     if panel.cells is not None:
         for number, label in enumerate(panel.cells.labels):
             if (panel.cells.index == number).any():
-                yield label, Style(f"cell{number}")  # type: ignore[arg-type]
+                yield label, Style(f"cell{number}")
     for band in panel.bands:
         yield band.label, Style("band", slot(band.role, models))
     for line in panel.lines:

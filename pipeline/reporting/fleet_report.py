@@ -284,20 +284,17 @@ def _quantities(members: Sequence[Summary]) -> list[FleetColumn]:
     return [q for q in columns if np.isfinite(q.values).any()]
 
 
-def _text(value: float, places: int | None) -> str:
-    return (significant(value) if places is None else f"{value:.{places}f}").replace("-", "−")
-
-
 def _row(member: Summary, index: int, quantities: Sequence[tuple[FleetColumn, int | None]]) -> dict[str, Any]:
     cells = []
     for q, places in quantities:
         value = float(q.values[index])
         defined = bool(np.isfinite(value))
+        text = significant(value) if places is None else f"{value:.{places}f}"
         of_training = TRAINING if member.training and q.scored else ""
         unknown = "diverged" if member.diverged and q.title == ERROR else "–"
         cells.append(
             {
-                "text": _text(value, places) + of_training if defined else unknown,
+                "text": text.replace("-", "−") + of_training if defined else unknown,
                 "value": repr(value) if defined else "",
                 "outlier": bool(q.outliers[index]),
             }

@@ -19,8 +19,6 @@ Parts = Mapping[tuple[str, str], LogPart]
 _ROOM = 0.1  # rows, above and below
 RELATIVE = "Errors are relative to the training logs: where one of those is wrong, correct it instead."
 
-ONE_OF_THEM = "Training logs differ: correct one of them, the farthest off, and run again."
-
 
 @dataclass(frozen=True)
 class InstrumentTable:
@@ -72,8 +70,8 @@ def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> In
         limits = ", ".join(f"{_name(r)} {_shown(r, 'limit', displacement)}" for r in rows[:quantities])
         return InstrumentTable((), f"Instruments: no reading is off by more than its limit ({limits}).")
     differing = {row["log"] for row in rows if row["role"] == "train" and row["beyond"]}
-    explanation = f"{RELATIVE} {ONE_OF_THEM}" if len(differing) > 1 else RELATIVE
-    return InstrumentTable(tuple(lines), explanation, tuple(entries))
+    one_of_them = " Training logs differ: correct one of them, the farthest off, and run again."
+    return InstrumentTable(tuple(lines), RELATIVE + one_of_them * (len(differing) > 1), tuple(entries))
 
 
 def _name(row: Row) -> str:
@@ -98,11 +96,10 @@ def _log_lines(rows: Sequence[Row], title: str, displacement: str) -> list[tuple
         lines.append((title, words[first["exchanged"]], "", ""))
     for row in rows:
         if row["beyond"]:
-            name = _name(row)
             lines.append(
                 (
                     title,
-                    name,
+                    _name(row),
                     _shown(row, "estimate", displacement, row["standard_error"]),
                     _shown(row, "limit", displacement),
                 )
@@ -159,7 +156,6 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     bars = Line(f"± {SIGNIFICANCE:g} standard errors", "measured", ends, np.repeat(y, 3), dash="solid")
     off = [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
     points = [Points("a log", "measured", at[~beyond], y[~beyond]), *off]
-    limit = Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5))
     return Figure(
         "instruments",
         "Instruments of the logs",
@@ -171,7 +167,7 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
                 "",
                 "1",
                 (bars,),
-                (limit,),
+                (Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5)),),
                 tuple(points),
                 y_limits=(-0.5 - _ROOM, len(names) - 0.5 + _ROOM),
                 names=tuple(names),

@@ -180,9 +180,6 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     return _timeline(data, log, wells, kind="models", title="Measured against models", caption=caption, panels=panels)
 
 
-FIT = "fit = 100 (1 − ‖error‖/‖q − mean‖) %"
-
-
 def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     """Q as measured and as the models run freely, with the fit of the main one that MATLAB's ``compare`` states."""
     main_model = data.model_names[0]
@@ -191,7 +188,10 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     others = tuple(Line(m, m, t, run["q"]) for m, run in log.predictions.items() if m != main_model)
     lines = [Line("measured", "measured", t, measured, wide=True), *others]
     below = [_inputs(data, log, low=True)]
-    caption = f"Free run from the first sample under the measured {data.device.input_word}s; {FIT}."
+    caption = (
+        f"Free run from the first sample under the measured {data.device.input_word}s; "
+        "fit = 100 (1 − ‖error‖/‖q − mean‖) %."
+    )
     bands: tuple[Band, ...] = ()
     limits = _limits([measured])
     if main_model in log.predictions:
@@ -243,14 +243,19 @@ def _with_tubes(limits: tuple[float, float], tubes: Sequence[Band]) -> tuple[tup
 
 
 TUBE = "90 % tube"
-OTHER_TUBE = "90 % tube in the other well"
 
 
 def _tubes(predicted: Mapping[str, FloatArray], model: str) -> Iterator[Band]:
     """The tubes about a free run; that of the other well where the model is not sure of the well."""
     yield Band(TUBE, model, predicted["t"], predicted["q_low"], predicted["q_high"])
     if np.isfinite(predicted["q_other_low"]).any():
-        yield Band(OTHER_TUBE, "reference", predicted["t"], predicted["q_other_low"], predicted["q_other_high"])
+        yield Band(
+            f"{TUBE} in the other well",
+            "reference",
+            predicted["t"],
+            predicted["q_other_low"],
+            predicted["q_other_high"],
+        )
 
 
 def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
@@ -283,19 +288,27 @@ def residual_figures(data: RunData, wells: Wells | NoWells) -> dict[str, Figure]
 
 
 def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *, rings: bool) -> Figure:
-    def panel(title: str, values: FloatArray, half: float) -> Panel:
-        """A correlation within its band."""
-        width = np.full(residual.lags.size, half)
-        return Panel(
+    square = "²" if data.device.squared else ""
+    titles = ("autocorrelation", *(f"correlation with v{k}{square}" for k in range(1, len(residual.with_inputs) + 1)))
+    correlations = (residual.correlation, *residual.with_inputs)
+    bands = (residual.band, *residual.input_bands)
+    panels = [
+        Panel(
             title,
             "1",
             (Line(f"residual of {model}", model, residual.lags, values),),
-            (Band("99 % band without correlation", "reference", residual.lags, -width, width),),
+            (
+                Band(
+                    "99 % band without correlation",
+                    "reference",
+                    residual.lags,
+                    np.full(residual.lags.size, -half),
+                    np.full(residual.lags.size, half),
+                ),
+            ),
         )
-
-    panels = [panel("autocorrelation", residual.correlation, residual.band)]
-    for k, (values, half) in enumerate(zip(residual.with_inputs, residual.input_bands, strict=True), start=1):
-        panels.append(panel(f"correlation with v{k}{'²' if data.device.squared else ''}", values, float(half)))
+        for title, values, half in zip(titles, correlations, bands, strict=True)
+    ]
     colour = "rings with the device" if rings else "fades as slowly as the device settles"
     return Figure(
         "residual-correlation",
@@ -313,17 +326,23 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
 
 
 def _spectrum(data: RunData, log: LogData, model: str, residual: Residual) -> Figure:
-    lines = (
-        Line("measured q", "measured", residual.frequency, residual.measured_density),
-        Line(f"residual of {model}", model, residual.frequency, residual.density),
-    )
     return Figure(
         "residual-spectrum",
         title="Residual analysis: spectrum",
         caption=f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing.",
         x_name="frequency",
         x_unit="Hz",
-        panels=(Panel("power spectral density", f"{data.device.displacement.symbol}²/Hz", lines, log=True),),
+        panels=(
+            Panel(
+                "power spectral density",
+                f"{data.device.displacement.symbol}²/Hz",
+                (
+                    Line("measured q", "measured", residual.frequency, residual.measured_density),
+                    Line(f"residual of {model}", model, residual.frequency, residual.density),
+                ),
+                log=True,
+            ),
+        ),
         x_log=True,
         half=True,
     )

@@ -139,11 +139,10 @@ def equilibria_figure(
         points.append(Points(name, role, *at, "dot" if e.stable else "ring"))
         x, w = beam_shapes(e.qm[None, :], joint.l)
         shapes.append(Line(name, role, x, w[0], "solid" if e.stable else "dotted", wide=True))
-    potential = Panel("U − ½ΣCv² − Fq", "J", held, points=tuple(points), x=("q", "m"))
     return _over_q(
         "equilibria",
         "Total potential, and the beam in its equilibria",
-        potential,
+        Panel("U − ½ΣCv² − Fq", "J", held, points=tuple(points), x=("q", "m")),
         Panel("w", "m", tuple(shapes), x=("x", "m")),
     )
 
@@ -328,8 +327,17 @@ def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
     panels = [Panel("q̇", "m/s", velocities, x=("t", "s"))]
     for name, unit, values in (("misfit", "m", study.misfit), ("roughness", "m/s²", study.roughness)):
         ring = Points("the recipe", "v2", study.alphas[chosen], values[chosen], "ring")
-        line = Line("all α", "measured", study.alphas, values)
-        panels.append(Panel(name, unit, (line,), points=(ring,), log=True, x=("α", "mm·s"), x_log=True))
+        panels.append(
+            Panel(
+                name,
+                unit,
+                (Line("all α", "measured", study.alphas, values),),
+                points=(ring,),
+                log=True,
+                x=("α", "mm·s"),
+                x_log=True,
+            )
+        )
     return Figure(
         "alpha", "Regularisation parameter", caption="", x_name="t", x_unit="s", panels=tuple(panels), columns=2
     )

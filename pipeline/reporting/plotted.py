@@ -315,7 +315,6 @@ def _sample(style: Style) -> Artist:
 
 
 Format = Literal["svg", "pdf", "png"]
-FORMATS = (".svg", ".pdf", ".png")
 _METADATA: dict[Format, dict[str, Any]] = {
     "svg": {"Date": None, "Creator": "debist"},
     "pdf": {"CreationDate": None, "Creator": "debist", "Producer": "debist"},
@@ -347,10 +346,10 @@ def form_of(target: Path) -> Format:
     Raises
     ------
     InputError
-        It is not in `FORMATS`.
+        Figures are not written so.
     """
-    if target.suffix not in FORMATS:
-        raise InputError(f"{target}: figures are written as {', '.join(FORMATS)}")
+    if target.suffix not in (endings := [f".{form}" for form in _METADATA]):
+        raise InputError(f"{target}: figures are written as {', '.join(endings)}")
     return target.suffix[1:]  # type: ignore[return-value]
 
 

@@ -11,7 +11,7 @@ from ..diagnostics.datasheet import Datasheet
 from ..diagnostics.grades import OF_WELLS, THRESHOLDS, Check
 from ..diagnostics.run_data import WHY, RunData, judged_log
 from ..scoring.wells import Wells
-from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
+from ..system.names import ROLE_WORDS, shell_word, with_true_names
 from ..units.quantity import short
 from .control_figures import control_figures
 from .datasheet_rows import (
@@ -181,7 +181,7 @@ def _score_table(name: str, table: NrmseTable) -> dict[str, Any]:
         for cell in cells[1 : len(table.signals)]:
             if cell["bad"]:
                 cell |= {"number": "–", "interval": ""}  # when it diverged stands in the first cell
-        rows.append({"log": log_title(row.role, row.log), "model": row.model, "cells": cells})
+        rows.append({"log": row.log, "model": row.model, "cells": cells})
     errors = ((f"{HEADINGS[s]} [%]", "") for s in table.signals)
     return {
         "name": name,
@@ -193,13 +193,12 @@ def _score_table(name: str, table: NrmseTable) -> dict[str, Any]:
 
 
 def _cell(cell: TableCell) -> dict[str, Any]:
-    value = cell.number if cell.is_number else ""
     return {
         "number": cell.number + (BEST if cell.best else TIED * cell.tied),
         "interval": cell.interval,
         "best": cell.best,
         "bad": cell.diverged,
-        "value": value,
+        "value": cell.number if cell.is_number else "",
     }
 
 
@@ -220,8 +219,12 @@ def _timeline(data: RunData, figures: Mapping[str, Figure], kind: str) -> dict[s
 
 
 def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
-    events = [swatch(name, MARKS[name]) for name in figure.marks if name in MARKS]
-    return {"figure": figure, "legend": swatches(figure, models), "axis": axis, "events": events}
+    return {
+        "figure": figure,
+        "legend": swatches(figure, models),
+        "axis": axis,
+        "events": [swatch(name, MARKS[name]) for name in figure.marks if name in MARKS],
+    }
 
 
 def _model(data: RunData, name: str) -> Described:

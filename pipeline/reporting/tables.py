@@ -97,9 +97,8 @@ class TableCell:
 
 @dataclass(frozen=True)
 class Row:
-    """One model on one log."""
+    """One model on one log, whose title stands."""
 
-    role: str
     log: str
     model: str
     cells: tuple[TableCell, ...]
@@ -141,7 +140,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
         for model, by_signal in models.items():
             of_q = {**by_signal["q"], **(times or {}).get(model, {})}
             errors = (_error(by_signal.get(s), model, front[s]) for s in signals)
-            rows.append(Row(role, log, model, (*errors, *(_cell(of_q, column) for column in extras))))
+            rows.append(Row(log_title(role, log), model, (*errors, *(_cell(of_q, column) for column in extras))))
     return NrmseTable(signals, extras, tuple(rows))
 
 
@@ -152,7 +151,9 @@ def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
     return NrmseTable(
         (),
         columns,
-        tuple(Row(r["role"], r["log"], r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q),
+        tuple(
+            Row(log_title(r["role"], r["log"]), r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q
+        ),
     )
 
 
@@ -210,7 +211,7 @@ def lines(table: NrmseTable) -> list[list[str]]:
     ]
     rows = [
         [
-            log_title(row.role, row.log),
+            row.log,
             row.model,
             *(cell.text + BEST * cell.best + TIED * cell.tied for cell in row.cells),
         ]
