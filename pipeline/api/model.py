@@ -5,7 +5,6 @@ SI units. A file of a saved model also has its settings and what travels along.
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from functools import cached_property, partial
 from numbers import Real
 from pathlib import Path
@@ -191,25 +190,29 @@ class Model:
             ) from error
         core = model_from_tree(held.name, model_tree)
         plant = device(prototype)
-        subject = Subject(
-            prototype=prototype.name,
-            name=held.name,
-            model=core,
-            validity=Validity(
-                q=tuple(held.q),
-                qdot=tuple(held.qdot),
-                v=tuple(tuple(row) for row in held.inputs),
-                sample_interval=prototype.ingest.sample_interval,
-                q_unit=plant.displacement.symbol,
-                v_units=tuple(unit.symbol for unit in plant.inputs),
+        return cls(
+            core,
+            prototype,
+            subject=partial(
+                Subject,
+                prototype=prototype.name,
+                name=held.name,
+                model=core,
+                validity=Validity(
+                    q=tuple(held.q),
+                    qdot=tuple(held.qdot),
+                    v=tuple(tuple(row) for row in held.inputs),
+                    sample_interval=prototype.ingest.sample_interval,
+                    q_unit=plant.displacement.symbol,
+                    v_units=tuple(unit.symbol for unit in plant.inputs),
+                ),
+                origin=tree_hash(model_tree),
+                t=held.t,
+                v=held.v,
+                start=(float(held.start[0]), float(held.start[1])),
+                curve_units=plant.curve_units,
             ),
-            origin=tree_hash(model_tree),
-            t=held.t,
-            v=held.v,
-            start=(float(held.start[0]), float(held.start[1])),
-            curve_units=plant.curve_units,
         )
-        return cls(core, prototype, subject=partial(replace, subject))
 
     def export(self, target: Literal["c", "fmu", "json", "matlab"], output: str | Path) -> list[Path]:
         """Write the model for another tool into a folder and return the files; see `debist export`.

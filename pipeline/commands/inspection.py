@@ -84,10 +84,11 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
     """Everything for `--json`: the log in its own units, the excitation in SI; without one, the reason."""
     from ..store.manifest import to_json
 
-    if isinstance(excitation, str):
-        coverage: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
-    else:
-        coverage = {"excitation": _excitation_document(excitation)}
+    coverage = (
+        {"excitation": None, "excitation_reason": excitation}
+        if isinstance(excitation, str)
+        else {"excitation": _excitation_document(excitation)}
+    )
     document = asdict(inspection)
     document["time_bases"] = [with_units(base, _OF_TIME_BASES) for base in document["time_bases"]]
     for channel in document["channels"]:

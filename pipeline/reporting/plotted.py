@@ -251,7 +251,6 @@ def _dashes(where: str, dash: Dash, width: float) -> Any:
 def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, *, about: int, log: bool, whole: bool) -> None:
     """Limits and round ticks, `about` so many and at least three, on an axis that is logarithmic or counts things."""
     axis = on.xaxis if which == "x" else on.yaxis
-    (on.set_xlim if which == "x" else on.set_ylim)(low, high)
     if log:
         (on.set_xscale if which == "x" else on.set_yscale)("log")
         inside = math.floor(math.log10(high)) - math.ceil(math.log10(low)) + 1
@@ -327,7 +326,7 @@ PART = Look(width=5.6, panel_height=2.5, legend=False, letters=False)
 _INLINE = re.compile(r' style="([^"]*)"')
 _MARKER = re.compile(r"<defs>\s*<path [^>]*>\s*</defs>")
 _STROKE = re.compile(r' stroke(?:-[a-z]+)?="[^"]*"')
-_HEAD = re.compile(r"<svg .*?>", re.DOTALL)
+_HEAD = re.compile(r'<svg .*?(viewBox="[^"]*").*?>', re.DOTALL)
 _LEFT_OUT = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|<!--.*?-->| id=\"(?:figure|axes|patch|line2d|text|"
                        r"matplotlib|xtick|ytick|FillBetween|LineCollection|PathCollection|QuadContourSet)[^\"]*\"",
                        re.DOTALL)  # fmt: skip
@@ -401,15 +400,14 @@ def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
         FigureCanvasSVG(canvas)  # whose letters the layout measures
         _lay_out(canvas)
         canvas.savefig(text, format="svg", metadata={"Date": None}, transparent=True)
-    drawn = _INLINE.sub(lambda match: _attributes(match[1]), _LEFT_OUT.sub("", text.getvalue()))
-    drawn = drawn.replace("xlink:href=", "href=")
+    plain = _LEFT_OUT.sub("", text.getvalue()).replace("xlink:href=", "href=")
+    drawn = _INLINE.sub(lambda match: _attributes(match[1]), plain)
     # A marker takes the stroke of where it is used: the theme's style does not reach into its shape.
     drawn = _MARKER.sub(lambda match: _STROKE.sub("", match[0]), drawn)
     head = _HEAD.search(drawn)
     assert head is not None  # noqa: S101 - matplotlib writes one
-    box = re.search(r'viewBox="[^"]*"', head[0])
     inside = drawn[head.end() : drawn.rindex("</svg>")]
-    opened = f'<svg class="chart" {box[0] if box else ""} role="img" aria-label="{escape(writable(figure.title))}">'
+    opened = f'<svg class="chart" {head[1]} role="img" aria-label="{escape(writable(figure.title))}">'
     return Markup(f"{opened}<title>{escape(writable(figure.title))}</title>{inside}</svg>")  # noqa: S704 - texts are escaped
 
 
