@@ -1,18 +1,16 @@
 """Results of a run or a batch: scores, assessment, instruments, states of tasks, and the progress of a batch."""
 
-import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
-from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 import typer
 
 from ..system.names import shell_word
 from ..units.quantity import percent, quantity
-from .console import brief, emit_json, emit_table, emit_text, printable
+from .console import StatusLine, brief, emit_json, emit_table, emit_text, printable
 
 if TYPE_CHECKING:
     from ..workflow.batch import Outcome
@@ -22,37 +20,28 @@ if TYPE_CHECKING:
 
 
 def emit_scores(run: Path, *, as_json: bool, details: bool = False, with_report: bool = False) -> None:
-    """Print the scores: the short table of the scores, or with details both score tables; as records for JSON.
+    """Print the scores: the short table of the scores, or with details every number of every log; as records for JSON.
 
     With a report, the JSON document holds its assessment and its path too.
     """
+    from ..reporting.tables import lines, main_table
     from ..workflow.report_data import load_datasheet, load_scores
-    from ..workflow.stage_validate import shown_scores
+    from ..workflow.stage_validate import score_tables, shown_scores
 
     if as_json:
         page = {"verdict": load_datasheet(run)["verdict"], "report": run / "report.html"} if with_report else {}
         emit_json({"scores": load_scores(run), **page})
     elif details:
-        _emit_details(run)
+        tables = score_tables(run)
+        for table in tables:
+            heading, *rows = lines(table)
+            for log in dict.fromkeys(row[0] for row in rows):
+                emit_table(log, heading[1:], [row[1:] for row in rows if row[0] == log])
+        emit_text("\n".join(table.explanation for table in tables))
     else:
-        from ..reporting.tables import main_table
-
-        table = main_table(shown_scores(run))
-        emit_table(table.where, table.heading, table.rows)
-        emit_text(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
-
-
-def _emit_details(run: Path) -> None:
-    """Print every number of every log, a table for each log, and what they mean."""
-    from ..reporting.tables import lines
-    from ..workflow.stage_validate import score_tables
-
-    tables = score_tables(run)
-    for table in tables:
-        heading, *rows = lines(table)
-        for log in dict.fromkeys(row[0] for row in rows):
-            emit_table(log, heading[1:], [row[1:] for row in rows if row[0] == log])
-    emit_text("\n".join(table.explanation for table in tables))
+        short = main_table(shown_scores(run))
+        emit_table(short.where, short.heading, short.rows)
+        emit_text(f"{short.explanation}\nIntervals, every log, horizons and times: --details")
 
 
 def emit_instruments(run: Path) -> None:
@@ -93,8 +82,12 @@ def emit_table_2(table: Iterable[Mapping[str, Any]]) -> None:
         (row["log"], row["model"], *(f"{value} ({printed})" if printed else value for value, printed in row["cells"]))
         for row in map(table_2_row, table)
     ]
-    title = "Table 2 of the paper: NRMSE in %, in brackets as printed"
-    emit_table(title, ("log", "model", "q", "φ", "q̇", "q̈")[: len(rows[0])], rows, numeric_from=2)
+    emit_table(
+        "Table 2 of the paper: NRMSE in %, in brackets as printed",
+        ("log", "model", "q", "φ", "q̇", "q̈")[: len(rows[0])],
+        rows,
+        numeric_from=2,
+    )
 
 
 def emit_stale_exports(run: Path) -> None:
@@ -114,20 +107,27 @@ def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *,
     from ..workflow.engine import FIRST_TIME
 
     if as_json:
-        runs = [
-            {"run": root, "stale": list(dict.fromkeys(r.stage for r in results if not r.up_to_date)), "error": error}
-            for root, results, error in states
-        ]
-        emit_json({"runs": runs})
+        emit_json(
+            {
+                "runs": [
+                    {
+                        "run": root,
+                        "stale": list(dict.fromkeys(r.stage for r in results if not r.up_to_date)),
+                        "error": error,
+                    }
+                    for root, results, error in states
+                ]
+            }
+        )
         return
     rows = []
     for root, results, error in states:
         stale = [result for result in results if not result.up_to_date]
         if stale and all(result.stage == "report" and result.reasons == [FIRST_TIME] for result in stale):
             rows.append((str(root), "up to date", f"without a report; `debist report {shell_word(root)}` makes it"))
-            continue
-        state = "unreadable" if error else "stale" if stale else "up to date"
-        rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))
+        else:
+            state = "unreadable" if error else "stale" if stale else "up to date"
+            rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))
     emit_table("runs", ("run", "state", "why"), rows, numeric_from=None)
 
 
@@ -137,12 +137,23 @@ def emit_fleet_progress(folder: Path, members: "Sequence[MemberState]", *, as_js
 
     counts = {state: sum(member.state == state for member in members) for state in STATES}
     if as_json:
-        prototypes = [vars(member) | {"since": member.since and member.since.isoformat()} for member in members]
-        emit_json({"folder": folder, "counts": counts, "prototypes": prototypes})
+        emit_json(
+            {
+                "folder": folder,
+                "counts": counts,
+                "prototypes": [
+                    vars(member) | {"since": member.since and member.since.isoformat()} for member in members
+                ],
+            }
+        )
     else:
         stamps = [member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "" for member in members]
-        rows = [(m.name, m.state, since, m.reason) for m, since in zip(members, stamps, strict=True)]
-        emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=None)
+        emit_table(
+            str(folder),
+            ("prototype", "state", "since", "reason"),
+            [(m.name, m.state, since, m.reason) for m, since in zip(members, stamps, strict=True)],
+            numeric_from=None,
+        )
         counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)
         emit_text(f"{len(members)} prototypes: {counted}")
 
@@ -152,12 +163,15 @@ def emit_members(members: "Sequence[Member]", *, as_json: bool) -> None:
     if as_json:
         emit_json({"prototypes": [asdict(member) for member in members]})
     else:
-        rows = [
-            (member.name, str(member.settings), member.error or ", ".join(log.name for log in member.logs))
-            for member in members
-        ]
-        heading = ("prototype", "settings", "logs, or the mistake")
-        emit_table(f"{len(members)} prototypes", heading, rows, numeric_from=None)
+        emit_table(
+            f"{len(members)} prototypes",
+            ("prototype", "settings", "logs, or the mistake"),
+            [
+                (member.name, str(member.settings), member.error or ", ".join(log.name for log in member.logs))
+                for member in members
+            ],
+            numeric_from=None,
+        )
 
 
 def summary(results: "Sequence[TaskStatus]") -> str:
@@ -173,8 +187,10 @@ def emit_tasks(
 ) -> None:
     """Print what a stage came to, a line for each log or model, and how many tasks were done; for JSON all of it."""
     if as_json:
-        tasks = [{**vars(task), "up_to_date": task.up_to_date} for task in done]
-        emit_json({"tasks": tasks} | ({} if results is None else {"results": results}))
+        emit_json(
+            {"tasks": [{**vars(task), "up_to_date": task.up_to_date} for task in done]}
+            | ({} if results is None else {"results": results})
+        )
     else:
         emit_text("\n".join(map(result_line, results or ())), indent="  ")
         typer.echo(summary(done))
@@ -205,84 +221,58 @@ def emit_status(title: str, states: "Sequence[TaskStatus]", *, as_json: bool) ->
     if as_json:
         emit_tasks(states, as_json=True)
     else:
-        rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in states]
-        emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=None)
+        emit_table(
+            title,
+            ("stage", "task", "state", "why"),
+            [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in states],
+            numeric_from=None,
+        )
 
 
 _MOST_NAMED = 4
 
 
-class BatchProgress:
-    """One line on stderr per finished prototype; on a terminal also a bar with the remaining time below them."""
+class BatchProgress(StatusLine):
+    """One line on stderr per finished prototype; below them, on a terminal, those that run and the share done."""
 
     def __init__(self, total: int, *, quiet: bool = False) -> None:
+        super().__init__(quiet=quiet)
         self._total = total
-        self._quiet = quiet
         self._done = 0
         self._running: list[str] = []
-        self._bar: Any = None
 
-    def __enter__(self) -> "BatchProgress":
-        if sys.stderr.isatty() and not self._quiet:
-            from rich.console import Console
-            from rich.progress import (
-                BarColumn,
-                MofNCompleteColumn,
-                Progress,
-                TextColumn,
-                TimeElapsedColumn,
-                TimeRemainingColumn,
-            )
-
-            self._bar = Progress(
-                BarColumn(),
-                MofNCompleteColumn(),
-                TimeElapsedColumn(),
-                TimeRemainingColumn(),
-                TextColumn("{task.description}", markup=False),
-                console=Console(stderr=True),
-                transient=True,
-            )
-            self._bar.add_task("", total=self._total)
-            self._bar.start()
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._bar is not None:
-            self._bar.stop()
-        if isinstance(error, KeyboardInterrupt):
-            error.args = (
-                f"{self._done} of {self._total} prototypes are done; the same command goes on with the rest, and "
-                "--collect makes tables of what is there",
-            )
+    @property
+    def kept(self) -> str:
+        """The finished prototypes."""
+        return (
+            f"{self._done} of {self._total} prototypes are done; the same command goes on with the rest, and "
+            "--collect makes tables of what is there"
+        )
 
     def started(self, name: str) -> None:
         """Show it among those that run."""
         self._running.append(name)
-        self._show()
+        self._show_running()
 
     def finished(self, outcome: "Outcome") -> None:
         """Say how it went."""
         self._done += 1
         self._running.remove(outcome.name)
-        if self._quiet:
-            return
-        well = "done" if outcome.processor_seconds else "up to date"  # which needs no process
-        state = f"failed: {outcome.reason}" if outcome.failed else well
-        line = printable(f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)")
-        if self._bar is None:  # a cluster's log: each line stands alone
-            typer.echo(f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} {line}", err=True)
-        else:
-            self._bar.console.print(line, markup=False, highlight=False, soft_wrap=True)
-        self._show()
+        if not self._quiet:
+            well = "done" if outcome.processor_seconds else "up to date"  # which needs no process
+            state = f"failed: {outcome.reason}" if outcome.failed else well
+            # In a cluster's log each line stands alone.
+            stamp = f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} " if self._line is None else ""
+            typer.echo(
+                printable(f"{stamp}[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"),
+                err=True,
+            )
+        self._show_running()
 
-    def _show(self) -> None:
-        if self._bar is not None:
-            more = f" and {len(self._running) - _MOST_NAMED} more" if len(self._running) > _MOST_NAMED else ""
-            names = printable(", ".join(self._running[:_MOST_NAMED]) + more)
-            self._bar.update(self._bar.task_ids[0], completed=self._done, description=names)
+    def _show_running(self) -> None:
+        more = f" and {len(self._running) - _MOST_NAMED} more" if len(self._running) > _MOST_NAMED else ""
+        names = f": {', '.join(self._running[:_MOST_NAMED])}{more}" if self._running else ""
+        self.show(f"{self._done} of {self._total} prototypes{names}", self._done / self._total)
 
 
 def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool) -> None:
@@ -290,15 +280,19 @@ def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool)
     if as_json:
         emit_json({"output": output, "prototypes": [asdict(outcome) for outcome in outcomes]})
         return
-    rows = [
-        (
-            outcome.name,
-            "not started" if outcome.exit_code is None else "failed" if outcome.failed else "ok",
-            outcome.reason or _summary(output / outcome.name),
-        )
-        for outcome in outcomes
-    ]
-    emit_table(f"{output}", ("prototype", "state", "validation NRMSE of q, or the reason"), rows, numeric_from=None)
+    emit_table(
+        f"{output}",
+        ("prototype", "state", "validation NRMSE of q, or the reason"),
+        [
+            (
+                outcome.name,
+                "not started" if outcome.exit_code is None else "failed" if outcome.failed else "ok",
+                outcome.reason or _summary(output / outcome.name),
+            )
+            for outcome in outcomes
+        ],
+        numeric_from=None,
+    )
     if cost := sum(outcome.processor_seconds for outcome in outcomes):
         memory = max(outcome.memory_bytes for outcome in outcomes)
         counted = f"; at most {memory / 1e6:.0f} MB of memory in a process" if memory else ""

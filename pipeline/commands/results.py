@@ -1,9 +1,8 @@
 """Uses of runs: `debist diff`, `series`, `fleet learn`, `export`, `paper`, `study` and `verify`."""
 
-from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -28,9 +27,8 @@ from .console import (
 from .outcome import emit_table_2
 
 if TYPE_CHECKING:
-    from ..workflow.studies.diff import Comparison, RunDifferences
+    from ..workflow.studies.diff import RunDifferences
     from ..workflow.studies.fleet import LearntFile
-    from ..workflow.studies.study import StudyResult
     from ..workflow.verify import Verified
 
 
@@ -76,15 +74,15 @@ def _emit_differences(runs: "RunDifferences") -> None:
                 numeric_from=1 if title in ("NRMSE of free runs", "facts") else len(runs.names) + 1,
             )
     for name, compared in zip(runs.names[1:], runs.artifacts, strict=True):
-        _emit_artifacts(f"artifacts of {name}", [c for c in compared if c.state not in ("equal", "drawn")])
+        differing = [
+            (c.artifact, c.state, "" if c.deviation is None else f"{c.deviation:.1e}", c.column)
+            for c in compared
+            if c.state not in ("equal", "drawn")
+        ]
+        if differing:
+            emit_table(f"artifacts of {name}", ("artifact", "state", "deviation", "in"), differing, numeric_from=2)
     if same := [title for title, _, rows in tables if not rows]:
         emit_text(f"equal: {', '.join(same)}{', artifacts' if runs.equal else ''}")
-
-
-def _emit_artifacts(title: str, compared: "Sequence[Comparison]") -> None:
-    rows = [(c.artifact, c.state, "" if c.deviation is None else f"{c.deviation:.1e}", c.column) for c in compared]
-    if rows:
-        emit_table(title, ("artifact", "state", "deviation", "in"), rows, numeric_from=2)
 
 
 def _text(value: object) -> str:
@@ -169,27 +167,24 @@ def study(
     Example: debist study alpha runs/P1
     """
     from ..reporting.tables import study_conclusion
+    from ..store.manifest import to_json
     from ..workflow.studies.study import run_study
 
     with Progress(quiet=quiet or as_json) as progress:
         result = run_study(run, kind, progress, jobs=jobs)
     if as_json:
-        emit_json(_study_document(result))
+        of_notes = {"automatic_alpha": result.units.get("alpha", ""), "noise_std": result.units.get("misfit", "")}
+        columns = with_units(result.columns, result.units)
+        emit_json(to_json({"columns": columns, "figure": result.figure, "notes": with_units(result.notes, of_notes)}))
     else:
         columns, conclusion = study_conclusion(kind, result.columns, result.units, result.notes)
-        rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
-        emit_table(f"Study of {kind}", list(columns), rows, numeric_from=0)
+        emit_table(
+            f"Study of {kind}",
+            list(columns),
+            [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)],
+            numeric_from=0,
+        )
         emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
-
-
-def _study_document(result: "StudyResult") -> Any:
-    """A study for `--json`, with units in the keys."""
-    from ..store.manifest import to_json
-
-    units = result.units
-    of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
-    notes = with_units(result.notes, of_notes)
-    return to_json({"columns": with_units(result.columns, units), "figure": result.figure, "notes": notes})
 
 
 _MOST_NAMED = 20
@@ -203,14 +198,22 @@ def verify(run: Run, as_json: Json = False) -> None:
     from ..workflow import verify as tool
 
     checked = tool.verify_everything(run)
-    _emit(checked, as_json)
-    _fail(run, checked)
-
-
-def _emit(checked: "Verified", as_json: bool) -> None:
     if as_json:
         emit_json(vars(checked))
-        return
+    else:
+        _emit_verified(checked)
+    if checked.problems:
+        raise CorruptArtifactError(
+            "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
+            + "; `debist run` sets aside what is damaged and makes it anew"
+        )
+    if checked.unknown:
+        raise CorruptArtifactError(f"{run}: {len(checked.unknown)} files do not belong to the run; move them elsewhere")
+    if checked.leftover:
+        raise CorruptArtifactError(f"{run}: a run was interrupted; `debist run` completes it and removes what it left")
+
+
+def _emit_verified(checked: "Verified") -> None:
     if checked.intact:
         typer.echo(f"{checked.checked} artifacts checked, all intact")
     for what, names in (
@@ -223,25 +226,8 @@ def _emit(checked: "Verified", as_json: bool) -> None:
             typer.echo(f"and {len(names) - _MOST_NAMED} more", err=True)
 
 
-def _fail(run: Path, checked: "Verified") -> None:
-    if checked.problems:
-        raise CorruptArtifactError(
-            "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
-            + "; `debist run` sets aside what is damaged and makes it anew"
-        )
-    if checked.unknown:
-        raise CorruptArtifactError(f"{run}: {len(checked.unknown)} files do not belong to the run; move them elsewhere")
-    if checked.leftover:
-        raise CorruptArtifactError(f"{run}: a run was interrupted; `debist run` completes it and removes what it left")
-
-
 fleet_group = group("A prior for the next joint, from many joints of one drawing.")
 _QUANTITIES_SHOWN = 15
-
-
-@fleet_group.callback()
-def fleet() -> None:
-    """A prior for the next joint, from many joints of one drawing."""
 
 
 @fleet_group.command()
@@ -283,12 +269,14 @@ def learn(
 def _emit_learnt(siblings: "LearntFile") -> None:
     quantities = siblings.learnt.quantities
     gains = sorted(siblings.learnt.gains.values())
-    rows = [
-        (quantity.name, f"{quantity.mean:.3g}", f"{quantity.spread:.2g}", quantity.unit, f"{quantity.share:.2f}")
-        for quantity in quantities[:_QUANTITIES_SHOWN]
-    ]
-    heading = ("quantity", "mean deviation", "spread", "unit", "spread over the prior's")
-    emit_table(f"{len(siblings.siblings)} joints, the best known quantities", heading, rows)
+    emit_table(
+        f"{len(siblings.siblings)} joints, the best known quantities",
+        ("quantity", "mean deviation", "spread", "unit", "spread over the prior's"),
+        [
+            (quantity.name, f"{quantity.mean:.3g}", f"{quantity.spread:.2g}", quantity.unit, f"{quantity.share:.2f}")
+            for quantity in quantities[:_QUANTITIES_SHOWN]
+        ],
+    )
     halved = sum(quantity.share < 0.5 for quantity in quantities)
     emit_text(
         f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other joints as "
@@ -314,12 +302,12 @@ def series(
 
     Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30
     """
-    from ..diagnostics.series import COLUMNS, conclusion, series_rows
+    from ..reporting.tables import SERIES_COLUMNS, series_conclusion, series_rows
     from ..workflow.studies.fleet import series_of
 
     facts = series_of(runs, at)
     if as_json:
         emit_json(asdict(facts))
     else:
-        emit_table(f"{len(facts.names)} runs of one device, ± 95 %", COLUMNS, series_rows(facts))
-        emit_text(conclusion(facts))
+        emit_table(f"{len(facts.names)} runs of one device, ± 95 %", SERIES_COLUMNS, series_rows(facts))
+        emit_text(series_conclusion(facts))

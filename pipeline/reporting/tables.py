@@ -1,17 +1,21 @@
-"""Tables of scores as records and as text; nothing is ranked inside its own noise."""
+"""Tables of scores and of a series of runs, as records and as text; nothing is ranked inside its own noise."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..numerics.metrics import NORMAL_95
 from ..scoring.intervals import BLOCK, FEWEST_BLOCKS, MEMORIES
 from ..scoring.scores import SHORTEST_HORIZON
 from ..store.columns import SCORE_COLUMNS, TIME_COLUMNS, Column
 from ..system.names import log_title
-from ..units.quantity import moment, prefixed
+from ..units.quantity import moment, prefixed, quantity
 from ..units.units import ALPHA_UNIT, HORIZONS, SIGNALS
+
+if TYPE_CHECKING:
+    from ..diagnostics.series import Series, SeriesFact
 
 ScoreRow = Mapping[str, Any]
 
@@ -93,9 +97,8 @@ class TableCell:
 
 @dataclass(frozen=True)
 class Row:
-    """One model on one log."""
+    """One model on one log, whose title stands."""
 
-    role: str
     log: str
     model: str
     cells: tuple[TableCell, ...]
@@ -137,7 +140,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
         for model, by_signal in models.items():
             of_q = {**by_signal["q"], **(times or {}).get(model, {})}
             errors = (_error(by_signal.get(s), model, front[s]) for s in signals)
-            rows.append(Row(role, log, model, (*errors, *(_cell(of_q, column) for column in extras))))
+            rows.append(Row(log_title(role, log), model, (*errors, *(_cell(of_q, column) for column in extras))))
     return NrmseTable(signals, extras, tuple(rows))
 
 
@@ -145,8 +148,13 @@ def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
     """Errors by horizon and what a run notes of itself, each with its interval; `scores` as in `nrmse_table`."""
     of_q = [row for row in scores if row["signal"] == "q"]
     columns = _columns("behaviour", of_q)
-    rows = (Row(r["role"], r["log"], r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q)
-    return NrmseTable((), columns, tuple(rows))
+    return NrmseTable(
+        (),
+        columns,
+        tuple(
+            Row(log_title(r["role"], r["log"]), r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q
+        ),
+    )
 
 
 def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
@@ -172,8 +180,7 @@ def _error(record: ScoreRow | None, model: str, front: set[str]) -> TableCell:
         return TableCell(f"diverged at t = {moment(record['diverged_at_s'])}", diverged=True)
     if record["nrmse"] is None:
         return TableCell("undefined")
-    number = _number(record, "nrmse", 100.0, 2)
-    return replace(number, best=front == {model}, tied=len(front) > 1 and model in front)
+    return replace(_number(record, "nrmse", 100.0, 2), best=front == {model}, tied=len(front) > 1 and model in front)
 
 
 def _cell(record: ScoreRow, column: Column) -> TableCell:
@@ -204,7 +211,7 @@ def lines(table: NrmseTable) -> list[list[str]]:
     ]
     rows = [
         [
-            log_title(row.role, row.log),
+            row.log,
             row.model,
             *(cell.text + BEST * cell.best + TIED * cell.tied for cell in row.cells),
         ]
@@ -222,31 +229,16 @@ def disarmed(value: Any) -> Any:
 
 @dataclass(frozen=True)
 class MainTable:
-    """The table as text: where the errors were measured, the headings, and a line of cells for each model."""
+    """The table as text: where the errors were measured, headings, a line of cells for each model, what they mean.
+
+    `best` is the model with the lowest error of q; empty where no model has one.
+    """
 
     where: str
-    signals: tuple[str, ...]
-    extras: tuple[Column, ...]
+    heading: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
-
-    @property
-    def heading(self) -> tuple[str, ...]:
-        """The headings of its columns."""
-        errors = (f"{HEADINGS[signal]} [%]" for signal in self.signals)
-        return ("model", *errors, *(column.title for column in self.extras))
-
-    @property
-    def best(self) -> str:
-        """The model with the lowest error of q; empty where no model has one."""
-        errors = {row[0]: float(row[1]) for row in self.rows if row[1].replace(".", "", 1).isdigit()}
-        return min(errors, key=lambda model: errors[model], default="")
-
-    @property
-    def explanation(self) -> str:
-        """Meaning of the columns; that of errors is a line of its own."""
-        errors = "NRMSE in % of the measured range, free run from the first sample, worst log."
-        notes = [*notes_of(self.extras), *notes_on(row[0] for row in self.rows)]
-        return "\n".join(part for part in (errors, " ".join(notes)) if part)
+    explanation: str
+    best: str
 
 
 def main_table(scores: Sequence[ScoreRow]) -> MainTable:
@@ -275,7 +267,16 @@ def main_table(scores: Sequence[ScoreRow]) -> MainTable:
     logs = list(dict.fromkeys(str(row["log"]) for row in judged))
     named = f"log {logs[0]}" if len(logs) == 1 else f"logs {', '.join(logs)}"
     word = "validation" if role == "validation" else "training"
-    return MainTable(f"free runs on the {word} {named}", signals, extras, tuple(rows))
+    errors_of_q = {row[0]: float(row[1]) for row in rows if row[1].replace(".", "", 1).isdigit()}
+    meaning = "NRMSE in % of the measured range, free run from the first sample, worst log."
+    notes = " ".join([*notes_of(extras), *notes_on(row[0] for row in rows)])
+    return MainTable(
+        where=f"free runs on the {word} {named}",
+        heading=("model", *(f"{HEADINGS[signal]} [%]" for signal in signals), *(column.title for column in extras)),
+        rows=tuple(rows),
+        explanation=f"{meaning}\n{notes}" if notes else meaning,
+        best=min(errors_of_q, key=lambda model: errors_of_q[model], default=""),
+    )
 
 
 def _worst(errors: Sequence[float | None]) -> str:
@@ -351,3 +352,55 @@ def _online_conclusion(columns: Mapping[str, Any]) -> tuple[dict[str, Any], str]
         error = f"{100.0 * best['curve error']:.2g} % off at the end"
         texts.append(f"{case}, λ = {best['forgetting']:g} follows the curve best: {error}")
     return {title: tuple(row[title] for row in rows) for title in rows[0]}, "; ".join(texts)
+
+
+SERIES_COLUMNS = ("fact", "first run", "last run", "from all runs", "change")
+"""Headings of `series_rows`."""
+_WIDE = 10.0
+"""Standard errors by which the facts of one device hardly scatter: three simulated devices scatter by more."""
+
+
+def series_rows(series: "Series") -> list[tuple[str, ...]]:
+    """A row of texts for each fact: first and last value, the last one from all runs, and the change."""
+    return [
+        (
+            fact.title,
+            *(_with_95(fact, fact.values[i], fact.errors[i]) for i in (0, -1)),
+            _with_95(fact, fact.smooth[-1], fact.smooth_errors[-1]),
+            _trend_text(fact, series.unit),
+        )
+        for fact in series.facts
+    ]
+
+
+def _trend_text(fact: "SeriesFact", unit: str) -> str:
+    """Trend of a fact in words; `unit` is that of the time."""
+    change = fact.trend
+    if change.kind == "unknown" or change.slope is None:
+        return f"{len(fact.at)} runs: too few"
+    if change.kind == "step":
+        step = quantity(change.step, fact.unit, change.step_error, float(np.abs(fact.values).max()))
+        return f"step of {step} between {unit}s {change.after:g} and {change.before:g}"
+    slope = quantity(change.slope, fact.unit, change.slope_error)
+    return f"{slope} a {unit}" if change.kind == "line" else f"none shown ({slope} a {unit})"
+
+
+def series_conclusion(series: "Series") -> str:
+    """A sentence on the whole series."""
+    if series.facts and all(fact.trend.kind == "unknown" for fact in series.facts):
+        return f"{len(series.names)} runs: too few to show a drift; it takes four, a step six"
+    changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
+    scattered = [fact.title for fact in series.facts if fact.title not in changed and _scatter(fact) > _WIDE]
+    text = f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
+    doubt = f"; scattered by over {_WIDE:g} times their errors: {', '.join(scattered)}; are these runs of one device?"
+    return text + (doubt if scattered else "")
+
+
+def _scatter(fact: "SeriesFact") -> float:
+    """RMS deviation from the weighted mean over the standard errors."""
+    deviations = fact.values - np.average(fact.values, weights=fact.errors**-2.0)
+    return float(np.sqrt(np.mean((deviations / fact.errors) ** 2)))
+
+
+def _with_95(fact: "SeriesFact", value: float, error: float) -> str:
+    return quantity(float(value), fact.unit, NORMAL_95 * float(error))
