@@ -60,7 +60,7 @@ the voltages go to zero; the target was not reached, so the voltages are zero un
 
 
 def graph_of(function: Callable[..., Outputs]) -> Graph:
-    """The graph of a function of arrays, of the state's parts `now`, an array `s`, and of the numbers `n`, one `e`."""
+    """The graph of a function: the state's parts `now` are its input `s`, the numbers `n` by name its input `e`."""
 
     def traced(**arrays: Any) -> Outputs:
         """The function with state and numbers taken apart."""
@@ -72,7 +72,7 @@ def graph_of(function: Callable[..., Outputs]) -> Graph:
         return function(**arrays)
 
     names = ({"now": "s", "n": "e"}.get(name, name) for name in signature(function).parameters)
-    return trace(traced, **{name: SIZES.get(name, 0) for name in names})
+    return trace(traced, **{name: SIZES[name] for name in names})
 
 
 def joined(state: dict[str, Values]) -> Values:
@@ -128,8 +128,8 @@ def listen(now: State, signals: Values, n: Numbers, rests: Values) -> Outputs:
     again = function("and", finite, function("le", RAMP, now["lost"][0]))
     strayed = function("and", finite, function("le", PERSISTENT, now["strayed"][0]))
     fresh = rest(q, n) | {name: now[name] for name in ("volts", "commanded", "average")}
-    kept = ("target", "stood", "lost", "refused", "phase", "dwell", "tried")
-    anew = fresh | {name: now[name] for name in kept}
+    of_target = ("target", "stood", "lost", "refused", "phase", "dwell", "tried")
+    anew = fresh | {name: now[name] for name in of_target}
     restarted = {
         name: [choose(again, a, choose(strayed, b, c)) for a, b, c in zip(fresh[name], anew[name], old, strict=True)]
         for name, old in now.items()
@@ -435,5 +435,6 @@ SIZES = {
     "s": CONTROLLER_STATE, "signals": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2,
     **dict.fromkeys(("y", "dx", "k1", "k2", "k3", "k4"), STATES),
     "prepared": PREPARE.outputs["p"], "slopes": PREPARE_SLOPES.outputs["p"],
+    **dict.fromkeys(("curves", "rests", "targets", "braking"), 0),
 }  # fmt: skip
-"""Lengths of the arrays that the functions take; the others are tables of any length."""
+"""Lengths of the arrays that the functions take; 0 of tables, which have any length."""
