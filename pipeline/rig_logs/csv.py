@@ -7,11 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pyarrow as pa
-import pyarrow.compute as pc
 from numpy.typing import NDArray
 from pyarrow import csv
 
-from ..store.arrow_columns import doubles
+from ..store.arrow_columns import doubles, to_numpy
 from .attributes import note_on_rate
 from .csv_cells import (
     MISSING,
@@ -48,6 +47,7 @@ _LARGEST_HEAD = 1 << 24
 _FEWEST_LINES = 20
 _MOST_NAMED = 3
 _MARKED = re.compile(r"\d([.,])\d")
+_NOT_A_TIME = -(1 << 63)  # as NumPy counts it
 _EMPTY = "empty cells only in the first rows; no sensor, or another channel?"
 _FIRST_YEAR = "1678"
 _LAST_YEAR = "2261"
@@ -71,7 +71,6 @@ class CsvSource(Source):
         self._dialect = find_dialect(start, whole=len(start) < size, options=options)
         self._block = max(MEGABYTE, 2 * size)
         self._columns = unique_names(list(self._dialect.header))
-        self._origins: dict[str, int] = {}
         preamble = self._dialect.preamble
         delimiter = self._dialect.delimiter
         rates = stated_rates(preamble, delimiter)
@@ -233,7 +232,8 @@ class CsvSource(Source):
                 if name in clocks:
                     yield name, clocks[name].seconds(samples)
                 elif pa.types.is_timestamp(samples.type):
-                    yield name, self._since_first(name, samples)
+                    ticks = to_numpy(samples.cast(pa.int64()).fill_null(_NOT_A_TIME))
+                    yield name, self.counted(name, ticks.view("M8[ns]"))
                 else:
                     yield name, doubles(samples.cast(pa.float64()))
 
@@ -275,16 +275,6 @@ class CsvSource(Source):
             return pa.bool_()
         return pa.float64() if self._dialect.has_marks or self._rewritten else pa.int64()
 
-    def _since_first(self, name: str, stamps: Any) -> NDArray[Any]:
-        """Time stamps [s] since the first one of the first column of such."""
-        ticks = stamps.cast(pa.int64())
-        if name not in self._origins and len(seen := ticks.drop_null()):
-            first = next(iter(self._origins), name)
-            self._origins[name] = self._origins.get(first, seen[0].as_py())
-            self.notes.append(f"time of {name!r} counts from {self._firsts[first]}")
-        since = pc.subtract(ticks, int(self._origins.get(name, 0))).cast(pa.float64(), safe=False)
-        return doubles(since) / 1e9
-
     def _complete_rows(self) -> int:
         """Bytes of the file that are whole rows."""
         length, notes = whole_rows(self._path, self._dialect)
@@ -298,12 +288,10 @@ def _clocks(firsts: Mapping[str, str], names: Iterable[str]) -> dict[str, Clock]
     return {name: Clock(firsts[name], origins) for name in names}
 
 
-def _spellings(text: str) -> set[str]:
-    """The ways in which a missing value is written; infinities are numbers, not missing ones."""
-    return set() if "inf" in text else {text, text.upper(), text.capitalize(), {"nan": "NaN"}.get(text, text)}
-
-
-_NULLS = sorted({form for text in MISSING for form in _spellings(text)})
+_NULLS = sorted(
+    {"NaN"} | {form for text in MISSING if "inf" not in text for form in (text, text.upper(), text.capitalize())}
+)
+"""The ways in which a missing value is written; infinities are numbers, not missing ones."""
 
 
 open_log = CsvSource

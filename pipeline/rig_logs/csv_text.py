@@ -58,7 +58,7 @@ def text_encoding(start: bytes) -> str:
 
 
 def as_utf8(path: Path, length: int, encoding: str, owner: object) -> Any:
-    """The first `length` bytes as UTF-8 in a file of Arrow's own; where that is less than all, in a mapped buffer.
+    """The first `length` bytes as UTF-8.
 
     Arrow's threads read ahead. Were they to hold memory of Python's, as they would of a Python file or of a codec,
     one of them could abort the interpreter while it is taken down. A file is read block by block, whereas pages of
@@ -78,10 +78,7 @@ def as_utf8(path: Path, length: int, encoding: str, owner: object) -> Any:
     if not _is_ascii_and_more(encoding):
         with text_of(path, length, encoding, newline="") as lines:
             return written(lines, owner)
-    if length == path.stat().st_size:  # what is beyond ASCII stands in no number
-        return pa.OSFile(str(path))
-    with pa.memory_map(str(path)) as mapped:
-        return pa.BufferReader(mapped.read_buffer(length))
+    return _whole_rows_of(path, length)  # what is beyond ASCII stands in no number
 
 
 def written(lines: Iterable[str], owner: object) -> Any:
@@ -111,30 +108,15 @@ def text_of(path: Path, length: int, encoding: str, newline: str | None = None) 
     newline : str, optional
         As of `io.TextIOWrapper`.
     """
-    return io.TextIOWrapper(io.BufferedReader(_Head(path, length)), encoding, newline=newline)
+    return io.TextIOWrapper(_whole_rows_of(path, length), encoding, newline=newline)
 
 
-class _Head(io.RawIOBase):
-    """The first bytes of a file, to be read in order."""
-
-    def __init__(self, path: Path, size: int) -> None:
-        self._file = path.open("rb")
-        self._left = size
-
-    def readable(self) -> bool:
-        """True, as `io.RawIOBase` requires of a file that is read."""
-        return True
-
-    def readinto(self, buffer: Any, /) -> int:
-        """Read what fits."""
-        count = self._file.readinto(memoryview(buffer)[: self._left])
-        self._left -= count
-        return count
-
-    def close(self) -> None:
-        """Close the file."""
-        self._file.close()
-        super().close()
+def _whole_rows_of(path: Path, length: int) -> Any:
+    """The first `length` bytes in a file of Arrow's own; where that is less than all, in a mapped buffer."""
+    if length == path.stat().st_size:
+        return pa.OSFile(str(path))
+    with pa.memory_map(str(path)) as mapped:
+        return pa.BufferReader(mapped.read_buffer(length))
 
 
 def _is_ascii_and_more(encoding: str) -> bool:
