@@ -23,7 +23,7 @@ from .csv_cells import (
     is_value,
     is_word,
     labview_starts,
-    no_number,
+    marks_between_thousands,
     plain_number,
     plain_row,
     split_row,
@@ -208,8 +208,13 @@ class CsvSource(Source):
         if cell.lower() in MISSING or (is_time and column in self._stamped) or is_switch:
             return cell
         if is_time or not is_word(cell):
-            text = no_number(cell, column, self._dialect.decimal)
-            raise UnreadableLogError(f"a row does not fit the table: row {line}: {text}")
+            what = f"a row does not fit the table: row {line}: {cell!r} in column {column!r}"
+            if marks := marks_between_thousands(cell):
+                raise UnreadableLogError(f"{what} has {marks}")
+            raise UnreadableLogError(
+                f"{what} is no number with the decimal mark {self._dialect.decimal!r}: repair or delete that row, or "
+                "leave the cell empty for a missing value"
+            )
         self._words.setdefault(f"{cell[:20]!r} in {column!r}", [0, line])[0] += 1
         return ""
 

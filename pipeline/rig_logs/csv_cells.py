@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from ..store.arrow_columns import doubles
 from ..units.units import SECONDS as SECONDS_IN
 
-_THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
 _GROUPED = re.compile(
     r"[-+]?\d{1,3}(?P<mark>[.,'’ \u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<fraction>(?!(?P=mark))[.,]\d+)?"
 )
@@ -119,11 +118,6 @@ def _unquoted(line: str, delimiter: str) -> list[str]:
         return line.split(delimiter)
 
 
-def is_before_decimals(cell: str, decimal: str) -> bool:
-    """True if a cell shows that the mark stands before decimals: as in 0.04, there are not three digits behind it."""
-    return decimal in cell and is_value(cell, decimal) and not is_stamp(cell) and not _THOUSANDS.fullmatch(cell)
-
-
 def unclear_mark(cell: str, line: int, column: str, mark: str) -> str:
     """Message on an ambiguous mark, which separates either decimals or thousands.
 
@@ -148,16 +142,6 @@ def unclear_mark(cell: str, line: int, column: str, mark: str) -> str:
 def marks_between_thousands(cell: str) -> str:
     """Message on a cell in which marks stand between thousands; empty for any other one."""
     return "marks between thousands: export it without them" if _GROUPED.fullmatch(cell) else ""
-
-
-def no_number(cell: str, column: str, decimal: str) -> str:
-    """Message on a cell that is no number."""
-    if marks := marks_between_thousands(cell):
-        return f"{cell!r} in column {column!r} has {marks}"
-    return (
-        f"{cell!r} in column {column!r} is no number with the decimal mark {decimal!r}: repair or delete that row, or "
-        "leave the cell empty for a missing value"
-    )
 
 
 class Clock:

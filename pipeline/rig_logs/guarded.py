@@ -198,8 +198,9 @@ def _cause_of_death(reader: Isolated, limits: Limits, size: int) -> str:
     if reader.late:
         return "reading it does not end; damaged, or on a stalled file system"
     if signal == "SIGXCPU":
-        most = limits.seconds(size)
-        return f"its reader was ended after {most} s of processor time; the file is too large or damaged"
+        return (
+            f"its reader was ended after {limits.seconds(size)} s of processor time; the file is too large or damaged"
+        )
     if signal.startswith("SIGKILL"):
         most = limits.memory(size) >> 20
         return f"its reader was killed; for want of memory (it may take {most} MB)? run again alone"

@@ -245,7 +245,8 @@ def _roles(
     unnamed = [channel for channel in usual if rates and not is_called("time", channel.name)]
     longest = max(counts.values(), default=0)
     left_out = {name for name, count in counts.items() if _FAR_SHORTER * count < longest}
-    left_out = left_out.union(rates, (each.name for each in unnamed if _counts_samples(each.samples)))
+    numbered = (each.name for each in unnamed if each.samples.size > 1 and np.all(np.diff(each.samples[:CHUNK]) == 1.0))
+    left_out = left_out.union(rates, numbered)
     offered = [channel for channel in usual if channel.name not in left_out]
     rising = () if own_time else [channel.name for channel in offered if _rises_evenly(channel.samples)]
     named = [(channel.name, channel.unit) for channel in offered]
@@ -253,11 +254,6 @@ def _roles(
     time = next((role.only for role in roles if role.role == "time" and role.only is not None), None)
     others = () if time is None else (channel.name for channel in offered if counts[channel.name] != counts[time])
     return roles, (*sorted(left_out & counts.keys()), *others)
-
-
-def _counts_samples(samples: FloatArray) -> bool:
-    """True if a column is the number of each sample."""
-    return samples.size > 1 and bool(np.all(np.diff(samples[:CHUNK]) == 1.0))
 
 
 def _rises_evenly(samples: FloatArray) -> bool:

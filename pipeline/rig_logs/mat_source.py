@@ -151,7 +151,14 @@ def recorder_channels(record: MatStruct, notes: list[str]) -> list[MatChannel]:
     paths = [bare(text_of(channels.get(i, "Path"))) for i in rows]
     indices = [scalar_of(channels.get(i, "XIndex")) for i in rows]
     sizes = [data.size for data in arrays.values()]
-    first = _index_base(indices, sizes, [size for _, size in axes])
+    matches = [
+        sum(
+            index is not None and 0 <= index - base < len(axes) and axes[int(index) - base][1] == size
+            for index, size in zip(indices, sizes, strict=True)
+        )
+        for base in (0, 1)
+    ]
+    first = 0 if matches[0] > matches[1] else 1  # of XIndex: in MATLAB's way, unless fewer lengths match
     for i, name, path, index, size in zip(rows, unique_names(names), paths, indices, sizes, strict=True):
         data = arrays[i]
         position = 0 if index is None else int(index) - first
@@ -197,19 +204,6 @@ def _scaled(data: MatArray, factor: float) -> MatArray:
     return replace(data, read=lambda first, last: data.read(first, last) * factor)
 
 
-def _index_base(indices: list[float | None], sizes: list[int], lengths: list[int]) -> int:
-    """First index of XIndex, 1 (MATLAB's way, the default) or 0: as the lengths match."""
-
-    def matches(first: int) -> int:
-        """Number of signals that have the length of their axis if indices count from `first`."""
-        return sum(
-            index is not None and 0 <= index - first < len(lengths) and lengths[int(index) - first] == size
-            for index, size in zip(indices, sizes, strict=True)
-        )
-
-    return 0 if matches(0) > matches(1) else 1
-
-
 def is_simulink_log(value: MatValue) -> TypeGuard[MatStruct]:
     """True if a variable is a structure with time and signals."""
     return isinstance(value, MatStruct) and value.count == 1 and {"time", "signals"} <= set(value.fields)
@@ -245,7 +239,6 @@ def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[M
 
 
 TABLES = ("table", "timetable")
-_TIMES = "mM"
 
 
 def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], list[str]]:
@@ -279,7 +272,7 @@ def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], 
         if values.dtype.kind not in NUMBERS:
             texts.append(f"{name}.{column}")
             continue
-        unit = "s" if values.dtype.kind in _TIMES else units[i] if i < len(units) else ""
+        unit = "s" if values.dtype.kind in "mM" else units[i] if i < len(units) else ""
         channels.append(_column(f"{name}.{column}", values.to_numpy(), unit, time))
     return channels, texts
 

@@ -197,9 +197,13 @@ class Counted(dict[str, Any]):
     """
 
     def origin(self, name: str, first: Any) -> Any:
-        """Origin of a channel whose first sample this is: that of a clock before it, else the sample itself."""
+        """Origin of a channel whose first sample this is: that of a clock before it, else the sample itself.
+
+        Of counts a clock is one so near that float64 holds what is between them.
+        """
         clocks = (each for each in self.values() if type(each) is type(first) and each != 0)
-        return self.setdefault(name, next((each for each in clocks if _is_near(each, first)), first))
+        near = (each for each in clocks if isinstance(first, np.datetime64) or abs(first - each) < EXACT)
+        return self.setdefault(name, next(near, first))
 
     def __call__(self, name: str, samples: NDArray[Any]) -> NDArray[Any]:
         """A part of a channel, from its first sample on where that is a time stamp or too large to be held exactly.
@@ -231,11 +235,6 @@ class Counted(dict[str, Any]):
             for name, origin in self.items()
             if name in names and origin != 0
         ]
-
-
-def _is_near(origin: Any, first: Any) -> bool:
-    """True if a sample lies so near to an origin that float64 holds what is between them."""
-    return isinstance(first, np.datetime64) or abs(first - origin) < EXACT
 
 
 def left_out(texts: Mapping[str, str]) -> list[str]:

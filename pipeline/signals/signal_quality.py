@@ -117,8 +117,8 @@ def runs_between(values: FloatArray, low: float, high: float) -> IntArray:
 
 def in_a_row(inside: BoolArray) -> BoolArray:
     """Mask of the samples inside that lie in a run of three or more of them."""
-    begun = sliding_window_view(np.pad(inside, IN_A_ROW - 1), IN_A_ROW).all(axis=1)
-    return np.asarray(sliding_window_view(begun, IN_A_ROW).any(axis=1))
+    begun = sliding_window_view(np.pad(inside, IN_A_ROW - 1), IN_A_ROW).T.all(axis=0)
+    return np.asarray(sliding_window_view(begun, IN_A_ROW).T.any(axis=0))
 
 
 def _is_exact(
@@ -406,14 +406,9 @@ def usual_span(samples: FloatArray) -> tuple[float, float]:
     lowest = np.nan
     highest = np.nan
     for rows in chunks(samples.size, overlap=2):
-        part = samples[rows]
-        first, *others = (part[:-2], part[1:-1], part[2:]) if part.size >= 3 else part[:, None]
-        largest = first
-        smallest = first
-        for other in others:
-            largest, smallest = np.maximum(largest, other), np.minimum(smallest, other)
-        lowest = np.fmin(lowest, np.fmin.reduce(largest))
-        highest = np.fmax(highest, np.fmax.reduce(smallest))
+        stays = sliding_window_view(samples[rows], min(IN_A_ROW, rows.stop - rows.start)).T
+        lowest = np.fmin(lowest, np.fmin.reduce(stays.max(axis=0)))
+        highest = np.fmax(highest, np.fmax.reduce(stays.min(axis=0)))
     # A signal that nowhere stays for three samples reaches its highest value less often than its lowest.
     return float(np.fmin(lowest, highest)), float(np.fmax(lowest, highest))
 
@@ -485,15 +480,12 @@ def _longest_run(values: FloatArray) -> tuple[int, int]:
     longest = 0
     at = 0
     began = 0
-    last = np.nan
-    for rows in chunks(values.size):
-        part = values[rows]
-        changes = rows.start + np.flatnonzero(np.diff(part, prepend=last) != 0.0)
-        last = float(part[-1])
-        edges = np.concatenate(([began], changes))
+    for rows in chunks(values.size, overlap=1):
+        changes = rows.start + 1 + np.flatnonzero(np.diff(values[rows]) != 0.0)
+        edges = np.concatenate(([began], changes, [values.size] if rows.stop == values.size else [])).astype(np.int64)
         lengths = np.diff(edges)
         if lengths.size and lengths.max() > longest:
             longest = int(lengths.max())
             at = int(edges[np.argmax(lengths)])
         began = int(edges[-1])
-    return (longest, at) if longest >= values.size - began else (values.size - began, began)
+    return longest, at
