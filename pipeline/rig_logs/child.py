@@ -41,7 +41,6 @@ from .source import (
 )
 
 _LONGEST_ERROR = _LONGEST_TEXT = 2000
-_NO_SPACE = "the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
     "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS",
 }  # fmt: skip
@@ -190,7 +189,9 @@ class _Spool:
             try:
                 content = content[self._file.write(content) :]
             except OSError as error:
-                raise UnreadableLogError(_NO_SPACE) from error
+                raise UnreadableLogError(
+                    "the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
+                ) from error
 
 
 _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file

@@ -1,8 +1,10 @@
 """CSV logs: Arrow's reader under the dialect that was found or configured."""
 
+import mmap
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +33,7 @@ from .csv_cells import (
 )
 from .csv_dialect import SAMPLE_BYTES, find_dialect
 from .csv_heading import stated_frequencies, stated_rates, stated_scales
-from .csv_text import as_utf8, text_of, whole_rows, written
+from .csv_text import as_utf8, bytes_written, last_rows, text_of, written
 from .source import (
     MEGABYTE,
     CsvOptions,
@@ -48,10 +50,8 @@ _FEWEST_LINES = 20
 _MOST_NAMED = 3
 _MARKED = re.compile(r"\d([.,])\d")
 _NOT_A_TIME = -(1 << 63)  # as NumPy counts it
-_EMPTY = "empty cells only in the first rows; no sensor, or another channel?"
-_FIRST_YEAR = "1678"
-_LAST_YEAR = "2261"
-"""Years whose times a count of nanoseconds since 1970 holds."""
+_YEARS = ("1678", "2261")
+"""First and last year whose times a count of nanoseconds since 1970 holds."""
 
 
 class CsvSource(Source):
@@ -99,7 +99,8 @@ class CsvSource(Source):
     def _left_out(self) -> dict[str, str]:
         """Content of the columns that are no numbers, by name."""
         return {
-            name: text or (repr(cell[:40]) if cell else _EMPTY)
+            name: text
+            or (repr(cell[:40]) if cell else "empty cells only in the first rows; no sensor, or another channel?")
             for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True)
             if text or not cell or not is_value(cell, self._dialect.decimal)
         }
@@ -201,7 +202,7 @@ class CsvSource(Source):
             return number
         is_time = is_stamp(cell)
         is_switch = {cell.lower(), self._firsts[column].lower()} <= SWITCH
-        if is_time and column in self._stamped and cell[:4].isdecimal() and not _FIRST_YEAR <= cell[:4] <= _LAST_YEAR:
+        if is_time and column in self._stamped and cell[:4].isdecimal() and not _YEARS[0] <= cell[:4] <= _YEARS[1]:
             raise UnreadableLogError(
                 f"row {line}: {cell!r} in column {column!r} is the time of a clock that was not set: delete that row"
             )
@@ -220,7 +221,7 @@ class CsvSource(Source):
 
     def _lines(self) -> Iterator[tuple[int, str]]:
         """The lines of data that are not empty, with their numbers, counted from 1."""
-        with text_of(self._path, self._complete_rows(), self._dialect.encoding) as lines:
+        with text_of(self._path, self._length, self._dialect.encoding) as lines:
             for number, line in enumerate(lines, 1):
                 if number > self._dialect.first_data_row and line.strip():
                     yield number, line.rstrip("\n")
@@ -249,7 +250,7 @@ class CsvSource(Source):
         return csv.open_csv(
             written(self._plain_rows(names), self)
             if plain
-            else as_utf8(self._path, self._complete_rows(), dialect.encoding, self),
+            else as_utf8(self._path, self._length, dialect.encoding, self),
             read_options=csv.ReadOptions(
                 use_threads=False,
                 block_size=self._block,
@@ -280,11 +281,38 @@ class CsvSource(Source):
             return pa.bool_()
         return pa.float64() if self._dialect.has_marks or self._rewritten else pa.int64()
 
-    def _complete_rows(self) -> int:
-        """Bytes of the file that are whole rows."""
-        length, notes = whole_rows(self._path, self._dialect)
-        self.warnings += [note for note in notes if note not in self.warnings]
-        return length
+    @cached_property
+    def _length(self) -> int:
+        """Bytes of the file that are whole rows.
+
+        Zeros at its end are left out, and a last row without a line end, which may be cut off within a number.
+
+        Raises
+        ------
+        UnreadableLogError
+            That row lacks cells, or a character is cut in two: the file is truncated.
+        """
+        with self._path.open("rb") as file:
+            content = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+        dialect = self._dialect
+        size = len(content)
+        if not dialect.encoding.startswith("utf-16") and (size := bytes_written(content)) < len(content):
+            zeros = len(content) - size
+            self.warnings.append(f"{zeros} zero bytes at the end are left out; did the recorder lose its power?")
+        try:
+            rows, length = last_rows(content, size, dialect.encoding)
+        except UnicodeDecodeError as error:
+            raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
+        last = split_row(rows[-1], dialect.delimiter) if length else []
+        if not length or dialect.is_remark(rows[-1], last):
+            return size
+        if len(last) < len(self._columns):
+            raise UnreadableLogError(
+                f"truncated: it ends within a row ({len(last)} of {len(self._columns)} cells); "
+                "delete that row if the log shall be used up to there"
+            )
+        self.warnings.append("the last row has no line end and may be cut off within a number: left out")
+        return size - length
 
 
 def _clocks(firsts: Mapping[str, str], names: Iterable[str]) -> dict[str, Clock]:

@@ -8,15 +8,12 @@ from collections.abc import Iterable
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import pyarrow as pa
 
-from .csv_cells import rows_of, split_row
+from .csv_cells import rows_of
 from .source import PART, UnreadableLogError, temporary_path
-
-if TYPE_CHECKING:
-    from .csv_dialect import Dialect
 
 _TAIL_BYTES = 1 << 16
 _BOMS = (
@@ -129,7 +126,7 @@ def _is_ascii_and_more(encoding: str) -> bool:
     return len(decoded) == len(every) and decoded[:128].encode() == every[:128]
 
 
-def _last_rows(content: bytes | mmap.mmap, end: int, encoding: str) -> tuple[list[str], int]:
+def last_rows(content: bytes | mmap.mmap, end: int, encoding: str) -> tuple[list[str], int]:
     """The rows in the last 64 kB of a file, and how many bytes at its end belong to a row without line end.
 
     Parameters
@@ -158,44 +155,10 @@ def _last_rows(content: bytes | mmap.mmap, end: int, encoding: str) -> tuple[lis
     return rows_of(text), len(text[max(text.rfind("\n"), text.rfind("\r")) + 1 :].encode(codec))
 
 
-def _written(content: bytes | mmap.mmap) -> int:
+def bytes_written(content: bytes | mmap.mmap) -> int:
     """Bytes of a file before the zeros at its end, which stay where a logger that took space lost its power."""
     end = len(content)
     while end and content[end - 1] == 0:
         begin = max(0, end - _TAIL_BYTES)
         end = begin + len(content[begin:end].rstrip(b"\0"))
     return end
-
-
-def whole_rows(path: Path, dialect: "Dialect") -> tuple[int, list[str]]:
-    """Bytes of the whole rows of a file, and notes on what is left out.
-
-    Zeros at its end are left out, and a last row without a line end, which may be cut off within a number.
-
-    Raises
-    ------
-    UnreadableLogError
-        That row lacks cells, or a character is cut in two: the file is truncated.
-    """
-    with path.open("rb") as file:
-        content = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-    size = len(content)
-    notes = list[str]()
-    if not dialect.encoding.startswith("utf-16") and (size := _written(content)) < len(content):
-        notes.append(f"{len(content) - size} zero bytes at the end are left out; did the recorder lose its power?")
-    try:
-        rows, length = _last_rows(content, size, dialect.encoding)
-    except UnicodeDecodeError as error:
-        raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
-    if not length:
-        return size, notes
-    last = split_row(rows[-1], dialect.delimiter)
-    if dialect.is_remark(rows[-1], last):
-        return size, notes
-    width = len(dialect.headings)
-    if len(last) < width:
-        raise UnreadableLogError(
-            f"truncated: it ends within a row ({len(last)} of {width} cells); "
-            "delete that row if the log shall be used up to there"
-        )
-    return size - length, [*notes, "the last row has no line end and may be cut off within a number: left out"]

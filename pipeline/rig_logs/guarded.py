@@ -19,7 +19,6 @@ from . import child
 from .attributes import NOT_APPLIED
 from .source import CsvOptions, Limits, missing_channel
 
-_READER_IMPORTS = ("numpy", full_name("system.isolation"), full_name("rig_logs.child"))
 _READER = child.read_log
 _PATIENCE = 10
 
@@ -182,7 +181,7 @@ def read_in_child(
         The process died, or did not end in time.
     """
     size = Path(request["path"]).stat().st_size
-    preload(_READER_IMPORTS)
+    preload(("numpy", full_name("system.isolation"), full_name("rig_logs.child")))
     with Isolated(_READER, request, time_limit=_PATIENCE * limits.seconds(size)) as reader:
         for message in reader:
             if isinstance(message, dict) and isinstance(message.get("answer"), dict):

@@ -48,8 +48,7 @@ class ParquetSource(Source):
             )
         except (pa.ArrowInvalid, OSError) as error:
             raise UnreadableLogError(f"Parquet cannot open it: {error}") from error
-        columns = zip(unique_names(self._file.schema_arrow.names), self._file.schema_arrow, strict=True)
-        self._columns = dict(columns)
+        self._columns = dict(zip(unique_names(self._file.schema_arrow.names), self._file.schema_arrow, strict=True))
         leaves = [leaf for name, field in self._columns.items() for leaf in _leaves(name, field, ())]
         unique = unique_names([".".join((name, *path)) for name, path, _ in leaves])
         self._places = {label: (name, path) for label, (name, path, _) in zip(unique, leaves, strict=True)}
