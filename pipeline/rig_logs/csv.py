@@ -14,26 +14,30 @@ from pyarrow import csv
 
 from ..store.arrow_columns import doubles, to_numpy
 from .attributes import note_on_rate
-from .csv_cells import (
+from .csv_dialect import SAMPLE_BYTES, find_dialect
+from .csv_heading import stated_frequencies, stated_rates, stated_scales
+from .csv_text import (
     MISSING,
     NUMBER,
     STAMP,
     SWITCH,
     Clock,
+    as_utf8,
+    bytes_written,
     is_behind,
     is_stamp,
     is_value,
     is_word,
     labview_starts,
+    last_rows,
     marks_between_thousands,
     plain_number,
     plain_row,
     split_row,
+    text_of,
     unclear_mark,
+    written,
 )
-from .csv_dialect import SAMPLE_BYTES, find_dialect
-from .csv_heading import stated_frequencies, stated_rates, stated_scales
-from .csv_text import as_utf8, bytes_written, last_rows, text_of, written
 from .source import (
     MEGABYTE,
     CsvOptions,

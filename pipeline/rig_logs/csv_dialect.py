@@ -7,7 +7,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from .csv_cells import (
+from .csv_heading import (
+    bare_line,
+    cells_above,
+    check_long_table,
+    heading_rows,
+    names_and_units,
+    rows_by_key,
+)
+from .csv_text import (
     COMMENT,
     MISSING,
     NUMBER,
@@ -19,17 +27,9 @@ from .csv_cells import (
     marks_between_thousands,
     rows_of,
     split_row,
+    text_encoding,
     unclear_mark,
 )
-from .csv_heading import (
-    bare_line,
-    cells_above,
-    check_long_table,
-    heading_rows,
-    names_and_units,
-    rows_by_key,
-)
-from .csv_text import text_encoding
 from .source import CsvOptions, UnreadableLogError
 
 _MOST_ROWS = 400

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from ..units.units import PLAIN
 from .attributes import number_with_unit, possible_rate, scales_among, stated_rate
-from .csv_cells import COMMENT, NUMBER, is_stamp, split_row
+from .csv_text import COMMENT, NUMBER, is_stamp, split_row
 from .source import UnreadableLogError, unique_names
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
