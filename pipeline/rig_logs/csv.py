@@ -231,28 +231,15 @@ class CsvSource(Source):
                     yield number, line.rstrip("\n")
 
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
-
+        """Several columns by Arrow's reader, of the file itself or of its rows written anew."""
         clocks = _clocks(self._firsts, self._clocks)
-        looked_at = self._dialect.numeric[0] and not self._rewritten
-        # Words in the first column show that a row is none of numbers.
-        every = [*names, *(name for name in self._columns[:1] if looked_at and name not in names)]
-        for batch in self._batches(every, {name: self._kind(name) for name in every}):
-            for name, column in zip(names, batch.columns, strict=False):
-                samples = pa.chunked_array([column])
-                if name in clocks:
-                    yield name, clocks[name].seconds(samples)
-                elif pa.types.is_timestamp(samples.type):
-                    ticks = to_numpy(samples.cast(pa.int64()).fill_null(_NOT_A_TIME))
-                    yield name, self.counted(name, ticks.view("M8[ns]"))
-                else:
-                    yield name, doubles(samples.cast(pa.float64()))
-
-    def _batches(self, names: Sequence[str], kinds: dict[str, Any]) -> Any:
-        """The rows of some columns in these types of Arrow, block by block."""
         dialect = self._dialect
         plain = self._rewritten
-        return csv.open_csv(
-            written(self._plain_rows(names), self)
+        # Words in the first column show that a row is none of numbers.
+        looked_at = dialect.numeric[0] and not plain
+        every = [*names, *(name for name in self._columns[:1] if looked_at and name not in names)]
+        batches = csv.open_csv(
+            written(self._plain_rows(every), self)
             if plain
             else as_utf8(self._path, self._length, dialect.encoding, self),
             read_options=csv.ReadOptions(
@@ -265,13 +252,23 @@ class CsvSource(Source):
                 delimiter="\t" if plain else dialect.delimiter, quote_char=False if plain else '"'
             ),
             convert_options=csv.ConvertOptions(
-                column_types=kinds,
-                include_columns=names,
+                column_types={name: self._kind(name) for name in every},
+                include_columns=every,
                 decimal_point="." if plain else dialect.decimal,
                 null_values=_NULLS,
                 strings_can_be_null=True,
             ),
         )
+        for batch in batches:
+            for name, column in zip(names, batch.columns, strict=False):
+                samples = pa.chunked_array([column])
+                if name in clocks:
+                    yield name, clocks[name].seconds(samples)
+                elif pa.types.is_timestamp(samples.type):
+                    ticks = to_numpy(samples.cast(pa.int64()).fill_null(_NOT_A_TIME))
+                    yield name, self.counted(name, ticks.view("M8[ns]"))
+                else:
+                    yield name, doubles(samples.cast(pa.float64()))
 
     def _kind(self, name: str) -> Any:
         """Arrow's type of a column: numbers, switches, or time stamps, with a zone where they state one."""

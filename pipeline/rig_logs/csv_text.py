@@ -124,9 +124,6 @@ def _whole_rows_of(path: Path, length: int) -> Any:
 
 def _is_ascii_and_more(encoding: str) -> bool:
     """True if every ASCII character is its own single byte, which means nothing else anywhere."""
-    name = codecs.lookup(encoding).name
-    if name in ("utf-8", "utf-8-sig", "ascii"):
-        return True
     every = bytes(range(256))
     decoded = every.decode(encoding, "replace")
     return len(decoded) == len(every) and decoded[:128].encode() == every[:128]
