@@ -31,13 +31,14 @@ from .source import (
     Entry,
     Limits,
     Source,
+    StartTimes,
     UnreadableChannelError,
     UnreadableLogError,
     for_any_variable,
     left_out,
     missing_channel,
     read_start,
-    with_starts,
+    stated_beside,
 )
 
 _LONGEST_ERROR = _LONGEST_TEXT = 2000
@@ -278,6 +279,8 @@ _KNOWN_BUT_NOT_READ: tuple[tuple[Callable[[bytes], object] | tuple[bytes, ...], 
 def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     """Open a raw log with the reader of its format.
 
+    Where it states a rate and a start for each channel, and these differ, each has its own time.
+
     Raises
     ------
     UnreadableLogError
@@ -291,4 +294,5 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
         if start.startswith(begins) if isinstance(begins, tuple) else begins(start):
             raise UnreadableLogError(what)
     source: Source = module_at(f"rig_logs.{module}").open_log(path, csv, limits)
-    return with_starts(source)
+    starts = source.starts or stated_beside(source)
+    return StartTimes(source, starts) if len(set(starts.values())) > 1 else source

@@ -186,17 +186,16 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
         for i, name in enumerate(unique_names(names)):
             data = axes.get(i, "Data")
             unit = text_of(axes.get(i, "Unit")).strip() or "s"
-            if not isinstance(data, MatArray) or not data.size:
-                lengths.append((name, 0))
-                continue
             factor = SECONDS.get(time_unit(unit))
+            lengths.append((name, data.size if isinstance(data, MatArray) and factor is not None else 0))
+            if not isinstance(data, MatArray) or not data.size:
+                continue
             if factor is None:
                 notes.append(f"the axis {name!r} is in {unit} and no time: its channels need a [channels] time")
                 channels.append(channel(name, data, unit))
             else:
                 notes += [] if factor == 1.0 else [f"the time axis {name!r} counts in {unit} and is read in s"]
                 channels.append(channel(name, data if factor == 1.0 else _scaled(data, factor), "s"))
-            lengths.append((name, 0 if factor is None else data.size))
     return lengths, channels
 
 

@@ -367,13 +367,7 @@ class StartTimes(View):
                 yield time, start + step * np.arange(first, rows[name])
 
 
-def with_starts(source: Source) -> Source:
-    """The log itself, or with a time for each channel where it states a rate and a start for each, and these differ."""
-    starts = source.starts or _stated_beside(source)
-    return StartTimes(source, starts) if len(set(starts.values())) > 1 else source
-
-
-def _stated_beside(source: Source) -> dict[str, tuple[float, float]]:
+def stated_beside(source: Source) -> dict[str, tuple[float, float]]:
     """Start and step [s] that numbers beside a channel or its group state: ``q.t0`` and ``q.dt`` those of ``q.Y``."""
     starts = {_PLACE_OF.sub("", name): start for name, start in source.stated_starts.items()}
     rates = {_PLACE_OF.sub("", name): rate for name, rate in source.rates.items() if starts}
