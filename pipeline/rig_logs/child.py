@@ -144,8 +144,7 @@ def _wanted(
             way_out = "" if ":" in texts[name] or ";" in texts[name] else "; export it as numbers"
             raise UnreadableLogError(f"channel {name!r} holds no plain numbers, but {texts[name]}{way_out}")
         if name not in by_alias:
-            remarks = "".join(f"; {warning}" for warning in warnings)
-            raise UnreadableLogError(missing_channel(name, [entry.name for entry in entries]) + remarks)
+            raise UnreadableLogError("; ".join([missing_channel(name, [entry.name for entry in entries]), *warnings]))
     return [(name, by_alias[name]) for name in names]
 
 

@@ -298,8 +298,9 @@ class CsvSource(Source):
         dialect = self._dialect
         size = len(content)
         if not dialect.encoding.startswith("utf-16") and (size := bytes_written(content)) < len(content):
-            zeros = len(content) - size
-            self.warnings.append(f"{zeros} zero bytes at the end are left out; did the recorder lose its power?")
+            self.warnings.append(
+                f"{len(content) - size} zero bytes at the end are left out; did the recorder lose its power?"
+            )
         try:
             rows, length = last_rows(content, size, dialect.encoding)
         except UnicodeDecodeError as error:

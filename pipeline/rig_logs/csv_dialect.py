@@ -159,8 +159,9 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     keys = keys and not any(len(row) == width and any(row) and _NOTES.fullmatch(row[0]) for row in rows[:begins][-2:])
     data = [fit and not (keys and row[0]) and _in_place(row, clocks) for row, fit in zip(rows, fits, strict=True)]
     filled = [_filled(row, likely, decimal) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
-    behind = {i: rows[j] for i, j in pairwise(fitting) if not filled[j]}
-    only_text = {i for i, row in behind.items() if any(row) and not any(map(NUMBER.match, row))}
+    only_text = {
+        i for i, j in pairwise(fitting) if not filled[j] and any(rows[j]) and not any(map(NUMBER.match, rows[j]))
+    }
     only_text |= {i for i, row in enumerate(rows[1:]) if len(row) == 1 and row[0].endswith(":")}  # a key
     blank = {i for i in fitting if all(cell.lower() in MISSING for cell in rows[i])}  # or a line below the heading
     first = next((i for i in fitting if filled[i] >= 2 and i not in only_text | blank), None)
@@ -174,8 +175,14 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
         wanted or (any(column) and all(is_value(cell, decimal) for cell in column))
         for wanted, column in zip(likely, columns, strict=True)
     )
-    ragged = any(len(rows[i]) > width for i in fitting if i >= first)
-    return SampleTable(delimiter=delimiter, decimal=decimal, rows=rows, first=first, numeric=numeric, ragged=ragged)
+    return SampleTable(
+        delimiter=delimiter,
+        decimal=decimal,
+        rows=rows,
+        first=first,
+        numeric=numeric,
+        ragged=any(len(rows[i]) > width for i in fitting if i >= first),
+    )
 
 
 def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:
@@ -399,8 +406,7 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
             cells = []
         while len(cells) > width and (not cells[-1] or "=" in cells[-1]):  # as of an oscilloscope, behind the names
             del cells[-1]
-        wider = table.delimiter == " " or COMMENT.match(line)
-        rows.append(cells_above(line, cells, width) if wider else cells)
+        rows.append(cells_above(line, cells, width) if table.delimiter == " " or COMMENT.match(line) else cells)
     return rows, [bool(COMMENT.match(line)) for line in lines]
 
 

@@ -383,7 +383,10 @@ def labview_starts(above: Sequence[Sequence[str]], width: int) -> tuple[tuple[fl
     keys = {row[0]: [cell.replace(",", ".") for cell in row[1:]] for row in above if row}
     if keys.get("X_Columns", ["Multi"])[0] == "Multi" or "Time" not in keys.get("X_Dimension", []):
         return ()
-    pairs = [*zip(keys.get("X0", []), keys.get("Delta_X", []), strict=False)]
-    clocks = [(float(start), float(step)) for start, step in pairs if NUMBER.match(start) and NUMBER.match(step)]
+    clocks = [
+        (float(start), float(step))
+        for start, step in zip(keys.get("X0", []), keys.get("Delta_X", []), strict=False)
+        if NUMBER.match(start) and NUMBER.match(step)
+    ]
     alike = len(set(clocks)) < 2 or min(step for _, step in clocks) <= 0.0
     return () if alike else (clocks[0], *clocks, *clocks[-1:] * width)[:width]

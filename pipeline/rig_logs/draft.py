@@ -173,8 +173,10 @@ def _velocity_lines(log: Inspection) -> list[str]:
     taken = {suggestion.only for suggestion in log.suggestions}.union(log.apart)
     units = {channel.name: channel.unit.strip("[]() ") for channel in log.channels if channel.name not in taken}
     called = [name for name, unit in units.items() if _RATE.search(unit) or (not unit and _VELOCITY.search(name))]
-    entries = [_entry("qdot", name, units[name] or FILL_IN) for name in called[:1]]
-    return [f"# {entry}  # where that is q's measured velocity" for entry in entries]
+    return [
+        f"# {_entry('qdot', name, units[name] or FILL_IN)}  # where that is q's measured velocity"
+        for name in called[:1]
+    ]
 
 
 def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
@@ -315,8 +317,8 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
 
 def _may_be_a_monitor(quality: SignalQuality) -> bool:
     """True if a voltage is as small as the monitor of a high-voltage amplifier and has one sign."""
-    largest = max(-quality.smallest, quality.largest)
-    return largest <= _MONITOR and not takes_both_signs(quality.smallest, quality.largest)  # as a motor's voltage does
+    both_signs = takes_both_signs(quality.smallest, quality.largest)  # as a motor's voltage
+    return not both_signs and max(-quality.smallest, quality.largest) <= _MONITOR
 
 
 def _with(entry: str, more: str) -> str:

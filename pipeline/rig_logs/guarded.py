@@ -103,8 +103,11 @@ class Recording:
     def unapplied(self, name: str) -> list[str]:
         """The notes on numbers beside a channel that look like its calibration."""
         group = name.rpartition(".")[0]
-        notes = [note for note in self.notes if NOT_APPLIED in note]
-        return [note for note in notes if repr(name) in note or (group and note.startswith(f"{group}."))]
+        return [
+            note
+            for note in self.notes
+            if NOT_APPLIED in note and (repr(name) in note or (group and note.startswith(f"{group}.")))
+        ]
 
 
 def read_recording(
@@ -162,8 +165,7 @@ def _check_is_file(path: Path) -> None:
     try:
         mode = path.stat().st_mode
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise InputError(f"{path}: cannot be read ({reason})") from error
+        raise InputError(f"{path}: cannot be read ({getattr(error, 'strerror', None) or error})") from error
     if not stat.S_ISREG(mode):
         raise InputError(f"{path}: is {'a directory' if stat.S_ISDIR(mode) else 'no regular file'}, not a log")
     if not os.access(path, os.R_OK):
@@ -201,8 +203,9 @@ def _cause_of_death(reader: Isolated, limits: Limits, size: int) -> str:
             f"its reader was ended after {limits.seconds(size)} s of processor time; the file is too large or damaged"
         )
     if signal.startswith("SIGKILL"):
-        most = limits.memory(size) >> 20
-        return f"its reader was killed; for want of memory (it may take {most} MB)? run again alone"
+        return (
+            f"its reader was killed; for want of memory (it may take {limits.memory(size) >> 20} MB)? run again alone"
+        )
     if signal:
         return f"its reader died of {signal}; the file is damaged"
     reason = reader.words().strip().rpartition("\n")[2][:200] or "no reason given"

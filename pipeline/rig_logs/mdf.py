@@ -87,9 +87,8 @@ class MdfSource(Source):
                 mapped.madvise(mmap.MADV_DONTNEED)
 
     def _samples(self, name: str, group: int, index: int, first: int, count: int) -> NDArray[Any]:
-        is_master = index == self._mdf.masters_db.get(group)
         try:
-            if is_master:
+            if index == self._mdf.masters_db.get(group):
                 samples: NDArray[Any] = self._mdf.get_master(group, record_offset=first, record_count=count)
                 samples = samples * self._factors[group] if group in self._factors else samples
                 invalid: NDArray[Any] | None = None

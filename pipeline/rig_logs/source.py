@@ -248,11 +248,11 @@ def not_listed(shapes: Mapping[str, tuple[int, ...]]) -> list[str]:
     """A note on arrays that are neither vectors nor matrices of channels; none where there are none."""
     sizes = [f"{name} is {' × '.join(map(str, shape))}" for name, shape in shapes.items()]
     more = [f"{len(sizes) - _MOST_NAMED} more like them"] if len(sizes) > _MOST_NAMED else []
-    channels = ", ".join([*sizes[:_MOST_NAMED], *more])
-    way_out = (
-        f"only vectors and matrices of at most {MOST_COLUMNS} columns, or rows, are read: save each channel as a vector"
+    note = (
+        f"{', '.join([*sizes[:_MOST_NAMED], *more])}; only vectors and matrices of at most {MOST_COLUMNS} columns, or "
+        "rows, are read: save each channel as a vector"
     )
-    return [f"{channels}; {way_out}"] if sizes else []
+    return [note] if sizes else []
 
 
 def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:

@@ -273,8 +273,8 @@ def mains_at_another_rate(samples: FloatArray, step: float) -> tuple[Hum, float]
     """
     steps = np.diff(samples[: BLOCKS * CHUNK])
     quiet = np.where(np.abs(steps) <= 2.0 * REACH * noise_level(samples), steps, 0.0)
-    lines = [hum(quiet, step, frequency) for frequency in MAINS]
-    if any(line is not None and line.stands_out for line in lines):
+    in_place = (hum(quiet, step, frequency) for frequency in MAINS)
+    if any(line is not None and line.stands_out for line in in_place):
         return None
     elsewhere = ((hum(quiet, step, frequency / factor), factor) for factor in (2.0, 0.5) for frequency in MAINS)
     return next(((line, factor) for line, factor in elsewhere if line is not None and line.stands_out), None)

@@ -44,8 +44,8 @@ class UniformClock:
     @property
     def described(self) -> str:
         """Rate of the clock, and rounding of its stamps."""
-        rounded = f"rounded to {quantity(self.resolution, 's')}"
-        return f"those of a clock of {1.0 / self.step:.6g} Hz, {rounded}: taken as uniform"
+        rounded = quantity(self.resolution, "s")
+        return f"those of a clock of {1.0 / self.step:.6g} Hz, rounded to {rounded}: taken as uniform"
 
 
 def uniform_clock(time: FloatArray) -> UniformClock | None:
