@@ -134,8 +134,11 @@ def rates_among(attributes: Mapping[str, Any], place: str) -> dict[str, tuple[fl
 
 def starts_among(attributes: Mapping[str, Any], place: str) -> dict[str, float]:
     """Numbers among attributes that state when a channel begins [s], by their names; `place` stands before these."""
-    numbers = {name: _number(attributes[name]) for name in filter(_START.fullmatch, attributes)}
-    return {f"{place}.{name}" if place else name: number for name, number in numbers.items() if number is not None}
+    return {
+        f"{place}.{name}" if place else name: number
+        for name in filter(_START.fullmatch, attributes)
+        if (number := _number(attributes[name])) is not None
+    }
 
 
 def is_unit(name: str) -> bool:

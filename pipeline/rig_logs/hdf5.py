@@ -212,8 +212,7 @@ def flat(dataset: Any, start: int, stop: int, shape: tuple[int, ...]) -> NDArray
         return np.asarray(dataset[tuple(index)])
     width = shape[-1]
     rows = range(start // width, -(-stop // width))
-    parts = [dataset[row, max(start - row * width, 0) : min(stop - row * width, width)] for row in rows]
-    return np.concatenate([np.asarray(part) for part in parts])
+    return np.concatenate([dataset[row, max(start - row * width, 0) : min(stop - row * width, width)] for row in rows])
 
 
 def rows_at_a_time(dataset: Any, axis: int) -> int:

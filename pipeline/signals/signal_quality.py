@@ -9,7 +9,6 @@ reach.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import chain, islice
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -302,8 +301,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     values = select(samples, usable)
     stamps = select(time, usable)
     missing = samples.size - values.size
-    gone = chain.from_iterable(rows.start + np.flatnonzero(~usable[rows]) for rows in chunks(usable.size))
-    located = tuple(time[list(islice(gone, LOCATED))].tolist()) if missing else ()
+    located = tuple(select(time, ~usable)[:LOCATED].tolist())
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
         nan = float("nan")
