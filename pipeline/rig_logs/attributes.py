@@ -109,8 +109,7 @@ def description_among(attributes: Mapping[str, Any]) -> str:
 
 def texts_among(attributes: Mapping[str, Any]) -> str:
     """All attributes that are texts, as one line."""
-    texts = (plain(value) for value in attributes.values())
-    return "; ".join(" ".join(text.split()) for text in texts if isinstance(text, str))
+    return "; ".join(" ".join(text.split()) for text in map(plain, attributes.values()) if isinstance(text, str))
 
 
 def monitor_ratio(*texts: str) -> float:
