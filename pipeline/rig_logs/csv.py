@@ -53,7 +53,6 @@ _LARGEST_HEAD = 1 << 24
 _FEWEST_LINES = 20
 _MOST_NAMED = 3
 _MARKED = re.compile(r"\d([.,])\d")
-_NOT_A_TIME = -(1 << 63)  # as NumPy counts it
 _YEARS = ("1678", "2261")
 """First and last year whose times a count of nanoseconds since 1970 holds."""
 
@@ -265,7 +264,7 @@ class CsvSource(Source):
                 if name in clocks:
                     yield name, clocks[name].seconds(samples)
                 elif pa.types.is_timestamp(samples.type):
-                    ticks = to_numpy(samples.cast(pa.int64()).fill_null(_NOT_A_TIME))
+                    ticks = to_numpy(samples.cast(pa.int64()).fill_null(-(1 << 63)))  # which NumPy takes for no time
                     yield name, self.counted(name, ticks.view("M8[ns]"))
                 else:
                     yield name, doubles(samples.cast(pa.float64()))
