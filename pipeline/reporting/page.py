@@ -88,8 +88,9 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
         f"default-src 'none'; script-src '{csp_hash(script)}'; style-src '{csp_hash(style)}'; img-src data:; "
         "base-uri 'none'; form-action 'none'"
     )
-    ours = {"style": Markup(style), "script": Markup(script)}  # noqa: S704 - files of this package, no input
-    return environment.get_template(template).render(context, policy=policy, **ours) + "\n"
+    page = environment.get_template(template)
+    # No input: style and script are files of this package.
+    return page.render(context, policy=policy, style=Markup(style), script=Markup(script)) + "\n"  # noqa: S704
 
 
 def _commands(text: str) -> Markup:
