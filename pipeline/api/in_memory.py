@@ -11,7 +11,7 @@ import pandas as pd
 from ..device.device import device
 from ..device.parameters import parameter_set
 from ..diagnostics.check import check_logs, refusing, remarks
-from ..diagnostics.copies import shared_findings, shared_recordings
+from ..diagnostics.copies import shared_recordings
 from ..diagnostics.log_facts import LogSignals
 from ..diagnostics.sentences import sentences
 from ..errors import DataRefusedError, InputError, warn_user
@@ -261,7 +261,7 @@ def identify_signals(
     measured, records, warnings = map(list, zip(*parts, strict=True))
     findings = [
         *check_logs(records, device(prototype), prototype.ingest.sample_interval),
-        *shared_findings(records, shared_recordings(records)),
+        *(finding for _, _, finding in shared_recordings(records)),
     ]
     unaccepted = [finding for finding in refusing(findings) if finding.gate not in prototype.quality.accept]
     contradictions = [": ".join(sentences(finding)) for finding in unaccepted]
