@@ -234,11 +234,12 @@ def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Rea
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
         """State equation of a run."""
-        return {"dx": lagged_rates(model.equation, x, u)}
+        return {"dx": lagged_rates(model, x, u)}
 
     squared = model.inputs == "squared"
+    weights = np.ascontiguousarray(model.weights.T) / model.mass_kg
     bend = 0.5 / model.width**2
-    constants = {"basis": model.basis, "centres": model.centres, "weights": model.equation.weights, "bend": bend}
+    constants = {"basis": model.basis, "centres": model.centres, "weights": weights, "bend": bend}
     return Realisation(
         functions=_functions(rates, lambda qdot0, u: [*qdot0], np.ones(model.input_count), squared, low, high, 3),
         constants=constants | {"lag": model.lag_s, "low": low, "high": high, "squared": int(squared)},

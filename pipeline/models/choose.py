@@ -163,8 +163,8 @@ def _block(training: Training, *errors: FloatArray) -> int:
 
 def _within(training: Training, limit: float) -> Training:
     """The training data with a time limit [s] of at most this length."""
-    limit = min(training.identify.time_limit, limit)
-    return replace(training, identify=training.identify.model_copy(update={"time_limit": limit}))
+    update = {"time_limit": min(training.identify.time_limit, limit)}
+    return replace(training, identify=training.identify.model_copy(update=update))
 
 
 def _rms(errors: FloatArray) -> float:
@@ -214,7 +214,6 @@ def main_model(models: Mapping[str, StoredModel], training: Training) -> tuple[s
     lost = {
         name: max((_lost(model, record) for record in training.records), default=0.0) for name, model in models.items()
     }
-    chaotic = bool(models[first].describe().get("chaotic"))
     best = min(lost, key=lambda name: lost[name])
     if lost[first] > LOST >= lost[best]:
         return (
@@ -223,10 +222,10 @@ def main_model(models: Mapping[str, StoredModel], training: Training) -> tuple[s
         )
     if first == "rbf":
         own = _by_horizon(models[first], training)
+        chaotic = models[first].describe().get("chaotic")
         for name, model in models.items():
             if name != first and (chaotic or lost[name] < lost[first]) and _surely(_by_horizon(model, training), own):
-                horizons = sorted({round(error.horizon_s, 3) for error in own})
-                after = " and ".join(f"{horizon:g} s" for horizon in horizons)
+                after = " and ".join(f"{horizon:g} s" for horizon in sorted({round(e.horizon_s, 3) for e in own}))
                 return name, f"{name} predicts the training logs surely better than {first} after {after}"
     return first, ""
 
@@ -245,9 +244,8 @@ def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:
     """Errors after the horizons of scores that the samples have, log by log."""
     errors: list[HorizonError] = []
     for record in training.records:
-        interval = record.interval
-        length = float(record.t[-1] - record.t[0])
-        times = [time for time, _ in HORIZONS.values() if SHORTEST_HORIZON * interval <= time <= length / 2.0]
+        half = float(record.t[-1] - record.t[0]) / 2.0
+        times = [time for time, _ in HORIZONS.values() if SHORTEST_HORIZON * record.interval <= time <= half]
         q, speed = (np.where(record.valid, signal, np.nan) for signal in (record.q, record.qdot))
         path = MeasuredPath(record.t, record.drive_of(fine=model.fine_voltages), q, speed)
         errors += horizon_errors(predictor(model), path, times, plant=None, most_starts=STARTS)

@@ -216,7 +216,7 @@ def read_part(part: type[PartT], tree: Mapping[str, Any], name: str, command: st
     Parameters
     ----------
     part : type
-        A `FilePart`, or a dataclass of pydantic with `STORED`.
+        A `ModelFile`, or a dataclass of pydantic with `STORED`.
     tree : mapping
         Contents of the file.
     name : str
@@ -244,29 +244,24 @@ def tree_of(part: Any) -> dict[str, Any]:
     """Dictionary of arrays, numbers and texts, from which `read_part` restores the part."""
     if isinstance(part, JointParameters):
         return {name: part.value(name) for name in VECTOR_NAMES}
-    fields = type(part).__pydantic_fields__
-    entries = {name: getattr(part, name) for name, field in fields.items() if not field.exclude}
+    fields = type(part).__pydantic_fields__.items()
+    entries = {name: getattr(part, name) for name, field in fields if not field.exclude}
     return {name: tree_of(entry) if is_dataclass(entry) else entry for name, entry in entries.items()}
 
 
-class FilePart(BaseModel):
-    """Entries of a file; a subclass names them, and in `sizes` the least and largest length of each axis.
+class ModelFile(BaseModel):
+    """Entries of a model's file; a subclass names them, and in `sizes` the least and largest length of each axis.
 
     The text below a field is its line of help; without one that of the class is.
     """
 
     model_config = ConfigDict(strict=True, frozen=True, **STORED)
     sizes: ClassVar[Sizes] = {}
+    diagnostics: Facts = {}
 
     @model_validator(mode="after")
     def _fit(self) -> Self:
         return fitting(self)
-
-
-class ModelFile(FilePart):
-    """The tree of a model."""
-
-    diagnostics: Facts = {}
 
     def to_tree(self) -> dict[str, Any]:
         """The contents as a dictionary of arrays, numbers and texts."""

@@ -85,8 +85,8 @@ class KnownCurves:
 
     def per_unit_mass(self, mass: float) -> "KnownCurves":
         """Forces over the moving mass [kg]."""
-        force = None if self.force is None else self.force / mass
-        return KnownCurves(self.q, force, tuple(None if gain is None else gain / mass for gain in self.gains))
+        force, *gains = (None if curve is None else curve / mass for curve in (self.force, *self.gains))
+        return KnownCurves(self.q, force, tuple(gains))
 
 
 @dataclass(frozen=True)
@@ -175,8 +175,9 @@ def model_type(name: str) -> ModelType:
     """
     listed = entry(name)
     if listed is None:
-        every = ", ".join(sorted(model.name for model in ENTRIES))
-        raise InputError(f"there is no model {name!r}; choose one of {every}")
+        raise InputError(
+            f"there is no model {name!r}; choose one of {', '.join(sorted(model.name for model in ENTRIES))}"
+        )
     return cast(ModelType, object_at(listed.model_type))
 
 

@@ -69,11 +69,12 @@ def _hybrid() -> None:
 
 def _without_parameter_set() -> None:
     from ..models.narx import NarxModel
-    from ..models.paper.model import LaggedEquation, lagged_rbf_run
+    from ..models.paper.model import RbfPaperModel
     from ..models.polynomial_dynamics import PolynomialDynamics, free_run
 
     v = np.zeros((3, 2))
-    lagged_rbf_run(LaggedEquation(np.zeros(2), np.zeros((2, 4)), 1.0, 1.0), v, _DT, 1, (0.0, 0.0), (-1.0, 1.0))
+    paper = RbfPaperModel(centres=np.array([0.0, 1.0]), smoothing=1.0, weights=np.zeros((4, 2)), lag_s=1.0)
+    paper.simulate(_DT * np.arange(3.0), v, 0.0, 0.0)
     still = PolynomialDynamics(
         exponents=np.zeros((1, 7), dtype=np.int64),
         coefficients=np.zeros((2, 1)),

@@ -94,7 +94,6 @@ def over_screw(parameters: JointParameters, v: FloatArray) -> Family:
 def over_voltage(parameters: JointParameters, side: int) -> Family:
     """λ = voltage [V] of one side (0 left, 1 right), the other zero."""
     p = parameters.vector()
-    on = np.eye(2)[side]
 
     def slope(qm: FloatArray, value: float) -> FloatArray:
         """Derivative of the static gradient by the voltage."""
@@ -103,7 +102,7 @@ def over_voltage(parameters: JointParameters, side: int) -> Family:
         capacitance(qm, p, farads, jacobian)
         return np.asarray(-jacobian[side] * value)
 
-    return Family(lambda value: (p, value * on, 0.0), slope, FULL_VOLTAGE)
+    return Family(lambda value: (p, value * np.eye(2)[side], 0.0), slope, FULL_VOLTAGE)
 
 
 def over_force(parameters: JointParameters, v: FloatArray) -> Family:
@@ -202,8 +201,7 @@ def switchable_to(parameters: JointParameters, voltage: float = FULL_VOLTAGE) ->
 def _smallest_with_two_wells(parameters: JointParameters, v: FloatArray, highest: float) -> float | None:
     """The special point up to `highest` [m] behind which there are two stable equilibria for the first time."""
     diagram = equilibrium_diagram(over_screw(parameters, v), (0.0, highest))
-    candidates = sorted({0.0, *(point.parameter for branch in diagram for point in branch.special)})
-    for candidate in candidates:
+    for candidate in sorted({0.0, *(point.parameter for branch in diagram for point in branch.special)}):
         behind = with_screw_height(parameters, candidate + 1e-5)
         if sum(e.stable for e in equilibria(behind, v)) >= 2:
             return float(candidate)

@@ -205,12 +205,10 @@ def simulate(
     count = t.size
     solution = no_solution(count)
     states, rates, steps = solution
-    load = np.zeros(count) if force is None else force
-    drive = Inputs(*map(np.ascontiguousarray, (t, v, load)))
+    drive = Inputs(*map(np.ascontiguousarray, (t, v, np.zeros(count) if force is None else force)))
     valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
     states[valid:], rates[valid:] = np.nan, np.nan
-    qm = states[:, :RITZ]
-    qm_dot = states[:, RITZ:FIRST_Z]
+    qm, qm_dot, z = np.split(states, [RITZ, FIRST_Z], axis=1)
     qm_ddot = rates[:, RITZ:FIRST_Z]
     levers = parameters.levers
     return FullOrderMotion(
@@ -218,7 +216,7 @@ def simulate(
         qm=qm,
         qm_dot=qm_dot,
         qm_ddot=qm_ddot,
-        z=states[:, FIRST_Z:],
+        z=z,
         q=qm @ levers,
         q_dot=qm_dot @ levers,
         q_ddot=qm_ddot @ levers,

@@ -82,11 +82,9 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
     p = parameters.vector()
     curves = np.empty((path.q.size, len(CURVES)))
     mass = np.empty((RITZ, RITZ))
-    tau = np.empty(RITZ)
-    z_dot = np.empty(3)
     nothing = np.zeros(RITZ)
     for i, (qm, tangent) in enumerate(zip(path.qm, path.tangent, strict=True)):
-        dynamics(qm, nothing, nothing[:3], nothing[:2], nothing[:1], p, mass, tau, z_dot)
+        dynamics(qm, nothing, nothing[:3], nothing[:2], nothing[:1], p, mass, np.empty(RITZ), np.empty(3))
         damping, _ = dissipative_matrices(qm, p)
         curves[i, :2] = tangent @ mass @ tangent, tangent @ damping @ tangent
     # Along the path ∂U/∂q_m = F ∂q/∂q_m, so f(q) = ∂U/∂q_m · dq_m/dq is the holding force itself.
@@ -169,10 +167,15 @@ def beam_modes(qm: FloatArray, length: float) -> BeamModes:
     x, w = beam_shapes(qm, length)
     left, values, right = np.linalg.svd(w, full_matrices=False)
     peaks = np.take_along_axis(right[:3], np.argmax(np.abs(right[:3]), axis=1)[:, None], axis=1)
-    amplitudes = left[:, :3] * values[:3] * peaks[:, 0]
     energy = values**2
     row, column = np.unravel_index(np.argmax(np.abs(w)), w.shape)
-    return BeamModes(x, right[:3] / peaks, amplitudes, w[row] / w[row, column], energy[:3] / energy.sum())
+    return BeamModes(
+        x=x,
+        shapes=right[:3] / peaks,
+        amplitudes=left[:, :3] * values[:3] * peaks[:, 0],
+        widest=w[row] / w[row, column],
+        energy_share=energy[:3] / energy.sum(),
+    )
 
 
 _motion = kernel(REDUCED_MOTION)
@@ -185,7 +188,7 @@ TOLERANCE = 1e-5
 
 @dataclass(frozen=True)
 class ReducedMotion:
-    """Motion of the reduced joint at the samples: q [m], q̇ [m/s], q̈ [m/s²], Maxwell strains e (N, 2).
+    """Motion of the reduced joint at the samples: q [m], q̇ [m/s], q̈ [m/s²].
 
     All NaN behind `diverged_at` [s], where q left the range of the curves.
     """
@@ -194,7 +197,6 @@ class ReducedMotion:
     q: FloatArray
     q_dot: FloatArray
     q_ddot: FloatArray
-    e: FloatArray
     diverged_at: float | None
 
 
@@ -219,8 +221,6 @@ class ReducedSystem(NamedTuple):
         Force [N] and length [m].
     slip : FloatArray, shape (2,)
         q at the start of the step, and Dahl's state there.
-    e : FloatArray, shape (N, 2)
-        Strains at the samples; filled.
     s, load, squares, rates : FloatArray, shapes (1,), (1,), (2,), (3,)
         Room for what acts.
     """
@@ -235,7 +235,6 @@ class ReducedSystem(NamedTuple):
     rate: FloatArray
     friction: FloatArray
     slip: FloatArray
-    e: FloatArray
     s: FloatArray
     load: FloatArray
     squares: FloatArray
@@ -243,10 +242,7 @@ class ReducedSystem(NamedTuple):
 
 
 def _begin(system, x, node):
-    n = node // system.parts
-    system.sample[0], system.slip[0] = n, x[0]
-    if node == n * system.parts:
-        system.e[n, 0], system.e[n, 1] = x[2], x[3]
+    system.sample[0], system.slip[0] = node // system.parts, x[0]
 
 
 def _rates(system, x, node, dx, acceleration):
@@ -310,11 +306,9 @@ def simulate_reduced(
     parameters = reduced.parameters
     interval = sample_interval(t) if t.size > 1 else LONGEST_STEP
     steps = max(1, int(np.ceil(interval / LONGEST_STEP - 1e-9)))
-    inputs = np.column_stack([v, np.zeros(t.size) if force is None else force])
-    e = np.full((t.size, 2), np.nan)
     out = np.full((t.size, 3, 1), np.nan)
     system = ReducedSystem(
-        inputs=inputs,
+        inputs=np.column_stack([v, np.zeros(t.size) if force is None else force]),
         parts=2 * steps,
         sample=np.zeros(1, dtype=np.int64),
         origin=reduced.q[0],
@@ -324,7 +318,6 @@ def simulate_reduced(
         rate=reduced.creep_rate,
         friction=np.array([parameters.F_c, parameters.s_c]),
         slip=np.array([q0, 0.0]),
-        e=e,
         s=np.zeros(1),
         load=np.zeros(1),
         squares=np.zeros(2),
@@ -332,9 +325,7 @@ def simulate_reduced(
     )
     x = np.array([q0, qdot0, 0.0, 0.0])
     valid = _integrate(system, x, out, workspace(x), steps, interval / steps, reduced.q[0], reduced.q[-1])
-    return ReducedMotion(
-        t=t, q=out[:, 0, 0], q_dot=out[:, 1, 0], q_ddot=out[:, 2, 0], e=e, diverged_at=run_status(t, valid)[1]
-    )
+    return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], run_status(t, valid)[1])
 
 
 def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> FloatArray:

@@ -94,8 +94,7 @@ class Windows:
         """Windows, the `lost_windows` (W,) of them cut where `finer` windows are cut."""
         spans = [(int(index), int(begin), int(end)) for index, begin, end in self.spans[~lost_windows]]
         for index, begin, end in self.spans[lost_windows]:
-            near = finer.spans[finer.spans[:, 0] == index]
-            cuts = np.unique(np.clip(near[:, 1:], begin, end))
+            cuts = np.unique(np.clip(finer.spans[finer.spans[:, 0] == index, 1:], begin, end))
             spans.extend((int(index), int(a), int(b)) for a, b in itertools.pairwise(cuts))
         return _windows(self.motions, spans)
 
@@ -259,9 +258,7 @@ def error_derivatives(
         return np.zeros((motions.windows.samples, steps.size))
     points = np.array([joint.vector() for joint in (motions.parameters, *moved)])
     base = np.array([run.states[0] for run in motions.runs])
-    starts = np.stack(
-        [_start_derivatives(joint, motions.windows, base, h) for joint, h in zip(moved, steps, strict=True)]
-    )
+    starts = [_start_derivatives(joint, motions.windows, base, h) for joint, h in zip(moved, steps, strict=True)]
     levers = motions.parameters.levers[:3]
 
     def derivatives(run: WindowRun, part: Window, start: FloatArray) -> FloatArray:
@@ -277,7 +274,7 @@ def error_derivatives(
             by_parameter[: reached.size] = np.tensordot(states[reached, :3], levers, (1, 0))
         return by_parameter[1:]
 
-    by_window = np.ascontiguousarray(starts.transpose(1, 2, 0))
+    by_window = np.stack(starts, axis=-1)
     return np.concatenate([*(pool.map if pool else map)(derivatives, motions.runs, motions.windows.parts, by_window)])
 
 

@@ -27,7 +27,7 @@ first without corrections, then with them. Held-out data decide whether correcti
 - `parameters`: parameter set and deviations → constants of the kernels.
 - `problem`: residuals and Jacobians over the training logs.
 - `driving_voltages`: from measured to acting voltages: delay, lag of the electrodes, square.
-- `runs`: free and observed runs. `sensitivity`, `columns`: their exact derivatives.
+- `runs`: free and observed runs. `sensitivity`: their exact derivatives.
 - `siblings`: other joints of one drawing, as a prior.
 - `statics`: equilibrium at a held tip, and characteristic curves. `kernels`: compiled graphs and tables.
 """

@@ -21,10 +21,10 @@ from ...signals.log import Log
 from ...signals.resampling import filtered_samples
 from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, Unit, tree_of
-from . import parameters as condensed_parameters
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
 from .log_reading import Similarity
+from .parameters import DEVIATIONS, NAMES, PRIOR_STD
 from .problem import POLES, CondensedJoint, CondensedProblem, age_at, simulate
 from .runs import BATCH, Driving, Followed, JointCoefficients, continued_runs
 from .statics import static_curves, substeps
@@ -83,11 +83,9 @@ class HybridModel:
     tube: TubeScale = NO_TUBES
     constants: str = " | ".join(CONSTANTS)
     """Names of the constants of the equations, in order."""
-    deviations: str = " | ".join(condensed_parameters.NAMES)
+    deviations: str = " | ".join(NAMES)
     """Names of the first entries of theta: deviations from the set; weights follow."""
-    prior_std: Annotated[FloatArray, Table("D"), Unit("SI")] = field(
-        default_factory=lambda: condensed_parameters.PRIOR_STD
-    )
+    prior_std: Annotated[FloatArray, Table("D"), Unit("SI")] = field(default_factory=lambda: PRIOR_STD)
     """Standard deviations of the deviations' priors, in which theta counts."""
     early: Annotated[Any, Field(exclude=True)] = field(default=None, repr=False)
 
@@ -97,10 +95,8 @@ class HybridModel:
 
     @model_validator(mode="after")
     def _fit(self) -> Self:
-        current = (" | ".join(CONSTANTS), " | ".join(condensed_parameters.NAMES))
-        if (self.constants, self.deviations) != current or not np.array_equal(
-            self.prior_std, condensed_parameters.PRIOR_STD
-        ):
+        named = (" | ".join(CONSTANTS), " | ".join(NAMES)) == (self.constants, self.deviations)
+        if not (named and np.array_equal(self.prior_std, PRIOR_STD)):
             raise ValueError("the parameters belong to another version of debist")
         if self.basis[1:].min() <= 0.0:
             raise ValueError("distance and width in basis are not positive")
@@ -138,7 +134,6 @@ class HybridModel:
         more
             Diagnostics, tube and early fit.
         """
-        curves = band_spread if curve_spread is None else curve_spread
         return cls(
             parameters=joint.parameters,
             basis=joint.basis,
@@ -149,7 +144,7 @@ class HybridModel:
             theta=theta,
             spread=spread,
             band_spread=band_spread,
-            curve_spread=curves,
+            curve_spread=band_spread if curve_spread is None else curve_spread,
             rotation=joint.rotation,
             **more,
         )
@@ -255,15 +250,15 @@ class HybridModel:
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
         wide = self.of_curves
-        spread = self.curve_spread
-        return first_order_curves(lambda theta: wide._curves(theta, q), wide.theta, spread, count, SEED, ("d",))
+        return first_order_curves(
+            lambda theta: wide._curves(theta, q), wide.theta, self.curve_spread, count, SEED, ("d",)
+        )
 
     @property
     def of_curves(self) -> "HybridModel":
         """Model for the curves: the same with the corrections that their bands leave open, zero where none acts."""
         more = len(self.curve_spread) - len(self.theta)
-        centres = self.centres + more // CURVES
-        return replace(self, centres=centres, theta=np.append(self.theta, np.zeros(more)))
+        return replace(self, centres=self.centres + more // CURVES, theta=np.append(self.theta, np.zeros(more)))
 
     @property
     def coupling(self) -> float:
@@ -292,7 +287,7 @@ class HybridModel:
                 float(self.theta[j] * entry.prior_std),
                 float(sd[j] * entry.prior_std),
             ]
-            for j, entry in enumerate(condensed_parameters.DEVIATIONS)
+            for j, entry in enumerate(DEVIATIONS)
         }
         return {
             "structure": "analytical joint in (q, tau, beta) with two sides, Maxwell slip and creep; RBF corrections",
@@ -304,7 +299,7 @@ class HybridModel:
             },
             "inputs": "squared",
             "parameters": len(self.theta),
-            "physical_parameters": len(condensed_parameters.DEVIATIONS),
+            "physical_parameters": len(DEVIATIONS),
             "deviations": facts,
             **self.diagnostics,
         }

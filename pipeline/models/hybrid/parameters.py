@@ -240,11 +240,9 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
 
 def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     """Constants of the beam, the frame and what resists the tip."""
-    stiffness = p.E * np.exp(d["log E"]) * p.I / p.l
     # ∫ over the beam in the scaled coordinate leaves 1/l.
     loss = BEAM_DAMPING_FACTOR * p.eta * np.exp(d["log eta"]) * p.I / p.l
     beam = p.rho * p.A * p.l
-    relaxation = 0.5 * (p.left.relaxation + p.right.relaxation) * np.exp(d["log relaxation"])
     by_q = d["slope by q"]
     by_tau = 1.0 + d["slope by tau"]
     by_beta = d["slope by beta"]
@@ -253,7 +251,7 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     weight = p.m * p.g * np.exp(d["log weight"])
     return _rises(d, (by_q, by_tau, by_beta), p.l) | {
         "l": p.l,
-        "bending": stiffness,
+        "bending": p.E * np.exp(d["log E"]) * p.I / p.l,
         "bending_loss": loss,
         "steepening": 1.0 + d["steepening"],
         "stiffening": d["stiffening"],
@@ -270,7 +268,7 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
         "weight": weight,
         "offset": d["offset"],
         "side_force": weight * np.sin(d["tilt"]),
-        "relaxation_0": relaxation,
+        "relaxation_0": 0.5 * (p.left.relaxation + p.right.relaxation) * np.exp(d["log relaxation"]),
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
         "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
         "strain_slope": d["strain slope"],

@@ -17,12 +17,11 @@ from ...numerics.arrays import BoolArray, FloatArray, samples_of
 from ...signals.log import Log
 from ...signals.resampling import sharpened
 from . import parameters as condensed_parameters
-from .columns import INSTRUMENTS
 from .driving_voltages import DrivingVoltages
 from .kernels import CURVES, INDEX
 from .log_reading import SAME, AngleReading, Similarity
 from .runs import Driving, Followed, JointCoefficients, Stepping, run_joints
-from .sensitivity import Driven, sensitivities
+from .sensitivity import INSTRUMENTS, Driven, sensitivities
 from .statics import substeps
 
 DEVIATION_COUNT = len(condensed_parameters.NAMES)

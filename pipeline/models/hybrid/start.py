@@ -179,16 +179,17 @@ def _weighted(estimates: Sequence[tuple[float, float]]) -> float:
 
 def _reference_motion(parameters: JointParameters) -> _SmallMotion:
     """Small motions of the parameter set's joint, from its static curves."""
-    none = condensed_parameters.nominal_deviations()
-    k = condensed_parameters.constants(parameters, none, condensed_parameters.static_slope_ratio(parameters))
+    ratio = condensed_parameters.static_slope_ratio(parameters)
+    k = condensed_parameters.constants(parameters, condensed_parameters.nominal_deviations(), ratio)
     q = np.linspace(0.02, 0.24, 111) * parameters.l
     force, _, left, right = static_curves(q, k, np.zeros(3), np.zeros((CURVES, 0)))
     rest = int(np.flatnonzero((force[:-1] < 0.0) & (force[1:] >= 0.0))[-1])
     share = -force[rest] / (force[rest + 1] - force[rest])
     mass = float(k[INDEX["mass"]])
-    gains = np.array([left[rest], right[rest]]) / mass
     return _SmallMotion(
-        float(q[rest] + share * (q[1] - q[0])), float((force[rest + 1] - force[rest]) / (q[1] - q[0]) / mass), gains
+        place=float(q[rest] + share * (q[1] - q[0])),
+        stiffness=float((force[rest + 1] - force[rest]) / (q[1] - q[0]) / mass),
+        gains=np.array([left[rest], right[rest]]) / mass,
     )
 
 
@@ -204,12 +205,7 @@ _EVEN = ("damping", "stiffness", "loss")
 """Corrections that a mirrored joint has with the same sign at −q; generalised forces have the other one."""
 
 
-def _mirrored(row: int) -> tuple[int, float]:
-    """The row of the corrections' weights that is the mirror image of this one, and its sign."""
-    name = CORRECTIONS[row]
-    side, *rest = name.split("_")
-    image = "_".join([{"left": "right", "right": "left"}.get(side, side), *rest])
-    return CORRECTIONS.index(image), 1.0 if name in _EVEN else -1.0
+_MIRROR = {"left": "right", "right": "left"}
 
 
 def prior_root(
@@ -233,8 +229,10 @@ def prior_root(
             covariance[i, j] = covariance[j, i] = 1.0 - (OWN_MATERIAL if "log" in name else OWN_MOUNT)
     if siblings is not None:
         covariance[: len(NAMES), : len(NAMES)] = siblings.covariance
-    for row in range(CURVES):
-        image, sign = _mirrored(row)
+    for row, name in enumerate(CORRECTIONS[:CURVES]):
+        side, *rest = name.split("_")
+        image = CORRECTIONS.index("_".join([_MIRROR.get(side, side), *rest]))
+        sign = 1.0 if name in _EVEN else -1.0
         for n in range(centres):
             i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))
             if i != j:

@@ -199,12 +199,11 @@ def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatAr
     jacobians = np.empty((len(_SHARES), STATES, STATES))
     u = np.zeros(2)
     c = np.zeros(VALUES)
-    start = np.zeros(3)
     at_rest = np.empty(STATES)
     rates = np.empty(STATES)
     for i in range(len(_SHARES)):
         x, z = rest_state(_SHARES[i] * k[_L], u, k, p, basis, weights, 0.0)
-        start[0], start[1], start[2] = x[0], x[2], x[4]
+        start = x[[0, 2, 4]]
         corrections_at(x[0], basis, weights, c)
         joint_rates(x, u, c, z, start, p, at_rest)
         for j in range(STATES - 1, -1, -1):  # q last, as it changes the corrections
@@ -214,8 +213,7 @@ def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatAr
                 corrections_at(x[0], basis, weights, c)
             joint_rates(x, u, c, z, start, p, rates)
             x[j] = here
-            for m in range(STATES):
-                jacobians[i, m, j] = (rates[m] - at_rest[m]) / 1e-7
+            jacobians[i, :, j] = (rates - at_rest) / 1e-7
     return jacobians
 
 
@@ -240,8 +238,8 @@ def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, s
     """
     many = np.atleast_2d(k)
     loads = weights if weights.ndim == 3 else weights[None]
-    pairs = zip(many, prepare(many), loads, strict=True)
-    jacobians = np.concatenate([_jacobians(k_i, p_i, basis, w_i) for k_i, p_i, w_i in pairs])
+    joints = zip(many, prepare(many), loads, strict=True)
+    jacobians = np.concatenate([_jacobians(k_i, p_i, basis, w_i) for k_i, p_i, w_i in joints])
     fewest = int(np.ceil(dt / (slowness * LONGEST_STEP)))
     most = 3 * fewest  # the constants that a fit may try are absurd beyond
     if not np.all(np.isfinite(jacobians)):
@@ -285,14 +283,10 @@ def _shape_slopes(
 
 def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c: FloatArray, p: FloatArray) -> float:
     """Generalised force [N] on q, τ and β along the path at a speed [m/s], without voltage, friction and creep."""
-    u = np.zeros(2)
-    z = np.zeros(STOPS)
-    start = np.empty(3)
     rates = np.empty(STATES)
     mass = np.empty(6)
     x[1], x[3], x[5] = speed, slope * speed, interior * speed
-    start[0], start[1], start[2] = x[0], x[2], x[4]
-    joint_rates(x, u, c, z, start, p, rates)
+    joint_rates(x, np.zeros(2), c, np.zeros(STOPS), x[[0, 2, 4]], p, rates)
     mass_matrix(x, p, mass)
     along_q = mass[0] + slope * mass[1] + interior * mass[3]
     along_tau = mass[1] + slope * mass[2] + interior * mass[4]

@@ -127,15 +127,8 @@ class RbfChoice:
         return elements | drive | effect | {name: value for name, value in fields.items() if value is not None}
 
 
-def population_candidate(structure: JointStructure) -> Candidate:
-    """A structure with the population prior."""
-    usual = candidate(structure)
-    label = f"{usual.label}, population prior"
-    return replace(usual, label=label, noise_inflation=POPULATION_INFLATION, population=True)
-
-
-def candidate(structure: JointStructure, symmetry: float | None = None) -> Candidate:
-    """A candidate that is called by what it consists of."""
+def candidate(structure: JointStructure, symmetry: float | None = None, *, population: bool = False) -> Candidate:
+    """A candidate that is called by what it consists of, with the prior of curves or of the `population`."""
     elements = {name: getattr(structure, name) for name in ("rates", "shape_elements", "slips")}
     friction = next((name for name, parts in FRICTION.items() if parts == elements), "own friction")
     smooth = structure.force == "curve" or not (structure.constant_damping and structure.constant_gain)
@@ -157,8 +150,10 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
         *["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs),
         *{"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold],
         *([] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]),
+        *["population prior"] * population,
     ]
-    return Candidate(", ".join(words), structure, symmetry=symmetry)
+    inflation = POPULATION_INFLATION if population else Candidate.noise_inflation
+    return Candidate(", ".join(words), structure, inflation, symmetry, population)
 
 
 def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -> Candidate:
@@ -203,10 +198,9 @@ class _Change:
 
     def to(self, *fields: dict[str, Any]) -> Offer:
         """The best candidate so far with each of these changes."""
-        decided = self.decided
 
         def offered(best: Candidate) -> list[Candidate]:
-            free = [change for change in fields if not any(decided.get(k, v) != v for k, v in change.items())]
+            free = [change for change in fields if not any(self.decided.get(k, v) != v for k, v in change.items())]
             others = [candidate(replace(best.structure, **change), best.symmetry) for change in free]
             return [other for other in others if other.structure != best.structure]
 
@@ -240,8 +234,8 @@ def joint_offers(
 
     def taught(best: Candidate) -> list[Candidate]:
         """Hidden shapes, or what is decided, as simulated joints have them."""
-        structures = [each.structure for each in (best, *shapes(best))]
-        return [population_candidate(structure) for structure in structures if mirrored and knows(structure)]
+        structures = [each.structure for each in (best, *shapes(best)) if mirrored and knows(each.structure)]
+        return [candidate(structure, population=True) for structure in structures]
 
     def untaught(best: Candidate) -> list[Candidate]:
         """Hidden shapes of any other joint."""
@@ -249,8 +243,7 @@ def joint_offers(
 
     def alike(best: Candidate) -> list[Candidate]:
         """Sides that are alike."""
-        free = mirrored and not best.population
-        return [candidate(best.structure, symmetry) for symmetry in SYMMETRIES if free]
+        return [candidate(best.structure, each) for each in SYMMETRIES if mirrored and not best.population]
 
     return [
         change.to(FRICTION["coulomb"], FRICTION["lag"]),
@@ -312,10 +305,9 @@ def offers(
     ]
     curves = change.to(*({"constant_damping": d, "constant_gain": g} for d in (False, True) for g in (False, True)))
     sizes = [change.each("basis_functions", [5, 12]), change.each("smoothing", [0.8, 1.3])]
-    damped = [change.each("overdamped", [False, True])] if slow else []
-    fewer = change.each("stops", [False])
-    force = change.each("force", FORCES)
-    return once, [*damped, curves, force, hold, drives, friction, drag, fewer, effect, *sizes]
+    again = [curves, change.each("force", FORCES), hold, drives, friction, drag]
+    again += [change.each("stops", [False]), effect, *sizes]
+    return once, [change.each("overdamped", [False, True]), *again] if slow else again
 
 
 def _simple(change: _Change, *, slow: bool) -> Offer:
@@ -347,5 +339,5 @@ def _slow_drive(change: _Change, resting: Sequence[dict[str, Any]]) -> Offer:
 
 def _together(change: _Change) -> Offer:
     """A slow drive, a slow force and a gain by place, which may each take the others' parts, so that none is missed."""
-    options = [FRICTION[name] for name in OFFERED[:3]]
-    return change.to(*(option | DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False} for option in options))
+    slow = DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False}
+    return change.to(*(FRICTION[name] | slow for name in OFFERED[:3]))

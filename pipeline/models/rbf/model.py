@@ -16,7 +16,7 @@ from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
 from ...numerics.metrics import rms
 from ...signals.log import Log
-from ..base import NO_TUBES, FreeRun, TubeScale, checked
+from ..base import NO_TUBES, FreeRun, TubeScale, checked, gain_curves
 from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, read_part, tree_of
 from .dynamics import DAMPING, FORCE, INPUT, Coefficients, basis_rows, free_rates, no_sensitivities
 from .observed_run import Coupling, Drive, observed_run
@@ -83,8 +83,8 @@ class RbfModel:
         measured = np.isfinite(seen)
         x = (bridged(seen, measured) - s.middle) / s.half
         driven = _Driven(self.parameters, self.theta, v, interval)
-        begin = (float(x[0]), float(speed[0]) / s.half)
-        held, _ = driven.run(Coupling(x, measured.astype(np.float64), 1.0 / interval), begin)
+        coupling = Coupling(x, measured.astype(np.float64), 1.0 / interval)
+        held, _ = driven.run(coupling, (float(x[0]), float(speed[0]) / s.half))
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             states, _ = driven.run(_free(count + 1), np.delete(held[start], 2), start)
             yield s.middle + s.half * states[:, 0]
@@ -133,7 +133,11 @@ class RbfModel:
         return np.delete(states, 2, axis=1), u[:: 2 * steps]
 
     def acting(self, logs: Sequence[Log]) -> dict[str, float]:
-        """RMS force [N] of each element along logs; per unit mass where `mass_kg` is 1, and 0 of one that is absent."""
+        """RMS force [N] of each element along logs; per unit mass where `mass_kg` is 1, and 0 of one that is absent.
+
+        It is the difference between the accelerations with the element and without. Cost: a trace of the equation for
+        each element, and an evaluation of it for each sample.
+        """
         s = self.parameters.scales
         parts = [
             self._followed(
@@ -147,8 +151,13 @@ class RbfModel:
         ]
         states, inputs = (np.concatenate(each) for each in zip(*parts, strict=True))
         known = np.isfinite(states).all(axis=1)
-        forces = acting_forces(self.parameters, self.theta, states[known], inputs[known])
-        return {name: self.mass_kg * s.half * force for name, force in forces.items()}
+        at = states[known], inputs[known]
+        c = self.parameters.coefficients(self.theta)
+        whole = _accelerations(c, *at)
+        return {
+            name: 0.0 if without is None else self.mass_kg * s.half * rms(whole - _accelerations(without, *at))
+            for name, without in _left_out(self.parameters, c).items()
+        }
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
@@ -188,7 +197,7 @@ class RbfModel:
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
         p = self.parameters
-        c = self.parameters.coefficients(self.theta)
+        c = p.coefficients(self.theta)
         return {
             "structure": _equation_of_motion(p.structure),
             "origin": "data alone",
@@ -234,29 +243,24 @@ class RbfModel:
 
     def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         p = self.parameters
-        s = self.parameters.scales
+        s = p.scales
         c = p.coefficients(theta)
-        inputs = len(p.signs)
-        x = (q - s.middle) / s.half
-        curves: FloatArray = basis_rows(np.ascontiguousarray(x), c) @ c.curves.T
+        relaxing = INPUT + len(p.signs)
+        x = np.ascontiguousarray((q - s.middle) / s.half)
+        curves: FloatArray = basis_rows(x, c) @ c.curves.T
         ends = {"at_ends": c.at_ends, "low": np.array([c.low]), "high": np.array([c.high])}
-        confined = CONFINED_FORCE.evaluate(x=x[:, None], force=curves[:, [FORCE]], **ends)
-        curves[:, FORCE] = confined["value"][:, 0]
+        curves[:, [FORCE]] = CONFINED_FORCE.evaluate(x=x[:, None], force=curves[:, [FORCE]], **ends)["value"]
         if len(c.stops):
             curves[:, FORCE] += STOP_FORCE.evaluate(x=x[:, None], p=np.zeros(1), stops=c.stops)["value"][:, 0]
-        couplings = curves[:, INPUT + inputs : INPUT + inputs + len(c.rates)]
+        couplings = curves[:, relaxing : relaxing + len(c.rates)]
         rates = np.tile(c.rates, (len(q), 1))
         for i in range(p.structure.shape_elements):
             rates[:, i] += curves[:, p.rows[f"relaxation{i}"]]
-        damping = curves[:, DAMPING] + np.where(rates > self.parameters.pace, couplings**2 / rates, 0.0).sum(axis=1)
-        gains = curves[:, INPUT : INPUT + inputs]
-        result = {"F": -self.mass_kg * s.half * curves[:, FORCE], "d": self.mass_kg * damping}
-        for k in range(inputs):
-            if p.law == "squared":
-                result[f"dC{k + 1}_dq"] = 2.0 * self.mass_kg * s.half / s.volts**2 * gains[:, k]
-            else:
-                result[f"g{k + 1}"] = self.mass_kg * s.half / s.volts * gains[:, k]
-        return result
+        damping = curves[:, DAMPING] + np.where(rates > p.pace, couplings**2 / rates, 0.0).sum(axis=1)
+        squared = p.law == "squared"
+        gains = self.mass_kg * s.half / (s.volts**2 if squared else s.volts) * curves[:, INPUT:relaxing].T
+        forces = {"F": -self.mass_kg * s.half * curves[:, FORCE], "d": self.mass_kg * damping}
+        return forces | gain_curves(gains, squared=squared)
 
 
 class _Driven:
@@ -285,9 +289,8 @@ def _free(samples: int) -> Coupling:
     return Coupling(np.zeros(samples), np.zeros(samples), 0.0)
 
 
-def _equation_of_motion(structure: JointStructure) -> str:
+def _equation_of_motion(s: JointStructure) -> str:
     """The terms that a structure has, with F as it is drawn: positive where it pulls towards smaller q."""
-    s = structure
     pulled = s.shape_elements > 0
     elements = bool(s.rates)
     terms = [
@@ -304,31 +307,6 @@ def _equation_of_motion(structure: JointStructure) -> str:
         *["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] * elements,
     ]
     return ", ".join(equations)
-
-
-def acting_forces(p: ParameterLayout, theta: FloatArray, states: FloatArray, inputs: FloatArray) -> dict[str, float]:
-    """RMS of the acceleration [1/s²] that each element of the equation adds to states, 0 of one that is absent.
-
-    It is the difference between the accelerations with the element and without. Cost: a trace of the equation for each
-    element, and N evaluations of it.
-
-    Parameters
-    ----------
-    p : ParameterLayout
-        Structure.
-    theta : FloatArray, shape (P,)
-        Its parameters.
-    states : FloatArray, shape (N, 2 + L + D)
-        x, p, hidden elements and friction.
-    inputs : FloatArray, shape (N, K)
-        Acting inputs there.
-    """
-    c = p.coefficients(theta)
-    whole = _accelerations(c, states, inputs)
-    return {
-        name: 0.0 if without is None else rms(whole - _accelerations(without, states, inputs))
-        for name, without in _left_out(p, c).items()
-    }
 
 
 def _left_out(p: ParameterLayout, c: Coefficients) -> dict[str, Coefficients | None]:
@@ -357,7 +335,7 @@ def _without_curves(c: Coefficients, *rows: int | slice) -> Coefficients:
 
 
 def _accelerations(c: Coefficients, states: FloatArray, inputs: FloatArray) -> FloatArray:
-    """ṗ [1/s²] at the states, shape (N,)."""
+    """ṗ [1/s²] at the states (N, 2 + L + D) under acting inputs (N, K), shape (N,)."""
     elements = 2 + len(c.rates)
     rates = trace(
         lambda x, slip, u: {"dx": free_rates(c, x, slip, u)}, x=elements, slip=len(c.slip_force), u=inputs.shape[1]

@@ -271,9 +271,8 @@ def _rested(
         pulls = c.curves[row : row + inputs] @ at
         w[n] = rest @ pulls
         for block in np.flatnonzero(wrt.kind == INPUT_SHAPE):
-            shape = wrt.first[block]
             for m in range(wrt.start[block], wrt.start[block + 1]):
-                sensitivity[n, m] = change[shape + m - wrt.start[block]] @ pulls
+                sensitivity[n, m] = change[wrt.first[block] + m - wrt.start[block]] @ pulls
     for block in np.flatnonzero((wrt.kind == WEIGHT) & (wrt.first >= first)):
         n, k = divmod(wrt.first[block] - first, 1 + inputs)
         if k > 0:

@@ -127,8 +127,7 @@ class ParameterLayout:
         """Row of each block of weights in `dynamics.Coefficients.curves`."""
         inputs = (f"input{i}" for i in range(len(self.signs)))
         couplings = (f"coupling{i}" for i in range(len(self.structure.rates)))
-        names = ["force", "damping", *inputs, *couplings, *self._shapes]
-        return {name: row for row, name in enumerate(names)}
+        return {name: row for row, name in enumerate(["force", "damping", *inputs, *couplings, *self._shapes])}
 
     @property
     def _shapes(self) -> list[str]:
@@ -142,13 +141,12 @@ class ParameterLayout:
         offset = np.zeros(self.count)
         scale = np.ones(self.count)
         stiffness = self.units.stiffness
-        frequency = self.units.frequency
         for name, where in self.slices.items():
             kind = kind_of(name)
             if kind == "force":
                 scale[where] = stiffness
             elif kind in ("damping", "relaxation", "rate"):
-                offset[where] = np.log(frequency)
+                offset[where] = np.log(self.units.frequency)
             elif kind in ("input", "slip_force"):
                 offset[where] = np.log(stiffness)
             elif kind in ("coupling", "pull"):
@@ -166,31 +164,24 @@ class ParameterLayout:
     def coefficients(self, theta: FloatArray) -> Coefficients:
         """The equation of motion for a parameter vector."""
         s = self.structure
-        k = len(self.signs)
         part = {name: theta[where] for name, where in self.slices.items()}
-        rows = self.rows
         positive = ("damping", *(f"relaxation{i}" for i in range(s.shape_elements)))
-        curves = np.zeros((len(rows), POLYNOMIALS + s.basis_functions))
-        curves[FORCE, : len(part["force"])] = part["force"]
+        curves = np.zeros((len(self.rows), POLYNOMIALS + s.basis_functions))
+        for name, row in self.rows.items():
+            curves[row, self.basis_of(name)] = np.exp(part[name]) if name in positive else part[name]
         if s.force != "offset":
             curves[FORCE, POLYNOMIALS - 1] = -np.exp(part["force"][POLYNOMIALS - 1])
         for i, sign in enumerate(self.signs):
-            gain = part[f"input{i}"]
-            curves[INPUT + i, self.basis_of(f"input{i}")] = sign * np.exp(gain) if sign else gain
-        for name in rows:
-            if name == "force" or name in (f"input{i}" for i in range(k)):
-                continue
-            curves[rows[name], self.basis_of(name)] = np.exp(part[name]) if name in positive else part[name]
+            if sign:
+                curves[INPUT + i, self.basis_of(f"input{i}")] = sign * np.exp(part[f"input{i}"])
         inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
         low = -1.0 - 3.0 * OVERHANG
         high = 1.0 + 3.0 * OVERHANG
-        slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
-        end_stops = np.concatenate((part["stops"][:2], np.exp(part["stops"][2:])))  # places; stiffness, resistance
         c = Coefficients(
             curves=curves,
             rates=np.exp(part["rate"]),
             slip_force=np.exp(part["slip_force"]),
-            slip_length=slip_length,
+            slip_length=SLIP_FLOOR + np.exp(part["slip_length"]),
             inertia=inertia,
             centres=self.centres,
             bend=self.bend,
@@ -198,7 +189,7 @@ class ParameterLayout:
             high=high,
             arm=self.arm,
             drag=float(np.exp(part["drag"]).sum()),
-            stops=end_stops,
+            stops=np.concatenate((part["stops"][:2], np.exp(part["stops"][2:]))),  # places; stiffness, resistance
             ends=np.zeros((2, curves.shape[1])),
             at_ends=np.zeros(2),
         )
@@ -211,16 +202,16 @@ class ParameterLayout:
         factor = np.ones(self.count)
         if self.structure.force != "offset":
             factor[self.cubic] = -np.exp(theta[self.cubic])
-        relaxations = (f"relaxation{i}" for i in range(self.structure.shape_elements))
-        for name in ("damping", *relaxations, "inertia", "drag"):
-            factor[self.slices[name]] = np.exp(theta[self.slices[name]])
+        at = self.slices
+        for name in ("damping", *(f"relaxation{i}" for i in range(self.structure.shape_elements)), "inertia", "drag"):
+            factor[at[name]] = np.exp(theta[at[name]])
         for i, sign in enumerate(self.signs):
             if sign:
-                factor[self.slices[f"input{i}"]] = sign * np.exp(theta[self.slices[f"input{i}"]])
-        length = np.exp(theta[self.slices["slip_length"]])
-        factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
-        factor[self.slices["inertia_centre"]] = -1.0  # of the arm, which counts from there
-        factor[self.slices["stops"]][2:] = np.exp(theta[self.slices["stops"]][2:])
+                factor[at[f"input{i}"]] = sign * np.exp(theta[at[f"input{i}"]])
+        length = np.exp(theta[at["slip_length"]])
+        factor[at["slip_length"]] = length / (SLIP_FLOOR + length)
+        factor[at["inertia_centre"]] = -1.0  # of the arm, which counts from there
+        factor[at["stops"]][2:] = np.exp(theta[at["stops"]][2:])
         return SensitivityParameters(*self._blocks, factor)
 
     @cached_property
@@ -290,8 +281,8 @@ class ParameterLayout:
         if s.input_delay:
             by_delay = -np.exp(theta[self.slices["input_delay"]]) * np.gradient(volts, half, axis=0)[None]
         if s.input_lag and not s.effect_lags:
-            by_delay = self._behind(by_delay, half, theta, rest_at_zero=True)
-            volts, by_lag = self._lagged(volts, half, theta)
+            by_delay, _ = self._behind(by_delay, half, theta, rest_at_zero=True)
+            (volts,), by_lag = self._behind(volts[None], half, theta, rest_at_zero=s.rest_at_zero)
         u, slope, by_shape = self._effect(volts, theta)
         by_offset = np.zeros((len(theta[self.slices["input_offset"]]), *volts.shape))
         for i in range(len(by_offset)):
@@ -299,25 +290,21 @@ class ParameterLayout:
         by_lag, by_delay = slope * by_lag, slope * by_delay
         if s.input_lag and s.effect_lags:
             by_offset, by_delay, by_shape = (
-                self._behind(change, half, theta, rest_at_zero=s.rest_at_zero)
+                self._behind(change, half, theta, rest_at_zero=s.rest_at_zero)[0]
                 for change in (by_offset, by_delay, by_shape)
             )
-            u, by_lag = self._lagged(u, half, theta)
+            (u,), by_lag = self._behind(u[None], half, theta, rest_at_zero=s.rest_at_zero)
         return np.ascontiguousarray(u), np.concatenate([by_offset, by_lag, by_delay, by_shape])
 
-    def _lagged(self, u: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Values at every half step [s] behind the lag, and their derivative by its logarithm, (1, n, K)."""
-        lag = float(np.exp(theta[self.slices["input_lag"]][0]))
-        s = self.structure
-        behind, by_lag = lagged(u, half, lag, held=s.hold == "zero", rest_at_zero=s.rest_at_zero)
-        return behind, by_lag[None]
-
-    def _behind(self, changes: FloatArray, half: float, theta: FloatArray, *, rest_at_zero: bool) -> FloatArray:
-        """Derivatives (m, n, K) of values, behind the lag."""
+    def _behind(
+        self, values: FloatArray, half: float, theta: FloatArray, *, rest_at_zero: bool
+    ) -> tuple[FloatArray, FloatArray]:
+        """Values (m, n, K) at every half step [s] behind the lag, and their derivatives by its logarithm."""
         lag = float(np.exp(theta[self.slices["input_lag"]][0]))
         held = self.structure.hold == "zero"
-        parts = [lagged(change, half, lag, held=held, rest_at_zero=rest_at_zero)[0] for change in changes]
-        return np.array(parts).reshape(changes.shape)
+        parts = [lagged(each, half, lag, held=held, rest_at_zero=rest_at_zero) for each in values]
+        behind, by_lag = (np.array([part[i] for part in parts]).reshape(values.shape) for i in (0, 1))
+        return behind, by_lag
 
     def _effect(self, volts: FloatArray, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Effect of the drives, freed of offset, bent, past a dead zone, squared; its derivatives by the drive, and by

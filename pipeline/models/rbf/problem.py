@@ -53,10 +53,6 @@ class Effort:
     limit: float = float("inf")
     spent: float = 0.0
 
-    def spend(self, steps: int, sensitivities: int = 0) -> None:
-        """Count a simulation, as `simulation_effort`."""
-        self.spent += simulation_effort(steps, sensitivities)
-
     def exhausted(self, share: float = 1.0) -> bool:
         """True once a share of the limit is spent."""
         return self.spent >= share * self.limit
@@ -94,8 +90,8 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
     """
     c = p.coefficients(theta)
     decays = ["damping", *(f"relaxation{i}" for i in range(p.structure.shape_elements))]
-    curves = c.curves[[p.rows[name] for name in decays]]
-    fastest = max(float((basis_rows(p.centres, c) @ curves.T).max()), float(c.rates.max(initial=0.0)))
+    decaying = basis_rows(p.centres, c) @ c.curves[[p.rows[name] for name in decays]].T
+    fastest = max(float(decaying.max()), float(c.rates.max(initial=0.0)))
     touching = 0.0
     if p.structure.stops:
         stiffness, resistance = c.stops[2:]
@@ -188,12 +184,11 @@ class _Log:
         if (steps, delay) in self.nodes:
             return self.nodes[steps, delay]
         hold = p.structure.hold
-        rows = self.past + len(self.measured)
         spline = self.spline if hold == "cubic" else None
         own = steps if self.every == 1 else 1
         drive = drive_at_nodes(self.inputs, self.spacing, own, hold, delay, spline, squared=p.squares_first)
         if self.every > 1:
-            drive = _averaged(drive, self.every)[: 2 * rows - 1]
+            drive = _averaged(drive, self.every)[: 2 * (self.past + len(self.measured)) - 1]
             if steps > 1:
                 drive = drive_at_nodes(drive, self.interval / 2.0, steps, "linear")[::2]
         drive = np.ascontiguousarray(drive / p.scales.volts)
@@ -262,7 +257,7 @@ class JointProblem:
     def jacobian_effort(self, theta: FloatArray) -> float:
         """Seconds of a Jacobian by the cost model."""
         p = self.parameters
-        steps = [log.split * steps_per_sample(p, log.interval, theta, self.step) for log in self.logs]
+        steps = (log.split * steps_per_sample(p, log.interval, theta, self.step) for log in self.logs)
         return sum(simulation_effort(count, p.count) for count in steps)
 
     def is_chaotic(self, theta: FloatArray) -> bool:
@@ -311,17 +306,16 @@ class JointProblem:
         seen = log.observe if observe is None else observe
         steps = steps_per_sample(p, log.interval, theta, self.step)
         skipped = 2 * steps * log.past
-        count = 2 * steps * (stop - 1) + 1
-        volts = log.at_nodes(p, steps, p.delay(theta))[: skipped + count]
+        volts = log.at_nodes(p, steps, p.delay(theta))[: skipped + 2 * steps * (stop - 1) + 1]
         u, du = p.acting(volts, log.interval / steps / 2.0, theta)
         if skipped:
             u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
         wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
-        self.effort.spend(stop * steps, len(wrt.factor))
+        self.effort.spent += simulation_effort(stop * steps, len(wrt.factor))
         drive = Drive(u, du, p.at_rest(u, theta, begins=log.past == 0), p.held and log.every == 1)
         coupling = Coupling(log.measured[:stop], seen[:stop], gain * p.scales.frequency)
-        start = (float(log.measured[0]), log.start)
-        return observed_run(p.coefficients(theta), drive, coupling, start, log.interval, steps, wrt)
+        c = p.coefficients(theta)
+        return observed_run(c, drive, coupling, (float(log.measured[0]), log.start), log.interval, steps, wrt)
 
 
 def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float, thinning: int) -> _Log:
@@ -329,7 +323,6 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
     hold = p.structure.hold
     past = 0
     every = min(thinning, max(1, int(step / (p.pace * record.interval))))
-    observe = record.valid[::every].astype(np.float64)
     measured = bridged((record.q - s.middle) / s.half, record.valid)
     if record.fine is not None:  # then the samples have been low-pass filtered, and runs are not
         measured = sharpened(measured, record.valid)
@@ -339,14 +332,13 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
         before = record.past if hold == "record" or record.past.ndim == 2 else record.past[:, 0]
         past = len(before) // every
         inputs = np.concatenate((before[len(before) - past * every :], inputs))
-    split = len(measured) if free_after is None else int(free_after * len(measured))
     travel, weight = _travel(p, record, every)
     return _Log(
         measured=measured,
-        observe=observe,
+        observe=record.valid[::every].astype(np.float64),
         start=float(record.qdot[0] / s.half),
         interval=every * record.interval,
-        split=split,
+        split=len(measured) if free_after is None else int(free_after * len(measured)),
         travel=travel,
         weight=weight,
         inputs=inputs,

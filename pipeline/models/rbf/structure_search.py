@@ -218,28 +218,15 @@ def search(
         others = turns[number](best)
         if others and not tried:
             setting, tried = _coupled(records, setting, first)
-        affordable = _affordable(others, setting.effort, judged)
+        affordable = [(judged(each).rms, each) for each in others if not setting.effort.exhausted(SEARCH_SHARE)]
         complete = complete and len(affordable) == len(others)
-        for option in sorted(affordable, key=lambda option: judged(option).rms):
+        for _, option in sorted(affordable, key=lambda pair: pair[0]):
             if better(option, best):
                 best = option
                 last_taken = max(number + 1, len(once))
                 taken.append(option)
     held_out = {label: judgement.rms for label, judgement in tried.items()}
     return SearchResult(best, tried[best.label].fits[0] if tried else None, held_out, complete)
-
-
-def _affordable(
-    options: Sequence[Candidate], effort: Effort, judge: Callable[[Candidate], "_Judged"]
-) -> list[Candidate]:
-    """The options that could be judged before the effort was spent, in order."""
-    judged = list[Candidate]()
-    for option in options:
-        if effort.exhausted(SEARCH_SHARE):
-            break
-        judge(option)
-        judged.append(option)
-    return judged
 
 
 @dataclass(frozen=True)
@@ -346,13 +333,12 @@ def _judge(records: Sequence[Log], setting: Setting, option: Candidate, near: _J
     Samples of a run that is lost count `DIVERGED_ERROR_HALF_RANGES`. The fits start from those of a candidate `near`
     by, where that is given: what both have in common needs no second search.
     """
-    folds = _folds(records)
     timed = option.structure.input_lag or option.structure.input_delay
     errors = list[FloatArray]()
     fits = list[Fit]()
     chaotic = False
     followed = np.empty(0)
-    for i, (fitted, judged, after) in enumerate(folds):
+    for i, (fitted, judged, after) in enumerate(_folds(records)):
         # One log may say little of lag and delay, and even of a gain's sign: they start as the fit of all has them.
         p, start, prior = setting.begin(fitted, option, fits[0] if timed and fits else None)
         fit = _quick_fit(p, fitted, start, prior, setting, option, near.fits[i] if near else None)
@@ -398,13 +384,12 @@ def _quick_fit(
 
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
         """A quick homotopy from θ over the observer gains [frequency scale] that are strong enough."""
-        strong = [gain for gain in gains if gain >= setting.coupled]
         return fit_homotopy(
             problem,
             theta,
             prior,
             Schedule(
-                gains=strong,
+                gains=[gain for gain in gains if gain >= setting.coupled],
                 iterations=steps,
                 last_iterations=2 * steps,
                 tolerance=LEVEL_TOLERANCE,

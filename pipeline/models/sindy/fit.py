@@ -6,7 +6,7 @@ Weak form and sparse regression are pysindy's estimators.
 import importlib
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -19,8 +19,6 @@ from ...scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error
 from ...signals.log import Log, operating_range
 from ..polynomial_dynamics import FIRST_INPUT, QDOT, PolynomialDynamics, Q, free_run
 from .weak_form import LAG_SETS, Library, Problem, prepare_problem, seeded
-
-SearchStatus = Literal["completed", "limit"]
 
 MOST_INPUT_LAGS = 2
 """Most lags of a set with lagged inputs: a log of this length does not determine more terms."""
@@ -45,10 +43,6 @@ class Treatment:
 
     library: Library
     threshold: float
-
-
-class _LimitReachedError(Exception):
-    """The search has reached its limit of candidates."""
 
 
 def fit_sindy(
@@ -86,24 +80,22 @@ def fit_sindy(
     problem = prepare_problem(trajectories, plant)
     errors: dict[Treatment, FloatArray] = {}
     terms: dict[Treatment, int] = {}
+    refused = set[Treatment]()
 
     def error(candidate: Treatment) -> float:
-        """Mean error over the folds, computed once for each candidate."""
+        """Mean error over the folds, computed once for each candidate; infinite beyond the limit of candidates."""
         if candidate not in errors:
             if most is not None and len(errors) >= most:
-                raise _LimitReachedError
+                refused.add(candidate)
+                return np.inf
             errors[candidate], terms[candidate] = _cross_validate(problem, candidate)
         return float(errors[candidate].mean())
 
-    status: SearchStatus = "completed"
-    try:
-        _search(error, problem, angle=plant.displacement.symbol == "rad")
-    except _LimitReachedError:
-        status = "limit"
+    _search(error, problem, angle=plant.displacement.symbol == "rad")
     means = {candidate: float(values.mean()) for candidate, values in errors.items()}
     limit = max(min(means.values()), NEGLIGIBLE)
     chosen = min((c for c in means if means[c] <= limit), key=lambda c: (terms[c], means[c]))
-    return _refit(problem, chosen, errors, status)
+    return _refit(problem, chosen, errors, "limit" if refused else "completed")
 
 
 def _search(error: Callable[[Treatment], float], problem: Problem, *, angle: bool) -> None:
@@ -195,7 +187,7 @@ def _error(problem: Problem, dynamics: PolynomialDynamics, block: HeldOutBlock, 
 
 
 def _refit(
-    problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArray], status: SearchStatus
+    problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArray], status: str
 ) -> tuple[PolynomialDynamics, dict[str, Any]]:
     rows, target = problem.without(None)
     theta, scaled, _, _ = _scaled(rows[:, problem.columns(chosen.library)], target)

@@ -1,6 +1,6 @@
 """SINDy behind the model interface: a sparse polynomial equation, printed with units, simulated by our integrator."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal, Self
@@ -12,7 +12,7 @@ from ...device.device import Device
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
 from ...signals.log import Log
-from ..base import FreeRun, checked
+from ..base import FreeRun, checked, gain_curves
 from ..model_file import (
     MOST_INPUTS,
     Exponents,
@@ -38,6 +38,7 @@ from ..polynomial_dynamics import (
     monomials,
     scaled_variables,
 )
+from .fit import fit_default_sindy, fit_sindy
 
 MOST_LAGS = 9
 
@@ -83,8 +84,8 @@ class SindyModel(ModelFile):
         cls,
         dynamics: PolynomialDynamics,
         plant: Device,
-        name: Literal["sindy", "sindy-default"] = "sindy",
-        diagnostics: Mapping[str, Any] | None = None,
+        name: Literal["sindy", "sindy-default"],
+        diagnostics: dict[str, Any],
     ) -> Self:
         """The model of a right-hand side.
 
@@ -96,7 +97,7 @@ class SindyModel(ModelFile):
             Units in which equations are printed, and the mass, which only scales `curves`.
         name : {"sindy", "sindy-default"}
             Name of the model.
-        diagnostics : mapping, optional
+        diagnostics : dict
             Choice of the treatment.
         """
         d = dynamics
@@ -110,7 +111,7 @@ class SindyModel(ModelFile):
             mass_kg=plant.mass,
             inputs="squared" if d.squared else "linear",
             bounds=np.array([d.low, d.high]),
-            diagnostics=dict(diagnostics or {}),
+            diagnostics=diagnostics,
             units=(plant.displacement.symbol, plant.inputs[0].symbol),
         )
 
@@ -171,11 +172,9 @@ class SindyModel(ModelFile):
         x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, np.zeros_like(q), 1.0)
         x = np.column_stack([x, np.zeros((q.size, len(d.lags)))])
         damping = self._slope(x, QDOT) + self._slope(x, FRICTION)
-        curves = {"F": -self.mass_kg * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass_kg * damping}
-        for k in range(d.inputs):
-            g = self.mass_kg * self._slope(x, FIRST_INPUT + k)
-            curves |= {f"dC{k + 1}_dq": 2.0 * g} if d.squared else {f"g{k + 1}": g}
-        return curves
+        gains = (self.mass_kg * self._slope(x, FIRST_INPUT + k) for k in range(d.inputs))
+        forces = {"F": -self.mass_kg * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass_kg * damping}
+        return forces | gain_curves(gains, squared=d.squared)
 
     def _slope(self, x: FloatArray, variable: int) -> FloatArray:
         """∂q̈/∂(variable) at rest, where all lags have followed it: its terms of first power, per unit of it."""
@@ -210,7 +209,6 @@ class SindyModel(ModelFile):
 
     def _sum(self, row: int) -> str:
         d = self.dynamics
-        symbols = self._symbols()
         sources = np.array([*range(d.scales.size), *(lag.source for lag in d.lags)])
         scales = np.where(sources == FRICTION, 1.0, d.scales[sources])
         orders = np.ones(sources.size, dtype=np.int64)
@@ -220,7 +218,7 @@ class SindyModel(ModelFile):
             if scaled == 0.0:
                 continue
             value = scaled / float(np.prod(scales**powers))
-            factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(symbols, powers * orders, strict=True) if n]
+            factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(self._symbols(), powers * orders, strict=True) if n]
             unit = self._unit(np.bincount(sources, powers, d.scales.size).astype(int), row)
             number = f"{value:+.4g}{unit}" if unit or value != 1.0 else ""
             parts.append("·".join([number, *factors]).strip("·"))
@@ -258,8 +256,6 @@ def identify_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | No
     InputError
         No data, differing inputs, or a constant displacement.
     """
-    from .fit import fit_sindy
-
     dynamics, notes = fit_sindy(trajectories, plant, most=most)
     return SindyModel.of(dynamics, plant, "sindy", notes)
 
@@ -274,11 +270,11 @@ def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyM
     plant : Device
         Action of the inputs, units, those of the log among them, and mass.
     """
-    from .fit import fit_default_sindy
-
     dynamics = fit_default_sindy(trajectories, plant)
-    library = "poly2(q, q̇, u), pysindy's default, in the units of the log"
-    notes = {"library": library, "terms_kept": int(np.count_nonzero(dynamics.coefficients[1]))}
+    notes = {
+        "library": "poly2(q, q̇, u), pysindy's default, in the units of the log",
+        "terms_kept": int(np.count_nonzero(dynamics.coefficients[1])),
+    }
     return SindyModel.of(dynamics, plant, "sindy-default", notes)
 
 

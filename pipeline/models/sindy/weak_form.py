@@ -123,46 +123,6 @@ def weak_rows(
     return exponents[first], rows, target
 
 
-def admitted(
-    exponents: IntArray, inputs: int, degrees: tuple[int, int, int], friction: bool, turning: bool, lags: set[int]
-) -> IntArray:
-    """Terms of a library: their places in `exponents`.
-
-    Parameters
-    ----------
-    exponents : IntArray, shape (P, V)
-        All candidate terms.
-    inputs : int
-        Number of inputs.
-    degrees : (int, int, int)
-        Highest power of q alone, as a factor of velocities and lags, and as a factor of inputs.
-    friction : bool
-        True if tanh(q̇/w) is one of them.
-    turning : bool
-        True if 1, sin q and cos q stand in the place of the powers of q.
-    lags : set of int
-        Columns of the lag states that may enter.
-    """
-    alone, moving, driven = degrees
-    chosen = []
-    for place, row in enumerate(exponents):
-        circle = int(row[SINE] + row[COSINE])
-        if (row[Q] if turning else circle) or (not turning and row[FRICTION] and row[Q]):
-            continue
-        power = circle if turning else int(row[Q])
-        others = [k for k in np.flatnonzero(row) if k not in (Q, SINE, COSINE)]
-        limit = alone
-        if others:
-            (other,) = others
-            last = FIRST_INPUT + inputs
-            if (other == FRICTION and not friction) or (other >= last and other not in lags):
-                continue
-            limit = driven if FIRST_INPUT <= other < last else moving
-        if power <= limit:
-            chosen.append(place)
-    return np.array(chosen, dtype=np.int64)
-
-
 LAG_SETS = ((), (1.0, 8.0), (2.0, 16.0), (1 / 3, 2.0, 8.0))
 """Lag times to try, over the time scale of the motion (RMS q̇ over RMS q̈: 60 ms for the joint)."""
 TEST_FUNCTIONS = 500
@@ -221,7 +181,7 @@ class Problem:
     ----------
     trajectories : sequence of Log
         Gap-free segments.
-    blocks : list of HeldOutBlock
+    blocks : sequence of HeldOutBlock
         Their parts; `rows` and `targets` have an entry for each, of shapes (K, P) and (K,).
     exponents : IntArray, shape (P, V)
         The candidate terms.
@@ -236,9 +196,9 @@ class Problem:
     """
 
     trajectories: Sequence[Log]
-    blocks: list[HeldOutBlock]
-    rows: list[FloatArray]
-    targets: list[FloatArray]
+    blocks: Sequence[HeldOutBlock]
+    rows: Sequence[FloatArray]
+    targets: Sequence[FloatArray]
     exponents: IntArray
     empty: PolynomialDynamics
     span: float
@@ -247,12 +207,28 @@ class Problem:
 
     def columns(self, library: Library) -> IntArray:
         """Places of the library's terms."""
+        last = self.empty.scales.size
         lags = {
-            self.empty.scales.size + k
+            last + k
             for k, lag in enumerate(self.empty.lags)
             if lag.time in library.lags and (lag.source == QDOT or library.lagged_inputs)
         }
-        return admitted(self.exponents, self.empty.inputs, library.degrees, library.friction, library.turning, lags)
+        alone, moving, driven = library.degrees
+        chosen = []
+        for place, row in enumerate(self.exponents):
+            circle = int(row[SINE] + row[COSINE])
+            if (row[Q] if library.turning else circle) or (not library.turning and row[FRICTION] and row[Q]):
+                continue
+            others = [k for k in np.flatnonzero(row) if k not in (Q, SINE, COSINE)]
+            limit = alone
+            if others:
+                (other,) = others
+                if (other == FRICTION and not library.friction) or (other >= last and other not in lags):
+                    continue
+                limit = driven if FIRST_INPUT <= other < last else moving
+            if (circle if library.turning else row[Q]) <= limit:
+                chosen.append(place)
+        return np.array(chosen, dtype=np.int64)
 
     def without(self, fold: int | None) -> tuple[FloatArray, FloatArray]:
         """The regression on all blocks but those of a fold."""
@@ -292,14 +268,14 @@ def prepare_problem(trajectories: Sequence[Log], plant: Device) -> Problem:
     blocks = held_out_blocks(trajectories)
     half_width = _half_width(trajectories, blocks, time_scale)
     angle = plant.displacement.symbol == "rad"
-    weak = [_weak_block(trajectories, block, empty, half_width, angle) for block in blocks]
-    usable = [i for i, (exponents, _, _) in enumerate(weak) if len(exponents)]
+    weak = [(block, *_weak_block(trajectories, block, empty, half_width, angle)) for block in blocks]
+    used, exponents, rows, targets = zip(*(each for each in weak if len(each[1])), strict=True)
     return Problem(
         trajectories=trajectories,
-        blocks=[blocks[i] for i in usable],
-        rows=[weak[i][1] for i in usable],
-        targets=[weak[i][2] for i in usable],
-        exponents=weak[usable[0]][0],
+        blocks=used,
+        rows=rows,
+        targets=targets,
+        exponents=exponents[0],
         empty=empty,
         span=high - low,
         time_scale=time_scale,

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ...device.device import Device, device
+from ...models.paper.estimation import drifted, follow
 from ...models.paper.model import identify_rbf_paper
-from ...models.paper.online import drifted, follow, memories
 from ...numerics.arrays import FloatArray, sample_interval
 from ...reporting.plotted import paper_figure
 from ...scoring.cross_validation import amount_study, held_out_error, noise_study
@@ -227,19 +227,13 @@ def _online(run: RunFolder, prototype: Prototype, plant: Device) -> tuple[Column
     for drift in DRIFTS:
         measured, growth = drifted(rows, target, weights, len(model.centres), drift)
         for forgetting in FORGETTING:
-            errors = follow(rows, measured, force, growth[:, None] * truth, forgetting=forgetting)
-            constant = np.ones(len(errors.samples))
-            tables.append(
-                {
-                    "forgetting": forgetting * constant,
-                    "drift": drift * constant,
-                    "t": interval * errors.samples,
-                    "curve_error": errors.curve_error,
-                    "prediction_error": errors.prediction_error,
-                }
-            )
-    columns = {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
-    return columns, {"model": "rbf-paper", "memories": memories(FORGETTING, interval), "lag_s": model.lag_s}
+            looks = follow(rows, measured, force, growth[:, None] * truth, forgetting=forgetting)
+            constant = np.ones(len(looks[0]))
+            tables.append((forgetting * constant, drift * constant, interval * looks[0], *looks[1:]))
+    names = ("forgetting", "drift", "t", "curve_error", "prediction_error")
+    columns = {name: np.concatenate(parts) for name, *parts in zip(names, *tables, strict=True)}
+    memories = ["all" if value >= 1.0 else f"{interval / (1.0 - value):.3g} s" for value in FORGETTING]
+    return columns, {"model": "rbf-paper", "memories": memories, "lag_s": model.lag_s}
 
 
 def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
