@@ -115,29 +115,25 @@ Rising = Annotated[FloatArray, Table("M"), AfterValidator(_rising)]
 Span = Annotated[FloatArray, Table("2"), AfterValidator(_rising)]
 
 
-def _of_joint(values: dict[str, float]) -> dict[str, float]:
-    """Parameters of a joint that are all there and of no absurd size; their signs are checked where a set is made."""
-    if values.keys() != set(VECTOR_NAMES):
+ABSURD = 1e4
+"""Factor between a parameter of the set `nominal` and one that no joint has."""
+_VALUES: TypeAdapter[dict[str, float]] = TypeAdapter(dict[str, Real])
+
+
+def _set_of(values: Any) -> Any:
+    """The parameter set of its values by name, which are all there and of no absurd size."""
+    if isinstance(values, JointParameters):
+        return values
+    numbers = _VALUES.validate_python(values, strict=True)
+    if numbers.keys() != set(VECTOR_NAMES):
         raise ValueError("does not hold the parameters of this version")
-    for name, value in values.items():
+    for name, value in numbers.items():
         usual = abs(NOMINAL.value(name)) or 1.0
         low = usual / ABSURD if QUANTITIES[name].sign == "positive" else -usual * ABSURD
         if not low <= value <= usual * ABSURD:
             raise ValueError(f"{name} = {value:g} is no size of a joint")
-    return values
-
-
-ABSURD = 1e4
-"""Factor between a parameter of the set `nominal` and one that no joint has."""
-_VALUES: TypeAdapter[dict[str, float]] = TypeAdapter(Annotated[dict[str, Real], AfterValidator(_of_joint)])
-
-
-def _set_of(values: Any) -> Any:
-    """The parameter set of its values by name."""
-    if isinstance(values, JointParameters):
-        return values
     try:
-        return NOMINAL.with_values(_VALUES.validate_python(values, strict=True))
+        return NOMINAL.with_values(numbers)
     except InputError as error:
         raise ValueError(str(error)) from error
 

@@ -45,11 +45,6 @@ class Candidate:
     symmetry: float | None = None
     population: bool = False
 
-    @property
-    def centred(self) -> bool:
-        """True if q = 0 is the mirror plane of the candidate."""
-        return self.population or self.symmetry is not None
-
 
 FORCES: tuple[ForceShape, ...] = ("curve", "polynomial", "offset")
 
@@ -147,7 +142,7 @@ def candidate(structure: JointStructure, symmetry: float | None = None, *, popul
         *["delayed input"] * structure.input_delay,
         *["bent input"] * structure.bent_input,
         *["dead zone"] * structure.dead_zone,
-        *["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs),
+        *["rest without input"] * (structure.rest_at_zero and (structure.input_lag or structure.shape_elements > 0)),
         *{"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold],
         *([] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]),
         *["population prior"] * population,

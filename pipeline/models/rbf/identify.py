@@ -131,10 +131,9 @@ def identify_rbf(
         slow = looks_overdamped(records, inputs)
         driven = any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
         usual = offers(wanted, fine=fine, slow=slow, driven=driven, squared=inputs == "squared")
-        result = search(records, setting, first, *(([lambda _: candidates[1:]], []) if candidates else usual))
-        tried = result.held_out
-        complete = result.complete
-        fitted = _fit_to_all(records, setting, result.chosen, setting.begin(records, result.chosen, result.fit))
+        offered = ([lambda _: candidates[1:]], []) if candidates else usual
+        chosen, judged, tried, complete = search(records, setting, first, *offered)
+        fitted = _fit_to_all(records, setting, chosen, setting.begin(records, chosen, judged))
     fit = fitted.fit
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")

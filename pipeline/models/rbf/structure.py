@@ -93,11 +93,6 @@ class JointStructure:
             raise ValueError(f"{self.shape_elements} shape elements among {len(self.rates)} elements")
         return self
 
-    @property
-    def remembers_inputs(self) -> bool:
-        """True if a hidden state depends on the inputs before the first sample."""
-        return self.input_lag or self.shape_elements > 0
-
 
 @dataclass(frozen=True, config=STORED)
 class JointScales:

@@ -76,28 +76,6 @@ Fit = tuple[ParameterLayout, FloatArray]
 
 
 @dataclass(frozen=True)
-class SearchResult:
-    """The chosen structure.
-
-    Attributes
-    ----------
-    chosen : Candidate
-    fit : Fit or None
-        The fit by which it was judged; None if nothing was offered.
-    held_out : dict of str to float
-        RMS held-out error of each candidate that was tried, in the unit of q, the geometric mean of the folds; empty if
-        nothing was offered.
-    complete : bool
-        True if all was offered and judged before `SEARCH_SHARE` of the effort was spent.
-    """
-
-    chosen: Candidate
-    fit: Fit | None
-    held_out: dict[str, float]
-    complete: bool
-
-
-@dataclass(frozen=True)
 class Setting:
     """Settings that all candidates share.
 
@@ -131,7 +109,7 @@ class Setting:
             records,
             structure,
             self.inputs,
-            centred=option.centred,
+            centred=option.population or option.symmetry is not None,  # q = 0 is the mirror plane
             known_signs=self.measured.signs if self.measured else None,
             reach=self.measured.reach if self.measured else (np.inf, -np.inf),
             timing={name: like[1][like[0].slices[name]] for name in TIMES} if like else None,
@@ -158,7 +136,7 @@ def search(
     first: Candidate,
     once: Sequence[Offer],
     again: Sequence[Offer] = (),
-) -> SearchResult:
+) -> tuple[Candidate, Fit | None, dict[str, float], bool]:
     """One offer after the other, each to the best candidate so far: `once`, then `again` until none is taken.
 
     The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. One
@@ -182,6 +160,18 @@ def search(
         The simplest one.
     once, again : sequence of Offer
         Offers, those of `again` up to `ROUNDS` times.
+
+    Returns
+    -------
+    Candidate
+        The chosen one.
+    Fit or None
+        The fit by which it was judged; None if nothing was offered.
+    dict of str to float
+        RMS held-out error of each candidate that was tried, in the unit of q, the geometric mean of the folds; empty if
+        nothing was offered.
+    bool
+        True if all was offered and judged before `SEARCH_SHARE` of the effort was spent.
     """
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
@@ -226,7 +216,7 @@ def search(
                 last_taken = max(number + 1, len(once))
                 taken.append(option)
     held_out = {label: judgement.rms for label, judgement in tried.items()}
-    return SearchResult(best, tried[best.label].fits[0] if tried else None, held_out, complete)
+    return best, tried[best.label].fits[0] if tried else None, held_out, complete
 
 
 @dataclass(frozen=True)

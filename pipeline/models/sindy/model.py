@@ -1,6 +1,6 @@
 """SINDy behind the model interface: a sparse polynomial equation, printed with units, simulated by our integrator."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal, Self
@@ -84,8 +84,8 @@ class SindyModel(ModelFile):
         cls,
         dynamics: PolynomialDynamics,
         plant: Device,
-        name: Literal["sindy", "sindy-default"],
-        diagnostics: dict[str, Any],
+        name: Literal["sindy", "sindy-default"] = "sindy",
+        diagnostics: Mapping[str, Any] | None = None,
     ) -> Self:
         """The model of a right-hand side.
 
@@ -97,7 +97,7 @@ class SindyModel(ModelFile):
             Units in which equations are printed, and the mass, which only scales `curves`.
         name : {"sindy", "sindy-default"}
             Name of the model.
-        diagnostics : dict
+        diagnostics : mapping, optional
             Choice of the treatment.
         """
         d = dynamics
@@ -111,7 +111,7 @@ class SindyModel(ModelFile):
             mass_kg=plant.mass,
             inputs="squared" if d.squared else "linear",
             bounds=np.array([d.low, d.high]),
-            diagnostics=diagnostics,
+            diagnostics=dict(diagnostics or {}),
             units=(plant.displacement.symbol, plant.inputs[0].symbol),
         )
 
