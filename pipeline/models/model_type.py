@@ -19,6 +19,7 @@ from ..store.trees import read_tree
 from ..system.package import object_at
 from ..system.worker_pool import OnProgress, silent
 from .base import DynamicModel
+from .model_file import read_part
 
 FITTED_SHARE = 0.75
 """Share of each training log that candidates are fitted to when they are judged on the rest."""
@@ -150,14 +151,17 @@ class ModelType:
     ----------
     fit : callable
         Training data → model.
-    read : callable
-        Tree of arrays (`StoredModel.to_tree`) → model.
+    file : type
+        Class of the model, which declares its tree (`pipeline.models.model_file`).
+    command : str
+        Command that writes the file.
     equations : str
         ``module:function`` that writes its equations for C, MATLAB and FMU; empty if it cannot be exported.
     """
 
     fit: Callable[[Training], StoredModel]
-    read: Callable[[dict[str, Any]], DynamicModel]
+    file: type[StoredModel]
+    command: Literal["identify", "compare"]
     equations: str = ""
 
 
@@ -213,7 +217,7 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
             "`hybrid`: run `debist run PROTOTYPE.toml -o RUN` again"
         )
     try:
-        return family.read(dict(tree))
+        return read_part(family.file, tree, name, family.command)
     except (TypeError, ValueError, ArithmeticError, InputError) as error:
         raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist run` again") from None
 

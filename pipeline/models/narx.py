@@ -13,7 +13,6 @@ the simplest within one standard error of the least error of free runs on held-o
 import itertools
 import warnings
 from collections.abc import Iterator, Sequence
-from functools import partial
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -38,7 +37,6 @@ from .model_file import (
     Span,
     Table,
     Unit,
-    read_part,
 )
 from .model_type import ModelType
 from .polynomial_dynamics import monomials
@@ -345,5 +343,6 @@ def _error(model: NarxModel, x: Log, span: float) -> float:
 
 NARX = ModelType(
     lambda data: identify_narx(data.segments, data.device, most=data.compare.candidates),
-    partial(read_part, NarxModel, name="narx", command="compare"),
+    NarxModel,
+    "compare",
 )

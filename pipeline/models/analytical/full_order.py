@@ -205,7 +205,8 @@ def simulate(
     count = t.size
     solution = no_solution(count)
     states, rates, steps = solution
-    drive = Inputs(*map(np.ascontiguousarray, (t, v, np.zeros(count) if force is None else force)))
+    load = np.zeros(count) if force is None else np.ascontiguousarray(force)
+    drive = (np.ascontiguousarray(t), np.ascontiguousarray(v), load)
     valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
     states[valid:], rates[valid:] = np.nan, np.nan
     qm, qm_dot, z = np.split(states, [RITZ, FIRST_Z], axis=1)
@@ -232,25 +233,16 @@ MOST_TRIES = 20_000
 one that blows up would never end."""
 
 
-class Inputs(NamedTuple):
-    """Inputs of a joint: sample times [s] (N,), voltages [V] (N, 2) and force along q [N] (N,), linear in between."""
+Inputs = tuple[FloatArray, FloatArray, FloatArray]
+"""Sample times [s] (N,), voltages [V] (N, 2) and force along q [N] (N,), linear in between."""
 
-    t: FloatArray
-    v: FloatArray
-    force: FloatArray
-
-
-class Solution(NamedTuple):
-    """States and their time derivatives at the samples, (N, 11) each; accepted and rejected steps (2,)."""
-
-    states: FloatArray
-    rates: FloatArray
-    steps: IntArray
+Solution = tuple[FloatArray, FloatArray, IntArray]
+"""States and their time derivatives at the samples, (N, 11) each; accepted and rejected steps (2,)."""
 
 
 def no_solution(count: int) -> Solution:
     """An empty solution at `count` samples: NaN, no steps."""
-    return Solution(np.full((count, STATES), np.nan), np.full((count, STATES), np.nan), np.zeros(2, np.int64))
+    return np.full((count, STATES), np.nan), np.full((count, STATES), np.nan), np.zeros(2, np.int64)
 
 
 class _Motion(NamedTuple):

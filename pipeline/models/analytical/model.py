@@ -1,7 +1,6 @@
 """The analytical model (§ 3) behind the interface of all models: `analytical` and `analytical-calibrated`."""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
@@ -13,7 +12,7 @@ from ...numerics.arrays import FloatArray
 from ...numerics.stiff import STATES
 from ...signals.log import Log
 from ..base import FreeRun, checked
-from ..model_file import JointSet, ModelFile, read_part
+from ..model_file import JointSet, ModelFile
 from ..model_type import ModelType, Training
 from .full_order import rest_state, simulate
 from .reduced_order import CURVES, reduce_joint
@@ -121,8 +120,7 @@ def _parameters(training: Training) -> JointParameters:
     return training.parameters
 
 
-_read = partial(read_part, AnalyticalModel, name="analytical", command="compare")
-ANALYTICAL = ModelType(lambda training: AnalyticalModel(parameters=_parameters(training)), _read)
+ANALYTICAL = ModelType(lambda training: AnalyticalModel(parameters=_parameters(training)), AnalyticalModel, "compare")
 ANALYTICAL_CALIBRATED = ModelType(
-    lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), _read
+    lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), AnalyticalModel, "compare"
 )

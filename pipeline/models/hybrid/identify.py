@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -18,7 +17,6 @@ from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import MOST_SAMPLES, Log, operating_range, within
 from ..free_runs import scale_on
-from ..model_file import read_part
 from ..model_type import ModelType, Training, fitted_samples
 from . import parameters as condensed_parameters
 from .kernels import CURVES
@@ -380,4 +378,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 
-HYBRID = ModelType(_fit, partial(read_part, HybridModel, name="hybrid", command="identify"), "export.hybrid:realise")
+HYBRID = ModelType(_fit, HybridModel, "identify", "export.hybrid:realise")

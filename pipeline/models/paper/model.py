@@ -9,7 +9,6 @@ with c, d, g_k = Σ_i θ_i exp(−(q−ξ_i)²/(2σ_n²Δξ²)). Eq. 37 prints �
 # mypy: disable-error-code="no-untyped-def,no-untyped-call"
 
 from collections.abc import Iterator, Sequence
-from functools import partial
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
@@ -47,7 +46,7 @@ from ...numerics.linear_filters import first_order_lag
 from ...settings.models import CENTRES, SMOOTHING
 from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked, gain_curves
-from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit, read_part
+from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
 from ..model_type import ModelType, Training
 from .estimation import LagSegment, search_lag
 
@@ -379,6 +378,4 @@ def _fit(training: Training) -> RbfPaperModel:
     )
 
 
-RBF_PAPER = ModelType(
-    _fit, partial(read_part, RbfPaperModel, name="rbf-paper", command="identify"), "export.data_driven:realise_paper"
-)
+RBF_PAPER = ModelType(_fit, RbfPaperModel, "identify", "export.data_driven:realise_paper")

@@ -336,4 +336,4 @@ def _fit(training: Training) -> RbfModel:
     )
 
 
-RBF = ModelType(_fit, RbfModel.from_tree, "export.data_driven:realise_rbf")
+RBF = ModelType(_fit, RbfModel, "identify", "export.data_driven:realise_rbf")

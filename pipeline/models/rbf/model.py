@@ -2,14 +2,14 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import field, replace
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
+from pydantic import model_validator
 from pydantic.dataclasses import dataclass
 
 from ...codegen.graph import trace
-from ...errors import CorruptArtifactError
 from ...fitting.posterior import first_order_curves, outcome_draws, posterior_draws
 from ...generated.terms import CONFINED_FORCE, STOP_FORCE
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
@@ -17,7 +17,7 @@ from ...numerics.fixed_step import run_status
 from ...numerics.metrics import rms
 from ...signals.log import Log
 from ..base import NO_TUBES, FreeRun, TubeScale, checked, gain_curves
-from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, read_part, tree_of
+from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, tree_of
 from .dynamics import DAMPING, FORCE, INPUT, Coefficients, basis_rows, free_rates, no_sensitivities
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
@@ -49,6 +49,15 @@ class RbfModel:
     name = "rbf"
     coupling = PATH_OBSERVER_GAIN
     """Observer gain [frequency scale] at which each sample stands nearly alone."""
+
+    @model_validator(mode="after")
+    def _finite(self) -> Self:
+        with np.errstate(all="ignore"):
+            if self.theta.size != self.parameters.count or not all(
+                np.isfinite(values).all() for values in self.parameters.coefficients(self.theta)
+            ):
+                raise ValueError("theta does not fit its structure")
+        return self
 
     @property
     def fine_voltages(self) -> bool:
@@ -216,25 +225,6 @@ class RbfModel:
     def to_tree(self) -> dict[str, Any]:
         """The model as a dictionary of arrays, numbers and texts."""
         return tree_of(self)
-
-    @classmethod
-    def from_tree(cls, tree: dict[str, Any]) -> "RbfModel":
-        """The model back from `to_tree`.
-
-        Raises
-        ------
-        CorruptArtifactError
-            An entry is missing, of another type or shape, or beyond its range.
-        """
-        model = read_part(cls, tree, "rbf", "identify")
-        parameters = model.parameters
-        with np.errstate(all="ignore"):
-            finite = model.theta.size == parameters.count and all(
-                np.isfinite(values).all() for values in parameters.coefficients(model.theta)
-            )
-        if not finite:
-            raise CorruptArtifactError("theta of the model rbf does not fit its structure; run `debist identify` again")
-        return model
 
     def _run(
         self, theta: FloatArray, t: FloatArray, v: FloatArray, coupling: Coupling, start: tuple[float, float]

@@ -342,8 +342,7 @@ def observed_run(
     x = np.concatenate([start[:2], w, np.zeros(2 * parameters), w_sensitivity.ravel()])
     nodes = np.arange(2 * steps * (count - 1) + 1) / (2 * steps)
     path = np.asarray(spline_through(measured)(nodes) if gain else np.zeros(len(nodes)))
-    basis, slopes = np.zeros((2, c.curves.shape[1]))
-    values, changes, by_curve = np.zeros((3, len(c.curves)))
+    curves, functions = c.curves.shape
     system = ObservedJoint(
         c=c,
         wrt=wrt,
@@ -357,12 +356,12 @@ def observed_run(
         began=np.zeros(1 + parameters),
         slip=slip,
         sliding=slip.copy(),
-        basis=basis,
-        slopes=slopes,
+        basis=np.zeros(functions),
+        slopes=np.zeros(functions),
         curvatures=np.zeros(len(c.centres)),
-        values=values,
-        changes=changes,
-        by_curve=by_curve,
+        values=np.zeros(curves),
+        changes=np.zeros(curves),
+        by_curve=np.zeros(curves),
         by=np.zeros(13),
         relaxing=np.zeros((4, elements)),
         states=states,

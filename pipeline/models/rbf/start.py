@@ -112,7 +112,7 @@ def starting_joint(
     scales = provisional.units
     motion, target = _motion(records, provisional)
     timed = _timed(provisional, timing) if timing else _best_timing(records, provisional, motion, target)
-    columns = [*motion[:2], *_gains(_driven(records, provisional, timed), motion[2])]
+    columns = _columns(records, provisional, timed, motion)
     signs = (0,) * inputs
     if action == "squared":  # the signs of the mean forces of a fit without bounds
         weights = _bounded_fit(columns, target, structure, signs)
@@ -182,8 +182,7 @@ def looks_overdamped(records: Sequence[Log], action: InputAction) -> bool:
         )
         p = ParameterLayout(plain, data_scales(records, centred=False), action, (0,) * records[0].v.shape[1])
         motion, target = _motion(records, p)
-        gains = _gains(_driven(records, p, np.zeros(p.count)), motion[2])
-        return 1.0 - _misfit([*motion[:2], *gains], target) / float(target @ target)
+        return 1.0 - _misfit(_columns(records, p, np.zeros(p.count), motion), target) / float(target @ target)
 
     return explained(overdamped=True) > explained(overdamped=False)
 
@@ -204,7 +203,7 @@ def _best_timing(
 
     def misfit(theta: FloatArray) -> float:
         """Rest of the convex fit with the drive of θ."""
-        return _misfit([*motion[:2], *_gains(_driven(records, p, theta), motion[2])], target)
+        return _misfit(_columns(records, p, theta, motion), target)
 
     return min(tried, key=misfit) if len(tried) > 1 else tried[0]
 
@@ -305,9 +304,11 @@ def _motion(records: Sequence[Log], p: ParameterLayout) -> tuple[list[FloatArray
     return [basis[:, p.basis_of("force")], damping, basis[:, p.basis_of("input0")]], target
 
 
-def _gains(u: FloatArray, basis: FloatArray) -> list[FloatArray]:
-    """Columns of each g_k: the basis times u_k."""
-    return [signal[:, None] * basis for signal in u.T]
+def _columns(
+    records: Sequence[Log], p: ParameterLayout, theta: FloatArray, motion: list[FloatArray]
+) -> list[FloatArray]:
+    """Columns of F, of d and of each g_k, which are those of `_motion` times u_k with the drive of θ."""
+    return [*motion[:2], *(signal[:, None] * motion[2] for signal in _driven(records, p, theta).T)]
 
 
 def _misfit(columns: list[FloatArray], target: FloatArray) -> float:

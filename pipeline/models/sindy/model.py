@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -24,7 +24,6 @@ from ..model_file import (
     Table,
     Unit,
     Units,
-    read_part,
 )
 from ..model_type import ModelType
 from ..polynomial_dynamics import (
@@ -280,11 +279,13 @@ def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyM
 
 SINDY = ModelType(
     lambda data: identify_sindy(data.fitted_segments, data.device, most=data.compare.candidates),
-    partial(read_part, SindyModel, name="sindy", command="compare"),
+    SindyModel,
+    "compare",
     "export.data_driven:realise_polynomial",
 )
 SINDY_DEFAULT = ModelType(
     lambda data: identify_default_sindy(data.segments, data.device),
-    partial(read_part, SindyModel, name="sindy", command="compare"),
+    SindyModel,
+    "compare",
     "export.data_driven:realise_polynomial",
 )

@@ -3,7 +3,7 @@ import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.free_runs import tubes
-from pipeline.models.model_type import KnownCurves
+from pipeline.models.model_type import KnownCurves, model_from_tree
 from pipeline.models.rbf.candidates import FRICTION, Candidate, RbfChoice
 from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.model import RbfModel
@@ -99,14 +99,14 @@ def test_the_same_data_give_the_same_model():
 
 
 def test_tree_round_trip(identified):
-    again = RbfModel.from_tree(identified.to_tree())
+    again = model_from_tree("rbf", identified.to_tree())
     fresh = log(planted(), 12, n=300)
     before, after = (m.simulate(fresh.t, fresh.v, fresh.q[0], 0.0).q for m in (identified, again))
     assert (before == after).all()
     broken = identified.to_tree()
     del broken["theta"]
     with pytest.raises(CorruptArtifactError, match="theta"):
-        RbfModel.from_tree(broken)
+        model_from_tree("rbf", broken)
 
 
 def test_tubes_hold_nine_tenths_of_another_log_of_the_same_device_and_stand_in_the_file(identified):
@@ -116,7 +116,7 @@ def test_tubes_hold_nine_tenths_of_another_log_of_the_same_device_and_stand_in_t
     around = tubes(free, draws, identified.tube)
     assert around.coverage(fresh.q) > 0.86
     assert np.median(around.high - around.low) < 0.1 * np.ptp(fresh.q)
-    assert RbfModel.from_tree(identified.to_tree()).tube == identified.tube
+    assert model_from_tree("rbf", identified.to_tree()).tube == identified.tube
 
 
 def test_constant_and_undriven_logs_are_refused():
