@@ -73,12 +73,10 @@ class KnownCurves:
         InputError
             A curve has fewer than four points there.
         """
+        inside = (self.q >= low) & (self.q <= high)
         named = {"F": self.force} | {f"input {k}": gain for k, gain in enumerate(self.gains, start=1)}
         for name, curve in named.items():
-            if curve is None:
-                continue
-            points = np.count_nonzero(np.isfinite(curve) & (self.q >= low) & (self.q <= high))
-            if points < LEAST_POINTS:
+            if curve is not None and (points := np.count_nonzero(np.isfinite(curve) & inside)) < LEAST_POINTS:
                 raise InputError(
                     f"the measured curve of {name} has {points} points where the training data are ({low:.4g} to "
                     f"{high:.4g}), at least {LEAST_POINTS} are needed; check q and its unit in the file of plant.curves"

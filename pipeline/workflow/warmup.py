@@ -94,7 +94,7 @@ def _without_parameter_set() -> None:
         inputs="squared",
         bounds=np.array([-1.0, 1.0]),
     )
-    narx.run(v, 0.0, 0.0)
+    narx.run(v, np.zeros(1), 0.0)
 
 
 def _network() -> None:

@@ -35,7 +35,7 @@ def pulses(samples: int, seed: int) -> FloatArray:
 
 def motion(seed: int, samples: int = 2000) -> Log:
     v = pulses(samples, seed)
-    q, reached = TRUTH.run(v, -0.01, 0.0)
+    q, reached = TRUTH.run(v, np.array([-0.01]), 0.0)
     assert reached == samples
     qdot = np.gradient(q, DT)
     return Log(DT * np.arange(samples), q, qdot, np.gradient(qdot, DT), v)

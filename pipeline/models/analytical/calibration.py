@@ -239,7 +239,7 @@ def calibrate(
     done = itertools.count(1)
     with ThreadPoolExecutor(jobs) as pool:
         problem = CalibrationProblem(start, names, pool)
-        sample = SimulatedProblem(problem, short.thinned(3), SEARCH)
+        sample = SimulatedProblem(problem, Windows(short.motions, short.spans[::3], short.parts[::3]), SEARCH)
         final = SimulatedProblem(problem, wide, REFINEMENT)
 
         def improve(

@@ -56,8 +56,7 @@ def voltage_knots(t: FloatArray, v: FloatArray) -> VoltageKnots:
     the saddle is then late by several times that. Cost: 50 ns for each voltage, and what the integrator takes for the
     knots: a third more of them on half an hour of pulses, all of them where noise exceeds `BENT`.
     """
-    if v.ndim == 2:
-        return VoltageKnots(np.ascontiguousarray(t), np.ascontiguousarray(v), np.arange(t.size))
+    v = v[:, None] if v.ndim == 2 else v
     parts = v.shape[1]
     samples = v[:, 0]
     lines = samples[:-1, None] + np.diff(samples, axis=0)[:, None] * (np.arange(parts)[:, None] / parts)
@@ -85,10 +84,6 @@ class Windows:
     motions: tuple[Log, ...]
     spans: IntArray
     parts: tuple[Window, ...]
-
-    def thinned(self, by: int) -> "Windows":
-        """Every `by`-th window."""
-        return Windows(self.motions, self.spans[::by], self.parts[::by])
 
     def resolved(self, lost_windows: BoolArray, finer: "Windows") -> "Windows":
         """Windows, the `lost_windows` (W,) of them cut where `finer` windows are cut."""

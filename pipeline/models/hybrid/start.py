@@ -132,15 +132,12 @@ def mass_factor(parameters: JointParameters, mass: float | None) -> float:
 
 def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotion | None:
     """Regression of the acceleration near a well on displacement, velocity and squared voltages."""
-    rows = []
-    targets = []
-    for record in records:
-        near = record.valid & (np.abs(record.q - place) < reach)
-        x = record.q[near] - place
-        rows.append(np.column_stack([np.ones(len(x)), x, x**2, record.qdot[near], record.v[near] ** 2]))
-        targets.append(record.qddot[near])
-    matrix = np.concatenate(rows)
-    target = np.concatenate(targets)
+    near = np.concatenate([r.valid & (np.abs(r.q - place) < reach) for r in records])
+    q, qdot, target, v = (
+        np.concatenate([getattr(r, name) for r in records])[near] for name in ("q", "qdot", "qddot", "v")
+    )
+    x = q - place
+    matrix = np.column_stack([np.ones(len(x)), x, x**2, qdot, v**2])
     if len(target) <= matrix.shape[1]:
         return None
     scale = np.abs(matrix).max(axis=0)

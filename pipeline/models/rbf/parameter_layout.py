@@ -219,9 +219,8 @@ class ParameterLayout:
         """Kind, first place, first column and first parameter of each block that has parameters."""
         shape = self.slices["input_offset"].start
         blocks = []
-        for name, where in self.slices.items():
-            if where.start == where.stop:
-                continue
+        filled = {name: where for name, where in self.slices.items() if where.start < where.stop}
+        for name, where in filled.items():
             kind = _KINDS.get(name, WEIGHT)
             if kind == WEIGHT:
                 first = self.rows[name]

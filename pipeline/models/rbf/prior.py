@@ -292,15 +292,14 @@ def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: Known
     volts = p.scales.volts**2 if p.law == "squared" else p.scales.volts
     curves = {"force": measured.force} | {f"input{k}": gain for k, gain in enumerate(measured.gains)}
     for name, curve in curves.items():
-        if curve is None:
-            continue
-        finite = np.isfinite(curve)
-        where = p.slices[name]
-        y = curve[finite] * (-1.0 if name == "force" else volts) / p.scales.half
-        basis = basis_rows(np.ascontiguousarray((measured.q[finite] - p.scales.middle) / p.scales.half), c)
-        block = np.zeros((len(y), p.count))
-        block[:, where] = basis[:, p.basis_of(name)] * factor[where]
-        spread = KEPT * np.abs(y).max()
-        rows.append(block / spread)
-        right.append((y - basis @ c.curves[p.rows[name]] + block @ theta) / spread)
+        if curve is not None:
+            finite = np.isfinite(curve)
+            where = p.slices[name]
+            y = curve[finite] * (-1.0 if name == "force" else volts) / p.scales.half
+            basis = basis_rows(np.ascontiguousarray((measured.q[finite] - p.scales.middle) / p.scales.half), c)
+            block = np.zeros((len(y), p.count))
+            block[:, where] = basis[:, p.basis_of(name)] * factor[where]
+            spread = KEPT * np.abs(y).max()
+            rows.append(block / spread)
+            right.append((y - basis @ c.curves[p.rows[name]] + block @ theta) / spread)
     return Prior(np.vstack(rows), np.concatenate(right))

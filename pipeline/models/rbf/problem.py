@@ -308,8 +308,7 @@ class JointProblem:
         skipped = 2 * steps * log.past
         volts = log.at_nodes(p, steps, p.delay(theta))[: skipped + 2 * steps * (stop - 1) + 1]
         u, du = p.acting(volts, log.interval / steps / 2.0, theta)
-        if skipped:
-            u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
+        u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
         wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
         self.effort.spent += simulation_effort(stop * steps, len(wrt.factor))
         drive = Drive(u, du, p.at_rest(u, theta, begins=log.past == 0), p.held and log.every == 1)

@@ -206,8 +206,11 @@ def search(
             complete = False
             break
         others = turns[number](best)
-        if others and not tried:
-            setting, tried = _coupled(records, setting, first)
+        if others and not tried and judged(first).chaotic:
+            # Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps
+            # them together, the better one errs less.
+            setting = replace(setting, coupled=COUPLED)
+            tried[first.label] = _judge(records, setting, first, None)
         affordable = [(judged(each).rms, each) for each in others if not setting.effort.exhausted(SEARCH_SHARE)]
         complete = complete and len(affordable) == len(others)
         for _, option in sorted(affordable, key=lambda pair: pair[0]):
@@ -260,19 +263,6 @@ def _in_equal_units(new: _Judged, old: _Judged, kind: int) -> tuple[FloatArray, 
     units = [np.sqrt(rms(a) * rms(b)) + np.finfo(float).tiny for a, b in pairs]
     first, second = ([pair[i] / unit for pair, unit in zip(pairs, units, strict=True)] for i in (0, 1))
     return np.concatenate(first), np.concatenate(second)
-
-
-def _coupled(records: Sequence[Log], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
-    """The setting with the observer gain at which candidates are compared, and the first one judged at it.
-
-    Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps them
-    together, the better one errs less.
-    """
-    judgement = _judge(records, setting, first, None)
-    if judgement.chaotic:
-        setting = replace(setting, coupled=COUPLED)
-        judgement = _judge(records, setting, first, None)
-    return setting, {first.label: judgement}
 
 
 def excerpts(records: Sequence[Log]) -> list[Log]:

@@ -166,14 +166,12 @@ def _scaled(rows: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArra
 def _cross_validate(problem: Problem, candidate: Treatment) -> tuple[FloatArray, int]:
     """Free-run NRMSE of q for each held-out fold, and the most terms that any fold kept."""
     folds = sorted({block.fold for block in problem.blocks})
-    errors = []
-    terms = 0
-    for fold in folds:
-        dynamics = _fitted(problem, candidate, fold if len(folds) > 1 else None)
-        terms = max(terms, len(dynamics.exponents) - 1)
-        parts = ((block, i) for block in problem.blocks if block.fold == fold for i in range(STARTS))
-        errors.append(float(np.mean([_error(problem, dynamics, *part) for part in parts])))
-    return np.array(errors), terms
+    fitted = {fold: _fitted(problem, candidate, fold if len(folds) > 1 else None) for fold in folds}
+    errors = [
+        np.mean([_error(problem, fit, b, i) for b in problem.blocks if b.fold == fold for i in range(STARTS)])
+        for fold, fit in fitted.items()
+    ]
+    return np.array(errors), max(len(fit.exponents) - 1 for fit in fitted.values())
 
 
 def _error(problem: Problem, dynamics: PolynomialDynamics, block: HeldOutBlock, part: int) -> float:

@@ -213,9 +213,8 @@ class SindyModel(ModelFile):
         orders = np.ones(sources.size, dtype=np.int64)
         orders[FIRST_INPUT : d.scales.size] = 2 if d.squared else 1
         parts = []
-        for powers, scaled in zip(d.exponents, d.coefficients[row], strict=True):
-            if scaled == 0.0:
-                continue
+        kept = d.coefficients[row] != 0.0
+        for powers, scaled in zip(d.exponents[kept], d.coefficients[row, kept], strict=True):
             value = scaled / float(np.prod(scales**powers))
             factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(self._symbols(), powers * orders, strict=True) if n]
             unit = self._unit(np.bincount(sources, powers, d.scales.size).astype(int), row)
