@@ -186,13 +186,13 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
     """
     motion = motions.full
     _draw(figure, "motion_figure", motions)
-    stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
+    stop = motion.t.size if motion.diverged_at_s is None else int((motion.t < motion.diverged_at_s).sum())
     q = motion.q[:stop]
     if as_json:
-        values = {"t": motion.t, "q": motion.q, "qdot": motion.q_dot, "qddot": motion.q_ddot, "phi": motion.phi}
+        values = {"t": motion.t, "q": motion.q, "qdot": motion.qdot, "qddot": motion.qddot, "phi": motion.phi}
         units = {"t": "s", "q": "m", "qdot": "m/s", "qddot": "m/s²", "phi": "rad"}
         columns = with_units({name: column[:stop] for name, column in values.items()}, units)
-        emit_json({"diverged_at_s": motion.diverged_at} | columns)
+        emit_json({"diverged_at_s": motion.diverged_at_s} | columns)
         return
     rows = [
         ("duration [s]", f"{motion.t[-1] - motion.t[0]:.2f}"),
@@ -200,7 +200,7 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
         ("smallest, largest q [mm]", f"{prefixed(q.min(), 'm', 2)}, {prefixed(q.max(), 'm', 2)}"),
         ("steps, rejected", f"{motion.accepted}, {motion.rejected}"),
         ("processor time [s]", f"{motions.full_seconds:.3f}"),
-        ("diverged at [s]", prefixed(motion.diverged_at, "", 2, "none")),
+        ("diverged at [s]", prefixed(motion.diverged_at_s, "", 2, "none")),
     ]
     emit_table("Full-order simulation", ("quantity", "value"), rows)
 
@@ -213,8 +213,8 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
     """
     from ..models.analytical.reduced_order import beam_modes
 
-    if motions.full.diverged_at is not None:
-        raise InputError(f"the motion diverges at {motions.full.diverged_at:.2f} s: lower the voltage")
+    if motions.full.diverged_at_s is not None:
+        raise InputError(f"the motion diverges at {motions.full.diverged_at_s:.2f} s: lower the voltage")
     result = beam_modes(motions.full.qm, joint.l)
     _draw(figure, "modes_figure", joint, result, motions.full.t)
     peaks = abs(result.amplitudes).max(axis=0)

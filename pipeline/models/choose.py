@@ -118,14 +118,18 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
     if (UNKNOWN_BOUND * held_out["hybrid"] if interval is None else interval.high) < NETWORK_ERROR:
         reason = f"the joint's equations predict held-out training data to {_percent(held_out['hybrid'])} of the range"
         return Choice(model, reason, held_out, None, interval)
-    return _compared(training, model, rbf, errors, interval)
+    return _compared(training, model, rbf, errors, held_out, interval)
 
 
 def _compared(
-    training: Training, model: StoredModel, rbf: Fit, hybrid_errors: FloatArray, interval: Interval | None
+    training: Training,
+    model: StoredModel,
+    rbf: Fit,
+    hybrid_errors: FloatArray,
+    held_out: dict[str, float],
+    interval: Interval | None,
 ) -> Choice:
     """The hybrid joint or the network, after that has been judged on the same."""
-    held_out = {"hybrid": _rms(hybrid_errors)}
     try:
         network = rbf(_within(replace(training, records=_first_parts(training)), JUDGED_TIME))
     except DataRefusedError as refused:

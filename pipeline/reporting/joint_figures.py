@@ -184,7 +184,7 @@ def motion_figure(motions: "Motions") -> Figure:
                     Line("reduced to q", "both", full.t, b, "dashed"),
                 ),
             )
-            for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot))
+            for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.qdot, reduced.qdot))
         ),
     )
     return Figure("motion", "Full-order against reduced model", caption="", x_name="t", x_unit="s", panels=panels)

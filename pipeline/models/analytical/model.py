@@ -51,15 +51,8 @@ class AnalyticalModel(ModelFile):
         knots = voltage_knots(t, v)
         start = rest_state(self.parameters, q0, qdot0, knots.v[0])
         motion = simulate(self.parameters, knots.t, knots.v, start, tolerance=self.tolerance)
-        q, qdot, qddot = (signal[knots.rows] for signal in (motion.q, motion.q_dot, motion.q_ddot))
-        return FreeRun(
-            t=t,
-            q=q,
-            qdot=qdot,
-            qddot=qddot,
-            status="ok" if motion.diverged_at is None else "diverged",
-            diverged_at_s=motion.diverged_at,
-        )
+        q, qdot, qddot = (signal[knots.rows] for signal in (motion.q, motion.qdot, motion.qddot))
+        return FreeRun(t, q, qdot, qddot, motion.status, motion.diverged_at_s)
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].

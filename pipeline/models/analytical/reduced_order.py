@@ -27,6 +27,7 @@ from ...numerics.fixed_step import Methods, integrator, run_status, workspace
 from ...numerics.linear_filters import first_order_lag
 from ...numerics.metrics import nrmse
 from ...numerics.stiff import RITZ
+from ..base import FreeRun
 from .full_order import FullOrderMotion, dissipative_matrices, rest_state, simulate
 from .statics import FULL_VOLTAGE, StaticPath, equilibria, static_path
 
@@ -186,20 +187,6 @@ TOLERANCE = 1e-5
 """Tolerance of the full-order model that the reduced one is compared with."""
 
 
-@dataclass(frozen=True)
-class ReducedMotion:
-    """Motion of the reduced joint at the samples: q [m], q̇ [m/s], q̈ [m/s²].
-
-    All NaN behind `diverged_at` [s], where q left the range of the curves.
-    """
-
-    t: FloatArray
-    q: FloatArray
-    q_dot: FloatArray
-    q_ddot: FloatArray
-    diverged_at: float | None
-
-
 class ReducedSystem(NamedTuple):
     """A reduced joint in a run; its state is q, q̇, e1, e2.
 
@@ -289,8 +276,10 @@ def simulate_reduced(
     qdot0: float,
     *,
     force: FloatArray | None = None,
-) -> ReducedMotion:
+) -> FreeRun:
     """Free run of the reduced joint, voltages and force linear between samples.
+
+    It diverges where q leaves the range of the curves.
 
     Parameters
     ----------
@@ -325,7 +314,7 @@ def simulate_reduced(
     )
     x = np.array([q0, qdot0, 0.0, 0.0])
     valid = _integrate(system, x, out, workspace(x), steps, interval / steps, reduced.q[0], reduced.q[-1])
-    return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], run_status(t, valid)[1])
+    return FreeRun(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], *run_status(t, valid))
 
 
 def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> FloatArray:
@@ -389,7 +378,7 @@ class Motions:
 
     v: FloatArray
     full: FullOrderMotion
-    reduced: ReducedMotion
+    reduced: FreeRun
     full_seconds: float
     reduced_seconds: float
 
@@ -398,10 +387,10 @@ class Motions:
         """NRMSE (eq. 41) of the reduced against the full model; None where one of them diverged."""
         pairs = {
             "q": (self.full.q, self.reduced.q),
-            "qdot": (self.full.q_dot, self.reduced.q_dot),
-            "qddot": (self.full.q_ddot, self.reduced.q_ddot),
+            "qdot": (self.full.qdot, self.reduced.qdot),
+            "qddot": (self.full.qddot, self.reduced.qddot),
         }
-        whole = self.full.diverged_at is None and self.reduced.diverged_at is None
+        whole = self.full.status == self.reduced.status == "ok"
         return {name: nrmse(full, reduced) if whole else None for name, (full, reduced) in pairs.items()}
 
 

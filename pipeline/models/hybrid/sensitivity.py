@@ -16,14 +16,13 @@ of least squares needs no more digits: a run in double precision judges its resu
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...codegen.numba_writer import formula, kernel
 from ...fitting.descent import PARAMETER_STEP
 from ...generated.condensed_joint import CONSTANTS, FIRST_STRAIN, STATES, STOP_DIRECTIONS, STOP_ELEMENTS, STOPS
 from ...generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
 from ...generated.terms import BELL_SHAPE, STOP_OPERATOR
-from ...numerics.arrays import FloatArray, SingleArray
+from ...numerics.arrays import FloatArray, IntArray, SingleArray
 from ...numerics.compiled import compiled, inner
 from ...numerics.fixed_step import STAGE_NODES, workspace
 from .kernels import (
@@ -80,22 +79,15 @@ _SHIFT = 1e-8
 """Step of the differences by which the state at rest depends on the place [m]."""
 
 
-class Columns(NamedTuple):
-    """Places of the numbers that act on columns.
+Columns = tuple[IntArray, IntArray, IntArray, IntArray, int]
+"""Places of the numbers that act on columns.
 
-    `sources`, `targets`: entries of ∂f/∂k in the kernel's output, and their places; `stops` (elements + 2,): places
-    where travels, the friction's arm and the beam's length act on stop operators, −1 for constants without a column;
-    `instruments` (INSTRUMENTS,): their places; `corrected`: the first column of the weights.
-    """
-
-    sources: NDArray[np.int64]
-    targets: NDArray[np.int64]
-    stops: NDArray[np.int64]
-    instruments: NDArray[np.int64]
-    corrected: int
+Entries of ∂f/∂k in the kernel's output, and their places; places (elements + 2,) where travels, the friction's arm and
+the beam's length act on stop operators, −1 for constants without a column; those of the instruments (INSTRUMENTS,); and
+the first column of the weights."""
 
 
-def columns_of(active: NDArray[np.int64]) -> Columns:
+def columns_of(active: IntArray) -> Columns:
     """The columns of the `active` constants, then of the instruments, then of the weights."""
     places = np.arange(len(active) + INSTRUMENTS)
     places = places // COLUMNS * _BLOCK + places % COLUMNS
@@ -103,13 +95,9 @@ def columns_of(active: NDArray[np.int64]) -> Columns:
     of_constant[active] = places[: len(active)]
     row, constant = _BY_CONSTANTS[of_constant[_BY_CONSTANTS[:, 1]] >= 0].T
     stops = of_constant[[*range(_TRAVEL, _TRAVEL + _ELEMENTS), _ARM, _LENGTH]]
-    return Columns(
-        (row * _CONSTANTS + constant) * STAGES,
-        of_constant[constant] + row * _ROW,
-        np.where(stops >= 0, stops + STATES * _ROW, -1),
-        places[len(active) :],
-        len(places),
-    )
+    sources = (row * _CONSTANTS + constant) * STAGES
+    acting = np.where(stops >= 0, stops + STATES * _ROW, -1)
+    return sources, of_constant[constant] + row * _ROW, acting, places[len(active) :], len(places)
 
 
 class Driven(NamedTuple):
@@ -268,7 +256,7 @@ def _act_by_play(
     z: SingleArray,
     w: SingleArray,
     drive: SingleArray,
-    own: NDArray[np.int64],
+    own: IntArray,
 ) -> None:
     """Weights of a slot, its stop operators, and how travels, arm and length act on these themselves."""
     points, slips = run
@@ -328,7 +316,7 @@ def _act_by_instruments(
     pull: tuple[float, float, float, float],
     reading: tuple[float, float],
     stage_lane: int,
-    places: NDArray[np.int64],
+    places: IntArray,
     a: SingleArray,
     b: SingleArray,
     drive: SingleArray,
@@ -460,7 +448,7 @@ def sensitivities(
 def _starts(
     coefficients: JointCoefficients,
     scale: FloatArray,
-    active: NDArray[np.int64],
+    active: IntArray,
     widths: FloatArray,
     offset: float,
     driven: Driven,

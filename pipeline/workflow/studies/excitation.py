@@ -203,6 +203,6 @@ def _simulator(parameters: JointParameters) -> Simulator | None:
     def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""
         motion = simulate_reduced(reduced, t, v, start, 0.0)
-        return motion.q, motion.q_dot
+        return motion.q, motion.qdot
 
     return simulate
