@@ -45,7 +45,7 @@ def _equilibria(result: "Characteristics") -> Panel:
         line
         for state, branches in result.diagrams.items()
         for branch in branches
-        for line in _by_stability(_STATES[state], _role(state), branch.q, branch.parameter, branch.stable)
+        for line in _by_stability(_STATES[state], _role(state), branch.y[:, 0], branch.parameter, branch.stable)
     ]
     for text, limit in (("bistable from", result.z_b_min), ("switchable to", result.z_b_max)):
         if limit is not None and limit <= _HIGHEST:

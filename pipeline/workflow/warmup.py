@@ -41,7 +41,7 @@ def _compile(group: int) -> None:
 
 def _hybrid() -> None:
     from ..device.parameters import NOMINAL
-    from ..models.hybrid.driving_voltages import DrivingVoltages
+    from ..models.hybrid.log_reading import DrivingVoltages
     from ..models.hybrid.parameters import constants, instruments, nominal_deviations, static_slope_ratio
     from ..models.hybrid.runs import Driving, Followed, JointCoefficients, Stepping, run_joints
     from ..models.hybrid.sensitivity import Driven, sensitivities

@@ -1,14 +1,14 @@
 """Equilibrium diagram over z_b, over a voltage or over a force; z_b,min, z_b,max, switching voltage (figs. 3 to 5)."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...device.parameters import B_MAX, VECTOR_NAMES, JointParameters
 from ...errors import InputError
 from ...generated.analytical_joint import capacitance, static_sensitivity, statics
-from ...numerics.arrays import BoolArray, FloatArray
+from ...numerics.arrays import FloatArray
 from ...numerics.continuation import Branch, Residual, SpecialPoint, trace_branch
 from ...numerics.stiff import RITZ
 from .statics import (
@@ -27,17 +27,6 @@ _SEEDS = 7
 _HIGHEST = 2.0 * FULL_VOLTAGE
 SHOWN = np.linspace(-0.02, 0.02, 161)
 """Displacements [m] at which curves over q are shown."""
-
-
-@dataclass(frozen=True)
-class EquilibriumBranch:
-    """A connected curve of equilibria: parameter, q [m], φ [rad] and stability, each (N,), and its special points."""
-
-    parameter: FloatArray
-    q: FloatArray
-    phi: FloatArray
-    stable: BoolArray
-    special: tuple[SpecialPoint, ...]
 
 
 @dataclass(frozen=True)
@@ -151,8 +140,8 @@ def branch_through(family: Family, qm: FloatArray, value: float, bounds: tuple[f
     return Branch(raw.parameter * unit, raw.y * scale, raw.stable, special)
 
 
-def equilibrium_diagram(family: Family, bounds: tuple[float, float]) -> list[EquilibriumBranch]:
-    """All branches over λ in `bounds`, those included that are not connected to the others.
+def equilibrium_diagram(family: Family, bounds: tuple[float, float]) -> list[Branch]:
+    """All branches over λ in `bounds`, those included that are not connected to the others; `y` are q [m] and φ [rad].
 
     At seven values of λ, the bounds among them, all equilibria are found by `equilibria`; each that lies on no traced
     branch starts one. A branch that begins in a fold between two of them and leaves through a bound is found there.
@@ -178,10 +167,9 @@ def _lies_on(branch: Branch, qm: FloatArray, value: float, scale: FloatArray, un
     return bool(np.min(np.linalg.norm(x[:-1] + share[:, None] * along - target, axis=1)) < 2e-3)
 
 
-def _with_tip(branch: Branch, family: Family) -> EquilibriumBranch:
+def _with_tip(branch: Branch, family: Family) -> Branch:
     p = family.at(float(branch.parameter[0]))[0]
-    tips = np.array([tip_values(qm, p) for qm in branch.y])
-    return EquilibriumBranch(branch.parameter, tips[:, 0], tips[:, 1], branch.stable, branch.special)
+    return replace(branch, y=np.array([tip_values(qm, p)[:2] for qm in branch.y]))
 
 
 def bistable_from(parameters: JointParameters) -> float | None:
@@ -253,7 +241,7 @@ class Characteristics:
         Energy [J] from the shallower well up to the saddle between the wells; None without two wells.
     paths : dict of str to StaticPath
         Held joint under each of `VOLTAGE_STATES`.
-    diagrams : dict of str to list of EquilibriumBranch
+    diagrams : dict of str to list of Branch
         Equilibria over z_b under each of `VOLTAGE_STATES`.
     """
 
@@ -262,7 +250,7 @@ class Characteristics:
     switching: SwitchingVoltage
     barrier: float | None
     paths: dict[str, StaticPath]
-    diagrams: dict[str, list[EquilibriumBranch]]
+    diagrams: dict[str, list[Branch]]
 
 
 def characteristics(parameters: JointParameters, *, voltage: float = FULL_VOLTAGE) -> Characteristics:

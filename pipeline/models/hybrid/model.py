@@ -21,9 +21,8 @@ from ...signals.log import Log
 from ...signals.resampling import filtered_samples
 from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, Unit, tree_of
-from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
-from .log_reading import Similarity
+from .log_reading import DrivingVoltages, Similarity
 from .parameters import DEVIATIONS, NAMES, PRIOR_STD
 from .problem import POLES, CondensedJoint, CondensedProblem, age_at, simulate
 from .runs import BATCH, Driving, Followed, JointCoefficients, continued_runs

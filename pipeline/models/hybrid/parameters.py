@@ -31,7 +31,7 @@ from ...generated.condensed_joint import (
 )  # fmt: skip
 from ...numerics.arrays import FloatArray
 from .kernels import CURVES, INDEX, prepare
-from .log_reading import DIMENSIONS
+from .log_reading import DIMENSIONS, Instruments
 from .statics import rest_state
 
 
@@ -166,20 +166,6 @@ are then enough, and a mode faster than any that the logs show replaces one that
 def nominal_deviations() -> FloatArray:
     """Deviations of the parameter set itself, shape (P,): no friction, creep or whatever else it does not name."""
     return np.array([0.0 if entry.typical is None else -50.0 for entry in DEVIATIONS])
-
-
-@dataclass(frozen=True)
-class Instruments:
-    """Instruments between the joint and the log: laser, probes, electrodes."""
-
-    offset: float
-    """Laser reading [m] at q = 0."""
-    delay: float
-    """Time [s] by which the voltages act later than measured."""
-    charging: float
-    """Time constant [s] with which the membranes charge through their electrodes."""
-    probe: FloatArray
-    """Readings [V] of the two probes at zero voltage, shape (2,)."""
 
 
 def static_slope_ratio(parameters: JointParameters) -> float:

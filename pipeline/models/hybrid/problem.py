@@ -17,9 +17,8 @@ from ...numerics.arrays import BoolArray, FloatArray, samples_of
 from ...signals.log import Log
 from ...signals.resampling import sharpened
 from . import parameters as condensed_parameters
-from .driving_voltages import DrivingVoltages
 from .kernels import CURVES, INDEX
-from .log_reading import SAME, AngleReading, Similarity
+from .log_reading import SAME, AngleReading, DrivingVoltages, Instruments, Similarity
 from .runs import Driving, Followed, JointCoefficients, Stepping, run_joints
 from .sensitivity import INSTRUMENTS, Driven, sensitivities
 from .statics import substeps
@@ -124,11 +123,11 @@ class CondensedJoint:
         widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
         return np.ascontiguousarray(shares * widths[:, None])
 
-    def instruments(self, theta: FloatArray) -> condensed_parameters.Instruments:
+    def instruments(self, theta: FloatArray) -> Instruments:
         """Instruments between the joint and the log."""
         seen = condensed_parameters.instruments(theta[:DEVIATION_COUNT])
         units = self.similarity
-        return condensed_parameters.Instruments(
+        return Instruments(
             units.origin + units.length * seen.offset,
             units.time * seen.delay,
             units.time * seen.charging,
@@ -371,7 +370,7 @@ class _Log:
             self._followed[steps] = self._path(np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1))
         return pole, self._followed[steps]
 
-    def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
+    def _inputs(self, seen: Instruments, steps: int, largest: float) -> FloatArray:
         # Joints that run side by side, and steps that are tried one after the other, often share their instruments.
         key = (steps, seen.delay, seen.charging, float(seen.probe[0]), float(seen.probe[1]), largest)
         if key not in self._squares:
@@ -411,7 +410,7 @@ def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
 def simulate(
     joint: CondensedJoint,
     thetas: FloatArray,
-    inputs: Callable[[condensed_parameters.Instruments], FloatArray],
+    inputs: Callable[[Instruments], FloatArray],
     start: FloatArray,
     followed: Followed,
     stepping: Stepping,

@@ -134,12 +134,10 @@ class RbfModel:
         self, t: FloatArray, v: FloatArray, x: FloatArray, seen: FloatArray, speed: float
     ) -> tuple[FloatArray, FloatArray]:
         """State (N, 2 + L + D) behind an observer that follows the path x, and inputs (N, K) at the samples."""
-        p = self.parameters
-        coupling = Coupling(x, seen, PATH_OBSERVER_GAIN * p.scales.frequency)
-        states, _ = self._run(self.theta, t, v, coupling, (float(x[0]), speed))
-        steps = steps_per_sample(p, sample_interval(t), self.theta)
-        u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
-        return np.delete(states, 2, axis=1), u[:: 2 * steps]
+        driven = _Driven(self.parameters, self.theta, v, sample_interval(t))
+        coupling = Coupling(x, seen, PATH_OBSERVER_GAIN * self.parameters.scales.frequency)
+        states, _ = driven.run(coupling, (float(x[0]), speed))
+        return np.delete(states, 2, axis=1), driven.drive.u[:: 2 * driven.steps]
 
     def acting(self, logs: Sequence[Log]) -> dict[str, float]:
         """RMS force [N] of each element along logs; per unit mass where `mass_kg` is 1, and 0 of one that is absent.
@@ -259,18 +257,16 @@ class _Driven:
     def __init__(self, parameters: ParameterLayout, theta: FloatArray, v: FloatArray, interval: float) -> None:
         self._c = parameters.coefficients(theta)
         self._interval = interval
-        self._steps = steps_per_sample(parameters, interval, theta)
-        u, du = parameters.inputs(v, interval, self._steps, theta)
-        self._drive = Drive(u, du, parameters.at_rest(u, theta), parameters.held)
+        self.steps = steps_per_sample(parameters, interval, theta)
+        u, du = parameters.inputs(v, interval, self.steps, theta)
+        self.drive = Drive(u, du, parameters.at_rest(u, theta), parameters.held)
 
     def run(self, coupling: Coupling, start: ArrayLike, row: int = 0) -> tuple[FloatArray, int]:
         """States from a row of the log on, and valid samples; see `observed_run`."""
-        first, last = (2 * self._steps * sample for sample in (row, row + len(coupling.measured) - 1))
-        u, du, rested, held = self._drive
+        first, last = (2 * self.steps * sample for sample in (row, row + len(coupling.measured) - 1))
+        u, du, rested, held = self.drive
         drive = Drive(u[first : last + 1], du[:, first : last + 1], rested, held)
-        states, _, valid = observed_run(
-            self._c, drive, coupling, start, self._interval, self._steps, no_sensitivities()
-        )
+        states, _, valid = observed_run(self._c, drive, coupling, start, self._interval, self.steps, no_sensitivities())
         return states, valid
 
 
