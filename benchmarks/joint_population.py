@@ -19,7 +19,7 @@ from population_estimate import estimate_symmetric_population, information_of, w
 
 from pipeline.fitting.homotopy import COUPLED
 from pipeline.fitting.population import Information
-from pipeline.models.rbf.candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
+from pipeline.models.rbf.candidates import FRICTION, SYMMETRIES, Candidate, candidate, first_candidate
 from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.prior import ASSET, joint_prior, mirror_image
@@ -42,7 +42,7 @@ Fitted = tuple[ParameterLayout, Information, FloatArray, FloatArray]
 
 
 def usual() -> Candidate:
-    structure = replace(first_candidate(RbfChoice("lags+slip"), pair=True, angle=False, fine=True).structure, arc=True)
+    structure = replace(first_candidate(FRICTION["lags+slip"], pair=True, angle=False, fine=True).structure, arc=True)
     return candidate(structure, SYMMETRIES[0])
 
 

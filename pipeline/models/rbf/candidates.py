@@ -5,13 +5,12 @@ The structure of a bistable joint, and those among which inner validation choose
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any
 
-from .structure import ForceShape, Hold, JointStructure
+from ...settings.prototype import Structure
+from .structure import ForceShape, JointStructure
 
-FrictionLaw = Literal["viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"]
-
-FRICTION: dict[FrictionLaw, dict[str, Any]] = {
+FRICTION: dict[str, dict[str, Any]] = {
     "viscous": {"rates": (), "shape_elements": 0, "slips": 0},
     "coulomb": {"rates": (), "shape_elements": 0, "slips": 1},
     "lag": {"rates": (1.5,), "shape_elements": 0, "slips": 0},
@@ -22,7 +21,7 @@ FRICTION: dict[FrictionLaw, dict[str, Any]] = {
 }
 """Hidden elements of each friction model beside the damping d(q) q̇, rates in units of the joint's frequency scale."""
 
-OFFERED: tuple[FrictionLaw, ...] = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
+OFFERED = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
 """Friction models that compete where none is decided; a single actuator has no hidden shape that its input acts on."""
 
 SYMMETRIES = (0.03, 0.1, None)
@@ -48,8 +47,6 @@ class Candidate:
 
 FORCES: tuple[ForceShape, ...] = ("curve", "polynomial", "offset")
 
-CurveShape = Literal["curve", "constant"]
-
 DRIVE: dict[str, dict[str, Any]] = {
     "direct": {"input_lag": False, "input_delay": False, "effect_lags": False},
     "lag": {"input_lag": True, "input_delay": False, "effect_lags": False},
@@ -67,59 +64,25 @@ EFFECT: dict[str, dict[str, Any]] = {
 """Effects of an input on the joint."""
 
 
-@dataclass(frozen=True)
-class RbfChoice:
-    """Settings of the data-driven joint that the user fixed; None means automatic.
+_ELEMENTS: dict[str, dict[str, dict[str, Any]]] = {
+    "friction": FRICTION,
+    "damping": {"curve": {"constant_damping": False}, "constant": {"constant_damping": True}},
+    "drag": {"none": {"drag": False}, "quadratic": {"drag": True}},
+    "stops": {"none": {"stops": False}, "both": {"stops": True}},
+    "gain": {"curve": {"constant_gain": False}, "constant": {"constant_gain": True}},
+    "drive": DRIVE,
+    "effect": EFFECT,
+}
+"""Fields of the structure by the words of the settings; others have the same names and values in both."""
 
-    Attributes
-    ----------
-    friction : str, optional
-        One of `FRICTION`.
-    force, damping, gain : str, optional
-        Shapes of the curves.
-    drive : str, optional
-        One of `DRIVE`.
-    hold : str, optional
-        The inputs between samples.
-    rest_at_zero : bool, optional
-        True if hidden states rested without inputs before a log, instead of under its first ones.
-    effect : str, optional
-        One of `EFFECT`: in proportion (or by the square), by a curve that saturates, or beyond a dead zone.
-    drag : bool, optional
-        True if a fluid's drag acts.
-    stops : bool, optional
-        True if the motion may meet end stops.
-    population : bool
-        True if the prior of a bistable joint may be what simulated joints teach.
-    """
 
-    friction: FrictionLaw | None = None
-    force: ForceShape | None = None
-    damping: CurveShape | None = None
-    gain: CurveShape | None = None
-    drive: str | None = None
-    hold: Hold | None = None
-    rest_at_zero: bool | None = None
-    effect: str | None = None
-    drag: bool | None = None
-    stops: bool | None = None
-    population: bool = True
-
-    def decided(self) -> dict[str, Any]:
-        """Fields of the structure that are decided."""
-        fields = {
-            "force": self.force,
-            "constant_damping": None if self.damping is None else self.damping == "constant",
-            "constant_gain": None if self.gain is None else self.gain == "constant",
-            "drag": self.drag,
-            "stops": self.stops,
-            "hold": self.hold,
-            "rest_at_zero": self.rest_at_zero,
-        }
-        elements = FRICTION[self.friction] if self.friction else {}
-        drive = DRIVE[self.drive] if self.drive else {}
-        effect = EFFECT[self.effect] if self.effect else {}
-        return elements | drive | effect | {name: value for name, value in fields.items() if value is not None}
+def decided_fields(settings: Structure, inputs_before: str = "auto") -> dict[str, Any]:
+    """Fields of the structure that the user decided, and how inputs were before a log."""
+    fields: dict[str, Any] = {} if inputs_before == "auto" else {"rest_at_zero": inputs_before == "zero"}
+    for name, value in settings.model_dump().items():
+        if value != "auto":
+            fields |= _ELEMENTS[name][value] if name in _ELEMENTS else {name: value}
+    return fields
 
 
 def candidate(structure: JointStructure, symmetry: float | None = None, *, population: bool = False) -> Candidate:
@@ -151,7 +114,7 @@ def candidate(structure: JointStructure, symmetry: float | None = None, *, popul
     return Candidate(", ".join(words), structure, inflation, symmetry, population)
 
 
-def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -> Candidate:
+def first_candidate(decided: dict[str, Any], *, pair: bool, angle: bool, fine: bool) -> Candidate:
     """First candidate of the search: the user's settings, and the usual ones for the rest.
 
     It has as few elements as can be. All but a bistable joint is an actuated arm or slider, whose weight turns with it
@@ -159,8 +122,8 @@ def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -
 
     Parameters
     ----------
-    choice : RbfChoice
-        Decisions of the user.
+    decided : dict
+        Fields that the user decided.
     pair : bool
         True if two inputs pull at the two sides of a bistable joint.
     angle : bool
@@ -178,18 +141,18 @@ def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -
         "constant_gain": not pair,
         "hold": "record" if fine else "linear",
     }
-    return candidate(JointStructure(**usual | choice.decided()))
+    return candidate(JointStructure(**usual | decided))
 
 
 Offer = Callable[[Candidate], Sequence[Candidate]]
 """From the best candidate so far to those that could be better."""
 
 
+@dataclass(frozen=True)
 class _Change:
     """Offers changes that leave alone what is decided."""
 
-    def __init__(self, choice: RbfChoice) -> None:
-        self.decided = choice.decided()
+    decided: dict[str, Any]
 
     def to(self, *fields: dict[str, Any]) -> Offer:
         """The best candidate so far with each of these changes."""
@@ -207,7 +170,7 @@ class _Change:
 
 
 def joint_offers(
-    choice: RbfChoice, *, angle: bool, mirrored: bool, knows: Callable[[JointStructure], bool]
+    decided: dict[str, Any], *, angle: bool, mirrored: bool, knows: Callable[[JointStructure], bool]
 ) -> list[Offer]:
     """Offers to a bistable joint in turn: friction or relaxation, hidden shapes, both, and sides that are alike.
 
@@ -215,8 +178,8 @@ def joint_offers(
 
     Parameters
     ----------
-    choice : RbfChoice
-        Parts that are decided and not offered.
+    decided : dict
+        Fields that are decided and not offered.
     angle : bool
         True if q is an angle: else the tip may move on an arc, as that of a beam with hidden shapes does.
     mirrored : bool
@@ -224,7 +187,7 @@ def joint_offers(
     knows : callable
         True if simulated joints teach a prior of a structure.
     """
-    change = _Change(choice)
+    change = _Change(decided)
     shapes = change.to(FRICTION["lags+slip"] | {"arc": not angle})
 
     def taught(best: Candidate) -> list[Candidate]:
@@ -251,14 +214,14 @@ def joint_offers(
 
 
 def offers(
-    choice: RbfChoice, *, fine: bool, slow: bool, driven: bool, squared: bool = False
+    decided: dict[str, Any], *, fine: bool, slow: bool, driven: bool, squared: bool = False
 ) -> tuple[list[Offer], list[Offer]]:
     """Offers of the inner validation in turn, each as changes of the best candidate so far.
 
     Parameters
     ----------
-    choice : RbfChoice
-        Parts that are decided and not offered.
+    decided : dict
+        Fields that are decided and not offered.
     fine : bool
         True if the inputs are known between the samples.
     slow : bool
@@ -275,12 +238,10 @@ def offers(
     list of Offer
         Those that are made again and again after them, as long as one is taken: by then other fields have changed.
     """
-    change = _Change(choice)
-    resting = [
-        DRIVE["lag"] | {"rest_at_zero": at_zero}
-        for at_zero in ((False, True) if driven else (choice.rest_at_zero or False,))
-    ]
-    resting += [DRIVE["effect-lag"] | {"rest_at_zero": choice.rest_at_zero or False}] * squared
+    change = _Change(decided)
+    usual = decided.get("rest_at_zero", False)
+    resting = [DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in ((False, True) if driven else (usual,))]
+    resting += [DRIVE["effect-lag"] | {"rest_at_zero": usual}] * squared
     drives = change.to(DRIVE["direct"], *resting, DRIVE["delay"])
     hold = change.each("hold", ["linear", "zero", "cubic", *(["record"] if fine else [])])
     friction = change.to(*(FRICTION[name] for name in OFFERED))

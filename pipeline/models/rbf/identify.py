@@ -9,7 +9,7 @@ doi:10.1162/neco.1992.4.3.415). It charges every element for the room that its p
 the log does not show is left out.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -35,7 +35,7 @@ from ...signals.log import Log, operating_range
 from ...system.worker_pool import OnProgress, silent
 from ..free_runs import scale_on
 from ..model_type import KnownCurves, ModelType, Training
-from .candidates import Candidate, RbfChoice, first_candidate, joint_offers, offers
+from .candidates import Candidate, decided_fields, first_candidate, joint_offers, offers
 from .model import RbfModel
 from .prior import population
 from .problem import Effort, JointProblem
@@ -75,7 +75,7 @@ def identify_rbf(
     mass: float = 1.0,
     inputs: InputAction = "squared",
     angle: bool = False,
-    choice: RbfChoice | None = None,
+    decided: Mapping[str, Any] | None = None,
     candidates: Sequence[Candidate] | None = None,
     measured: KnownCurves | None = None,
     time_limit: float = RBF_TIME_LIMIT,
@@ -93,8 +93,8 @@ def identify_rbf(
         Action of the inputs: the force goes with v² or v.
     angle : bool
         True if q is an angle [rad].
-    choice : RbfChoice, optional
-        Decided parts of the structure.
+    decided : mapping, optional
+        Fields of the structure that are decided (`pipeline.models.rbf.candidates.decided_fields`).
     candidates : sequence of Candidate, optional
         Structures among which the inner validation chooses instead; a single one is taken as it is.
     measured : KnownCurves, optional
@@ -113,7 +113,7 @@ def identify_rbf(
     DataRefusedError
         No candidate follows the training logs.
     """
-    wanted = choice or RbfChoice()
+    wanted = dict(decided or {})
     if measured:
         measured.check(*operating_range(records))
         measured = measured.per_unit_mass(mass)
@@ -185,7 +185,7 @@ class _Fitted:
 
 
 def _fit_joint(
-    records: Sequence[Log], setting: Setting, choice: RbfChoice, first: Candidate, *, angle: bool
+    records: Sequence[Log], setting: Setting, decided: dict[str, Any], first: Candidate, *, angle: bool
 ) -> tuple[_Fitted, dict[str, float]]:
     """A bistable joint of the elements and the prior that its logs show; and the residual of each that was tried.
 
@@ -194,12 +194,11 @@ def _fit_joint(
     none.
     """
     low, high = operating_range(records)
-    taught = choice.population and not setting.measured
     offered = joint_offers(
-        choice,
+        decided,
         angle=angle,
         mirrored=low < 0.0 < high,
-        knows=lambda structure: taught and population().knows(structure),
+        knows=lambda structure: not setting.measured and population().knows(structure),
     )
     logs = excerpts(records)
     best = _trial(logs, setting, first, None)
@@ -309,27 +308,13 @@ def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float
     }
 
 
-def _decided(training: Training) -> RbfChoice:
-    """Choices of the settings for the structure."""
-    structure = training.identify.structure
-    before = training.inputs_before
-    names = ("friction", "force", "damping", "gain", "drive", "effect", "hold")
-    fixed: dict[str, Any] = {name: getattr(structure, name) for name in names if getattr(structure, name) != "auto"}
-    return RbfChoice(
-        stops=None if structure.stops == "auto" else structure.stops == "both",
-        drag=None if structure.drag == "auto" else structure.drag == "quadratic",
-        rest_at_zero=None if before == "auto" else before == "zero",
-        **fixed,
-    )
-
-
 def _fit(training: Training) -> RbfModel:
     return identify_rbf(
         training.records,
         mass=training.device.mass,
         inputs=training.device.action,
         angle=training.device.displacement.symbol == "rad",
-        choice=_decided(training),
+        decided=decided_fields(training.identify.structure, training.inputs_before),
         measured=training.known_curves,
         time_limit=training.identify.time_limit,
         on_progress=training.on_progress,
