@@ -17,7 +17,7 @@ from ..numerics.arrays import FloatArray
 from ..scoring.cross_validation import free_run_error
 from ..scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
 from ..scoring.scores import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
-from ..signals.log import Log
+from ..signals.log import Log, operating_range
 from ..units.units import HORIZONS
 from .base import from_first, predictor
 from .model_type import StoredModel, Training, fitted_samples
@@ -180,8 +180,7 @@ def _errors(model: StoredModel, records: Sequence[Log], *, held_out: bool = True
 
     NaN where masked; at most 1, as where the run diverged.
     """
-    valid = [record.q[record.valid] for record in records]
-    span = max(float(q.max()) for q in valid) - min(float(q.min()) for q in valid)
+    span = float(np.ptp(operating_range(records)))
     errors = []
     for record in records:
         error = np.minimum(np.nan_to_num(np.abs(from_first(model, record).q - record.q), nan=np.inf) / span, 1.0)

@@ -151,15 +151,12 @@ class ModelType:
         Training data → model.
     file : type
         Class of the model, which declares its tree (`pipeline.models.model_file`).
-    command : str
-        Command that writes the file.
     equations : str
         ``module:function`` that writes its equations for C, MATLAB and FMU; empty if it cannot be exported.
     """
 
     fit: Callable[[Training], StoredModel]
     file: type[StoredModel]
-    command: Literal["identify", "compare"]
     equations: str = ""
 
 
@@ -215,7 +212,7 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
             "`hybrid`: run `debist run PROTOTYPE.toml -o RUN` again"
         )
     try:
-        return read_part(family.file, tree, name, family.command)
+        return read_part(family.file, tree, name, next(listed.part for listed in ENTRIES if listed.name == name))
     except (TypeError, ValueError, ArithmeticError, InputError) as error:
         raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist run` again") from None
 

@@ -341,5 +341,4 @@ def _error(model: NarxModel, x: Log, span: float) -> float:
 NARX = ModelType(
     lambda data: identify_narx(data.segments, data.device, most=data.compare.candidates),
     NarxModel,
-    "compare",
 )

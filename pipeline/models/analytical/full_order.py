@@ -157,9 +157,8 @@ def _walked(parameters: JointParameters, q0: float) -> FloatArray:
         return np.full(RITZ, np.nan)
     start = min(rests, key=lambda e: abs(e.q - q0))
     qm = start.qm.copy()
-    tangent = np.empty(RITZ)
     for q in np.linspace(start.q, q0, 2 + int(min(abs(q0 - start.q) / 2.5e-4, 1e4))):
-        hold_tip(q, qm, np.zeros(2), parameters.vector(), tangent)
+        hold_tip(q, qm, np.zeros(2), parameters.vector(), np.empty(RITZ))
     return qm
 
 

@@ -113,7 +113,7 @@ def _parameters(training: Training) -> JointParameters:
     return training.parameters
 
 
-ANALYTICAL = ModelType(lambda training: AnalyticalModel(parameters=_parameters(training)), AnalyticalModel, "compare")
+ANALYTICAL = ModelType(lambda training: AnalyticalModel(parameters=_parameters(training)), AnalyticalModel)
 ANALYTICAL_CALIBRATED = ModelType(
-    lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), AnalyticalModel, "compare"
+    lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), AnalyticalModel
 )

@@ -141,8 +141,11 @@ def _window(motion: Log, drive: VoltageKnots, begin: int, end: int) -> Window:
     """Samples `begin` to `end`, both included."""
     rows = drive.rows[begin : end + 1]
     knots = slice(rows[0], rows[-1] + 1)
-    part = VoltageKnots(drive.t[knots], drive.v[knots], rows - rows[0])
-    return Window(motion.q[begin : end + 1], float(motion.qdot[begin]), part)
+    return Window(
+        q=motion.q[begin : end + 1],
+        qdot0=float(motion.qdot[begin]),
+        drive=VoltageKnots(drive.t[knots], drive.v[knots], rows - rows[0]),
+    )
 
 
 UNREACHABLE = 0.03
@@ -269,8 +272,8 @@ def error_derivatives(
             by_parameter[: reached.size] = np.tensordot(states[reached, :3], levers, (1, 0))
         return by_parameter[1:]
 
-    by_window = np.stack(starts, axis=-1)
-    return np.concatenate([*(pool.map if pool else map)(derivatives, motions.runs, motions.windows.parts, by_window)])
+    mapped = (pool.map if pool else map)(derivatives, motions.runs, motions.windows.parts, np.stack(starts, axis=-1))
+    return np.concatenate([*mapped])
 
 
 def start_states(parameters: JointParameters, windows: Windows) -> FloatArray:

@@ -303,8 +303,7 @@ class _Search:
 
     def follows(self, fit: HomotopyFit, share: float) -> bool:
         """True if the error of a fit's free run is below a share of the operating range."""
-        low, high = operating_range(self.records)
-        return _free_error(fit) < 1e3 * share * (high - low)
+        return _free_error(fit) < 1e3 * share * float(np.ptp(operating_range(self.records)))
 
     @property
     def basis(self) -> FloatArray:
@@ -316,11 +315,11 @@ class _Search:
 
     def held_out(self, joint: CondensedJoint, theta: FloatArray) -> "_HeldOut":
         """Errors behind the first parts of the logs; infinite where a run fails."""
-        low, high = operating_range(self.records)
+        span = float(np.ptp(operating_range(self.records)))
         problem = CondensedProblem(joint, self.records, fitted_samples)
         coupled, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
         errors = (float(np.mean(np.abs(coupled))), rms(free))
-        return _HeldOut(*(1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors))
+        return _HeldOut(*(1e-3 * error / span if np.isfinite(error) else float("inf") for error in errors))
 
 
 def _free_error(fit: HomotopyFit) -> float:
@@ -378,4 +377,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 
-HYBRID = ModelType(_fit, HybridModel, "identify", "export.hybrid:realise")
+HYBRID = ModelType(_fit, HybridModel, "export.hybrid:realise")

@@ -281,13 +281,6 @@ class HybridModel:
     def describe(self) -> dict[str, Any]:
         """Structure, every deviation in its unit with its standard deviation, and diagnostics."""
         sd = np.sqrt(np.sum(self.spread**2, axis=1))
-        facts = {
-            f"{entry.name} [{'1' if entry.logarithm else entry.unit}]": [
-                float(self.theta[j] * entry.prior_std),
-                float(sd[j] * entry.prior_std),
-            ]
-            for j, entry in enumerate(DEVIATIONS)
-        }
         return {
             "structure": "analytical joint in (q, tau, beta) with two sides, Maxwell slip and creep; RBF corrections",
             "origin": "equations of the joint and data",
@@ -299,7 +292,13 @@ class HybridModel:
             "inputs": "squared",
             "parameters": len(self.theta),
             "physical_parameters": len(DEVIATIONS),
-            "deviations": facts,
+            "deviations": {
+                f"{entry.name} [{'1' if entry.logarithm else entry.unit}]": [
+                    float(self.theta[j] * entry.prior_std),
+                    float(sd[j] * entry.prior_std),
+                ]
+                for j, entry in enumerate(DEVIATIONS)
+            },
             **self.diagnostics,
         }
 

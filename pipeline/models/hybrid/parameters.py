@@ -203,8 +203,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     """
     d = _values(deviations)
     values = _beam_and_frame(p, d) | {"slope_ratio": ratio}
-    names = ["softening", "softening_rate", *(name for name, *_ in TIP_CONSTANTS)]
-    values |= {name: d[name.replace("_", " ")] for name in names}
+    for name in ("softening", "softening_rate", *(name for name, *_ in TIP_CONSTANTS)):
+        values[name] = d[name.replace("_", " ")]
     for kind, terms in (("quartic", QUARTICS), ("sextic", SEXTICS), ("shortening", SHORTENINGS)):
         values |= {f"{kind}_{powers}": d[f"{kind} {powers}"] for powers in terms}
     for side, membrane in (("left", p.left), ("right", p.right)):

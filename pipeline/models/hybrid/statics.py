@@ -206,13 +206,11 @@ def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatAr
         start = x[[0, 2, 4]]
         corrections_at(x[0], basis, weights, c)
         joint_rates(x, u, c, z, start, p, at_rest)
-        for j in range(STATES - 1, -1, -1):  # q last, as it changes the corrections
-            here = x[j]
-            x[j] += 1e-7
-            if j == 0:
-                corrections_at(x[0], basis, weights, c)
-            joint_rates(x, u, c, z, start, p, rates)
-            x[j] = here
+        for j in range(STATES):
+            moved = x.copy()
+            moved[j] += 1e-7
+            corrections_at(moved[0], basis, weights, c)
+            joint_rates(moved, u, c, z, start, p, rates)
             jacobians[i, :, j] = (rates - at_rest) / 1e-7
     return jacobians
 
@@ -330,11 +328,9 @@ def static_curves(q: FloatArray, k: FloatArray, basis: FloatArray, weights: Floa
         still = forces[0] + slope * forces[1] + interior * forces[2]
         curves[0, i] = -still
         corrections_at(q[i], basis, weights, c)
-        for side in range(2):
-            u[side] = 1e6  # 1 kV², so that the difference is far above rounding
-            rest_forces(x, u, c, p, forces, by)
+        for side, one in enumerate(np.eye(2)):
+            rest_forces(x, 1e6 * one, c, p, forces, by)  # 1 kV², so that the difference is far above rounding
             curves[2 + side, i] = (forces[0] + slope * forces[1] + interior * forces[2] - still) / 1e6
-            u[side] = 0.0
         loss = _moving_force(x, slope, interior, -_SPEED, c, p) - _moving_force(x, slope, interior, _SPEED, c, p)
         curves[1, i] = 0.5 * loss / _SPEED
     return curves

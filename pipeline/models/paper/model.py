@@ -378,4 +378,4 @@ def _fit(training: Training) -> RbfPaperModel:
     )
 
 
-RBF_PAPER = ModelType(_fit, RbfPaperModel, "identify", "export.data_driven:realise_paper")
+RBF_PAPER = ModelType(_fit, RbfPaperModel, "export.data_driven:realise_paper")

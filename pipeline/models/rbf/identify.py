@@ -321,4 +321,4 @@ def _fit(training: Training) -> RbfModel:
     )
 
 
-RBF = ModelType(_fit, RbfModel, "identify", "export.data_driven:realise_rbf")
+RBF = ModelType(_fit, RbfModel, "export.data_driven:realise_rbf")

@@ -336,8 +336,7 @@ class ParameterLayout:
             return np.ascontiguousarray(u[0])
         if self.structure.effect_lags:
             return np.zeros(u.shape[1])
-        acting, _, _ = self._effect(np.zeros((1, u.shape[1])), theta)
-        return np.ascontiguousarray(acting[0])
+        return np.ascontiguousarray(self._effect(np.zeros((1, u.shape[1])), theta)[0][0])
 
 
 def kind_of(block: str) -> str:

@@ -275,11 +275,12 @@ class JointProblem:
     @property
     def of_displacement(self) -> BoolArray:
         """Mask of the rows of the residual that are errors of x; the others are weighted errors of the velocity."""
-        kinds = [
-            np.arange(np.count_nonzero(log.in_residual)) < np.count_nonzero(log.observe[: log.split] > 0.0)
-            for log in self.logs
-        ]
-        return np.concatenate(kinds)
+        return np.concatenate(
+            [
+                np.arange(np.count_nonzero(log.in_residual)) < np.count_nonzero(log.observe[: log.split] > 0.0)
+                for log in self.logs
+            ]
+        )
 
     def held_out(self, theta: FloatArray, gain: float, coupled: float = 0.0) -> list[FloatArray]:
         """Errors behind the split of each log, free or at an observer gain `coupled`; infinite where a run diverged."""
@@ -369,6 +370,5 @@ def _travel(p: ParameterLayout, record: Log, every: int) -> tuple[FloatArray | N
 def _averaged(values: FloatArray, every: int) -> FloatArray:
     """Every so-many-th row of a centred average over as many, so that noise between the rows stays out."""
     window = np.ones(every) if every % 2 else np.concatenate(([0.5], np.ones(every - 1), [0.5]))
-    reach = len(window) // 2
-    smooth = [np.convolve(np.pad(column, reach, "edge"), window / every, "valid") for column in values.T]
-    return np.column_stack(smooth)[::every]
+    padded = np.pad(values, ((len(window) // 2,) * 2, (0, 0)), "edge")
+    return np.column_stack([np.convolve(column, window / every, "valid") for column in padded.T])[::every]

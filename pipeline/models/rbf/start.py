@@ -150,13 +150,11 @@ def is_bistable_pair(records: Sequence[Log], action: InputAction) -> bool:
         return False
     plain = JointStructure(rates=(), shape_elements=0, slips=0, arc=False)
     p, start = starting_joint(records, plain, action, centred=False)
-    if p.signs[0] == p.signs[1]:
-        return False
     coefficients = p.coefficients(start)
     x = np.linspace(-1.0, 1.0, PLACES)
     force = basis_rows(x, coefficients) @ coefficients.curves[FORCE]
     turns = np.flatnonzero(np.diff(np.sign(force)))
-    if not np.array_equal(np.sign(force[turns]), [1.0, -1.0, 1.0]):
+    if p.signs[0] == p.signs[1] or not np.array_equal(np.sign(force[turns]), [1.0, -1.0, 1.0]):
         return False
     left, saddle, right = np.abs(x[turns])
     return bool(saddle < min(left, right))
@@ -231,12 +229,11 @@ def _best_slips(
     Cost: for each length a pass over the samples, and for each of `count` steps at most five normal equations.
     """
     paths = [np.interp(r.t, r.t[r.valid], r.q[r.valid]) / scales.half for r in records]
-
-    def state(length: float) -> FloatArray:
-        """Resisting force at the valid samples, shape (N, 1)."""
-        return -np.concatenate([slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)])[:, None]
-
-    states = {length: state(length) for length in SLIP_LENGTHS}
+    # Resisting forces at the valid samples, shape (N, 1)
+    states = {
+        length: -np.concatenate([slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)])[:, None]
+        for length in SLIP_LENGTHS
+    }
     chosen = list[float]()
 
     def misfit(length: float) -> float:
@@ -272,8 +269,8 @@ def _best_stops(
     places = min(pairs, key=lambda ends: _misfit([*columns, stop_forces(*ends)], target))
     matrix = np.column_stack([*columns, stop_forces(*places)])
     stiffness, resistance = np.linalg.lstsq(matrix, target, rcond=None)[0][-2:]
-    least = STOP_LEAST * scales.stiffness, STOP_LEAST * scales.frequency
-    return np.array([*places, np.log(max(stiffness, least[0])), np.log(max(resistance, least[1]))])
+    stiffness = max(stiffness, STOP_LEAST * scales.stiffness)
+    return np.array([*places, np.log(stiffness), np.log(max(resistance, STOP_LEAST * scales.frequency))])
 
 
 def _driven(records: Sequence[Log], p: ParameterLayout, timing: FloatArray) -> FloatArray:
@@ -369,8 +366,8 @@ def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[fl
     for i, gain in enumerate(gains):
         theta[at[f"input{i}"]] = np.log(typical[i]) if p.signs[i] else gain
     for i in range(len(p.structure.rates)):
-        stiffness = (STIFF if i < p.structure.shape_elements else SOFT) * s.stiffness
-        theta[at[f"coupling{i}"]] = np.sqrt(stiffness) / overlap
+        share = STIFF if i < p.structure.shape_elements else SOFT
+        theta[at[f"coupling{i}"]] = np.sqrt(share * s.stiffness) / overlap
     for i in range(p.structure.shape_elements):
         theta[at[f"relaxation{i}"]] = np.log(START_RELAXATION * s.frequency / overlap)
         for k, sign in enumerate(p.signs):

@@ -323,8 +323,9 @@ def _judge(records: Sequence[Log], setting: Setting, option: Candidate, near: _J
         p, start, prior = setting.begin(fitted, option, fits[0] if timed and fits else None)
         fit = _quick_fit(p, fitted, start, prior, setting, option, near.fits[i] if near else None)
         problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-        at = (COUPLED, setting.coupled)
-        both = [np.concatenate(problem.held_out(fit.theta, GAINS[1], coupled)) for coupled in at]
+        both = [
+            np.concatenate(problem.held_out(fit.theta, GAINS[1], coupled)) for coupled in (COUPLED, setting.coupled)
+        ]
         errors.append(p.scales.half * np.minimum(np.abs(both), DIVERGED_ERROR_HALF_RANGES))
         fits.append((p, fit.theta))
         chaotic = chaotic or fit.chaotic

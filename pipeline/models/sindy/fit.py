@@ -101,8 +101,8 @@ def fit_sindy(
 def _search(error: Callable[[Treatment], float], problem: Problem, *, angle: bool) -> None:
     """Try candidates in order; each stage keeps the best of the one before."""
     present = {lag.time for lag in problem.empty.lags}
-    sets = [tuple(ratio * problem.time_scale for ratio in ratios) for ratios in LAG_SETS]
-    sets = [times for times in sets if present.issuperset(times)]
+    scaled = (tuple(ratio * problem.time_scale for ratio in ratios) for ratios in LAG_SETS)
+    sets = [times for times in scaled if present.issuperset(times)]
 
     def best_of(libraries: Iterable[Library]) -> Library:
         """The library of least held-out error."""

@@ -279,12 +279,10 @@ def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyM
 SINDY = ModelType(
     lambda data: identify_sindy(data.fitted_segments, data.device, most=data.compare.candidates),
     SindyModel,
-    "compare",
     "export.data_driven:realise_polynomial",
 )
 SINDY_DEFAULT = ModelType(
     lambda data: identify_default_sindy(data.segments, data.device),
     SindyModel,
-    "compare",
     "export.data_driven:realise_polynomial",
 )

@@ -119,8 +119,7 @@ def weak_rows(
             pysindy.IdentityLibrary(), spatiotemporal_grid=interval * np.arange(len(x)), K=count, H_xt=half_width, p=4
         )
         rows = np.asarray(weak.fit_transform(terms[:, first]))
-        target = np.asarray(weak.convert_u_dot_integral(qdot[:, None]))[:, 0]
-    return exponents[first], rows, target
+        return exponents[first], rows, np.asarray(weak.convert_u_dot_integral(qdot[:, None]))[:, 0]
 
 
 LAG_SETS = ((), (1.0, 8.0), (2.0, 16.0), (1 / 3, 2.0, 8.0))
