@@ -247,17 +247,33 @@ def offers(
     friction = change.to(*(FRICTION[name] for name in OFFERED))
     effect = change.to(*EFFECT.values())
     drag, stops = (change.each(name, [False, True]) for name in ("drag", "stops"))
+    plain = [FRICTION["viscous"], FRICTION["coulomb"], *[FRICTION["viscous"] | {"overdamped": True}] * slow]
+    late = {"constant_gain": True, "overdamped": False}
+    together = DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False}
     once = [
-        _simple(change, slow=slow),
-        _by_place(change),
+        # Each force with and without dry friction, of a mass and, where the device looks slow, without
+        change.to(*(option | {"force": force} for option in plain for force in FORCES)),
+        # A gain by place. A mass that nothing restores is the same everywhere: that its gain is not, is offered later.
+        _restored(change.to(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))),
         hold,
-        _slow_drive(change, resting),
+        # A slow drive in place of what would take its part: a gain by place, much damping, hidden forces and friction
+        _restored(
+            change.to(
+                *(
+                    FRICTION[name] | {"force": force} | late | drive
+                    for name in OFFERED[:2]
+                    for force in FORCES[:2]
+                    for drive in (*resting, DRIVE["delay"])
+                )
+            )
+        ),
         stops,
         friction,
         drag,
         drives,
         effect,
-        _together(change),
+        # A slow drive, a slow force and a gain by place, which may each take the others' parts, so that none is missed
+        change.to(*(FRICTION[name] | together for name in OFFERED[:3])),
     ]
     curves = change.to(*({"constant_damping": d, "constant_gain": g} for d in (False, True) for g in (False, True)))
     sizes = [change.each("basis_functions", [5, 12]), change.each("smoothing", [0.8, 1.3])]
@@ -266,34 +282,6 @@ def offers(
     return once, [change.each("overdamped", [False, True]), *again] if slow else again
 
 
-def _simple(change: _Change, *, slow: bool) -> Offer:
-    """Each force with and without dry friction, of a mass and, where the device looks `slow`, without."""
-    options: list[dict[str, Any]] = [FRICTION["viscous"], FRICTION["coulomb"]]
-    options += [FRICTION["viscous"] | {"overdamped": True}] * slow
-    return change.to(*(option | {"force": force} for option in options for force in FORCES))
-
-
-def _by_place(change: _Change) -> Offer:
-    """A gain by place. A mass that nothing restores is the same everywhere: that its gain is not, is offered later."""
-    offered = change.to(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))
-    return lambda best: [] if best.structure.force == "offset" else offered(best)
-
-
-def _slow_drive(change: _Change, resting: Sequence[dict[str, Any]]) -> Offer:
-    """A slow drive in place of what would take its part: a gain by place, much damping, hidden forces and friction."""
-    late = {"constant_gain": True, "overdamped": False}
-    offered = change.to(
-        *(
-            FRICTION[name] | {"force": force} | late | drive
-            for name in OFFERED[:2]
-            for force in FORCES[:2]
-            for drive in (*resting, DRIVE["delay"])
-        )
-    )
-    return lambda best: [] if best.structure.force == "offset" else offered(best)
-
-
-def _together(change: _Change) -> Offer:
-    """A slow drive, a slow force and a gain by place, which may each take the others' parts, so that none is missed."""
-    slow = DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False}
-    return change.to(*(FRICTION[name] | slow for name in OFFERED[:3]))
+def _restored(offer: Offer) -> Offer:
+    """The offer to a device that something restores: a free mass gets none."""
+    return lambda best: [] if best.structure.force == "offset" else offer(best)

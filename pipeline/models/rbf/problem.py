@@ -257,8 +257,10 @@ class JointProblem:
     def jacobian_effort(self, theta: FloatArray) -> float:
         """Seconds of a Jacobian by the cost model."""
         p = self.parameters
-        steps = (log.split * steps_per_sample(p, log.interval, theta, self.step) for log in self.logs)
-        return sum(simulation_effort(count, p.count) for count in steps)
+        return sum(
+            simulation_effort(log.split * steps_per_sample(p, log.interval, theta, self.step), p.count)
+            for log in self.logs
+        )
 
     def is_chaotic(self, theta: FloatArray) -> bool:
         """True if the free run of any log diverges from one that starts beside it."""
