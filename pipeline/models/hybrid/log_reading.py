@@ -19,8 +19,7 @@ from functools import cached_property
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Field
-from pydantic.dataclasses import dataclass
+from pydantic import Field, dataclasses as stored
 from scipy.interpolate import CubicSpline
 
 from ...errors import InputError
@@ -61,7 +60,7 @@ _WEIGHTS = np.array(
 _Size = Annotated[float, Field(ge=1e-3, le=1e3)]
 
 
-@dataclass(frozen=True, config=STORED)
+@stored.dataclass(frozen=True, config=STORED)
 class Similarity:
     """Size of the device over that of the parameter set."""
 
@@ -182,7 +181,7 @@ class Instruments:
 
 
 class DrivingVoltages:
-    """Measured voltages of the two membranes between the samples of a log.
+    """Measured voltages of the two membranes between the samples of a log; `refined` if they are known there.
 
     Parameters
     ----------
@@ -204,14 +203,10 @@ class DrivingVoltages:
         self._samples = len(v)
         self._dt = dt
         self._per_sample = v.shape[1] if v.ndim == 3 else 1
+        self.refined = self._per_sample > 1
         self._v = np.ascontiguousarray(v.reshape(-1, 2)[: self._per_sample * (len(v) - 1) + 1])
         self._spline = None if self.refined else CubicSpline(dt * np.arange(len(v)), self._v)
         self._largest = float(np.abs(self._v).max())
-
-    @property
-    def refined(self) -> bool:
-        """True if the voltages are known between the samples."""
-        return self._per_sample > 1
 
     def squared(self, steps: int, seen: Instruments, largest: float) -> FloatArray:
         """Squared voltages [V²] on the half steps, shape (2 steps (N−1) + 1, 2).

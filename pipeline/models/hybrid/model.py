@@ -9,8 +9,7 @@ from functools import cached_property, lru_cache
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
-from pydantic import Field, model_validator
-from pydantic.dataclasses import dataclass
+from pydantic import Field, dataclasses as stored, model_validator
 from scipy.interpolate import CubicSpline
 
 from ...fitting.posterior import first_order_curves, posterior_draws
@@ -40,7 +39,7 @@ _FARTHEST = 300.0
 """Largest magnitude of an entry of theta [widths]; exponentials of more overflow."""
 
 
-@dataclass(frozen=True, config=STORED)
+@stored.dataclass(frozen=True, config=STORED)
 class HybridModel:
     """An identified hybrid joint, and its file.
 

@@ -154,8 +154,7 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
     if len(models) < FEWEST:
         raise DataRefusedError(f"{len(models)} joints: a prior needs at least {FEWEST}; identify more of them")
     for name, model in models.items():
-        units = model.joint.similarity
-        if (units.length, units.time, units.voltage) != (1.0, 1.0, 1.0):
+        if any(getattr(model.joint.similarity, scale) != 1.0 for scale in ("length", "time", "voltage")):
             raise InputError(f"{name}: was scaled by its own logs; give all joints one set, plant.parameters")
     if len({model.joint.parameters for model in models.values()}) > 1:
         raise InputError("the joints have not one parameter set; name the same plant.parameters for all of them")

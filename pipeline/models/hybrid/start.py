@@ -22,10 +22,9 @@ from ...generated.condensed_joint import CORRECTIONS
 from ...numerics.arrays import FloatArray, IntArray
 from ...scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
 from ...signals.log import Log
-from . import parameters as condensed_parameters
 from .kernels import CURVES, INDEX
 from .log_reading import Similarity
-from .parameters import NAMES
+from .parameters import NAMES, constants, moving_mass, nominal_deviations, static_slope_ratio
 from .statics import static_curves
 
 NEAR = 0.4
@@ -126,8 +125,8 @@ def _shift(wells: Wells) -> float:
 
 def mass_factor(parameters: JointParameters, mass: float | None) -> float:
     """The device's moving mass [kg], 1 kg if it is unknown, over that of the set's joint."""
-    ratio = condensed_parameters.static_slope_ratio(parameters)
-    return (1.0 if mass is None else mass) / condensed_parameters.moving_mass(parameters, ratio)
+    ratio = static_slope_ratio(parameters)
+    return (1.0 if mass is None else mass) / moving_mass(parameters, ratio)
 
 
 def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotion | None:
@@ -176,8 +175,8 @@ def _weighted(estimates: Sequence[tuple[float, float]]) -> float:
 
 def _reference_motion(parameters: JointParameters) -> _SmallMotion:
     """Small motions of the parameter set's joint, from its static curves."""
-    ratio = condensed_parameters.static_slope_ratio(parameters)
-    k = condensed_parameters.constants(parameters, condensed_parameters.nominal_deviations(), ratio)
+    ratio = static_slope_ratio(parameters)
+    k = constants(parameters, nominal_deviations(), ratio)
     q = np.linspace(0.02, 0.24, 111) * parameters.l
     force, _, left, right = static_curves(q, k, np.zeros(3), np.zeros((CURVES, 0)))
     rest = int(np.flatnonzero((force[:-1] < 0.0) & (force[1:] >= 0.0))[-1])

@@ -5,9 +5,7 @@ from dataclasses import field, replace
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
-from pydantic import model_validator
-from pydantic.dataclasses import dataclass
+from pydantic import dataclasses as stored, model_validator
 
 from ...codegen.graph import trace
 from ...fitting.posterior import first_order_curves, outcome_draws, posterior_draws
@@ -28,7 +26,7 @@ PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency sca
 SEED = 20251  # of the posterior draws: the same model gives the same draws
 
 
-@dataclass(frozen=True, config=STORED)
+@stored.dataclass(frozen=True, config=STORED)
 class RbfModel:
     """An identified data-driven joint (equation of motion: `pipeline.models.rbf.dynamics`), and its file."""
 
@@ -261,7 +259,7 @@ class _Driven:
         u, du = parameters.inputs(v, interval, self.steps, theta)
         self.drive = Drive(u, du, parameters.at_rest(u, theta), parameters.held)
 
-    def run(self, coupling: Coupling, start: ArrayLike, row: int = 0) -> tuple[FloatArray, int]:
+    def run(self, coupling: Coupling, start: FloatArray | tuple[float, float], row: int = 0) -> tuple[FloatArray, int]:
         """States from a row of the log on, and valid samples; see `observed_run`."""
         first, last = (2 * self.steps * sample for sample in (row, row + len(coupling.measured) - 1))
         u, du, rested, held = self.drive

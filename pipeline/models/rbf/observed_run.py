@@ -11,7 +11,6 @@ Sensitivities are those of the discrete scheme itself, so Gauss-Newton sees the 
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ...numerics.arrays import FloatArray
 from ...numerics.fixed_step import Methods, inlined, integrator, workspace
@@ -286,7 +285,7 @@ def observed_run(
     c: Coefficients,
     drive: Drive,
     coupling: Coupling,
-    start: ArrayLike,
+    start: FloatArray | tuple[float, float],
     interval: float,
     steps: int,
     wrt: SensitivityParameters,

@@ -9,8 +9,7 @@ from functools import cached_property
 from typing import Annotated
 
 import numpy as np
-from pydantic import BeforeValidator, Field
-from pydantic.dataclasses import dataclass
+from pydantic import BeforeValidator, Field, dataclasses as stored
 
 from ...fitting.regression import InputAction
 from ...generated.terms import BENT, PAST_ZONE
@@ -43,7 +42,7 @@ SLIP_FLOOR = 2e-3
 """Shortest Dahl length, as a share of half the range: shorter ones are a spring too stiff for the integration step."""
 
 
-@dataclass(frozen=True, config=STORED)
+@stored.dataclass(frozen=True, config=STORED)
 class ParameterLayout:
     """The parameter vector of one structure."""
 

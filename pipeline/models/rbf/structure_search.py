@@ -103,8 +103,14 @@ class Setting:
         """Parameterisation, start and prior of a candidate; lag and delay start as in another fit of it."""
         structure = option.structure
         if self.measured:
-            structure = replace(structure, force="curve", constant_gain=False, bent_input=False, dead_zone=False)
-            structure = replace(structure, stops=structure.stops and self.measured.force is None)
+            structure = replace(
+                structure,
+                force="curve",
+                constant_gain=False,
+                bent_input=False,
+                dead_zone=False,
+                stops=structure.stops and self.measured.force is None,
+            )
         p, start = starting_joint(
             records,
             structure,

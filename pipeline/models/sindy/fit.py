@@ -3,12 +3,12 @@
 Weak form and sparse regression are pysindy's estimators.
 """
 
-import importlib
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+import pysindy
 
 from ...device.device import Device
 from ...errors import InputError
@@ -129,7 +129,7 @@ def _fitted(problem: Problem, candidate: Treatment, fold: int | None) -> Polynom
     columns = problem.columns(candidate.library)
     rows, target = problem.without(fold)
     theta, scaled, norms, length = _scaled(rows[:, columns], target)
-    optimizer = importlib.import_module("pysindy").STLSQ(threshold=candidate.threshold, alpha=RIDGE)
+    optimizer = pysindy.STLSQ(threshold=candidate.threshold, alpha=RIDGE)
     with seeded():
         optimizer.fit(theta, scaled[:, None])
     coefficients = np.nan_to_num(np.asarray(optimizer.coef_, dtype=np.float64)[0]) * length / norms
@@ -232,7 +232,6 @@ def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> PolynomialD
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    pysindy = importlib.import_module("pysindy")
     low, high = operating_range(trajectories)
     if len({x.v.shape[1] for x in trajectories}) != 1 or np.ptp([x.interval for x in trajectories]) > 1e-9:
         raise InputError("the training logs differ in inputs or sample interval; ingest them alike")

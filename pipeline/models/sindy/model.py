@@ -37,7 +37,6 @@ from ..polynomial_dynamics import (
     monomials,
     scaled_variables,
 )
-from .fit import fit_default_sindy, fit_sindy
 
 MOST_LAGS = 9
 
@@ -254,6 +253,8 @@ def identify_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | No
     InputError
         No data, differing inputs, or a constant displacement.
     """
+    from .fit import fit_sindy
+
     dynamics, notes = fit_sindy(trajectories, plant, most=most)
     return SindyModel.of(dynamics, plant, "sindy", notes)
 
@@ -268,6 +269,8 @@ def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyM
     plant : Device
         Action of the inputs, units, those of the log among them, and mass.
     """
+    from .fit import fit_default_sindy
+
     dynamics = fit_default_sindy(trajectories, plant)
     notes = {
         "library": "poly2(q, q̇, u), pysindy's default, in the units of the log",

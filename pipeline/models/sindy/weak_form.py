@@ -9,7 +9,6 @@ draws the places of test functions from NumPy's global state (its issue 485), wh
 A `Problem` holds the rows for every candidate term and every held-out block.
 """
 
-import importlib
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -17,6 +16,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import pysindy
 from scipy.interpolate import CubicHermiteSpline
 
 from ...device.device import Device
@@ -58,7 +58,6 @@ def seeded() -> Iterator[None]:
 
 def feature_library(variables: int, angle: bool) -> Any:
     """Pysindy's library of the powers of q, and of q (for an `angle` also sin q, cos q) times every other variable."""
-    pysindy = importlib.import_module("pysindy")
     libraries = [pysindy.PolynomialLibrary(HIGHEST), pysindy.PolynomialLibrary(COUPLED), pysindy.IdentityLibrary()]
     inputs = [[Q], [Q], [k for k in range(variables) if k not in (Q, SINE, COSINE)]]
     tensors = [[0, 1, 1]]
@@ -109,7 +108,6 @@ def weak_rows(
     target : FloatArray, shape (count,)
         −∫ φ' q̇ dt. Cost: about 2 ms a test function, nearly all of it in setting up pysindy's library.
     """
-    pysindy = importlib.import_module("pysindy")
     features = feature_library(x.shape[1], angle)
     with seeded():
         terms = np.asarray(features.fit_transform(x))
