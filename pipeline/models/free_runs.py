@@ -121,13 +121,13 @@ def free_run(log: Log, model: DynamicModel) -> FreeRun:
     model : DynamicModel
         Model to simulate.
     """
-    q, qdot, qddot = (np.full(len(log.t), np.nan) for _ in range(3))
+    q, qdot, qddot = motion = np.full((3, len(log.t)), np.nan)
     for rows, part in zip(log.part_rows(), log.parts(), strict=True):
         made = model.simulate(*start_of(part, model))
-        q[rows], qdot[rows], qddot[rows] = made.q, made.qdot, made.qddot
+        motion[:, rows] = made.q, made.qdot, made.qddot
         if made.status != "ok":
-            return FreeRun(t=log.t, q=q, qdot=qdot, qddot=qddot, status=made.status, diverged_at_s=made.diverged_at_s)
-    return FreeRun(t=log.t, q=q, qdot=qdot, qddot=qddot, status="ok", diverged_at_s=None)
+            return FreeRun(log.t, q, qdot, qddot, made.status, made.diverged_at_s)
+    return FreeRun(log.t, q, qdot, qddot, "ok")
 
 
 def drawn_runs(log: Log, model: DynamicModel) -> FloatArray | None:

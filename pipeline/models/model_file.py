@@ -164,11 +164,10 @@ def _facts(value: Any, levels: int = _DEEPEST) -> Any:
         if not levels or len(value) > _MOST_FACTS:
             raise ValueError("is nested too deeply or has too many entries")
         return {str(key): _facts(entry, levels - 1) for key, entry in value.items()}
-    if isinstance(value, str | bool | int | float):
-        if isinstance(value, str) and len(value) > _LONGEST_TEXT:
-            raise ValueError("holds a text that is too long")
-        return value
-    if not isinstance(value, np.ndarray | np.generic | list | tuple) or np.asarray(value).dtype.kind not in "biufU":
+    if isinstance(value, str) and len(value) > _LONGEST_TEXT:
+        raise ValueError("holds a text that is too long")
+    known = isinstance(value, str | bool | int | float | np.ndarray | np.generic | list | tuple)
+    if not known or np.asarray(value).dtype.kind not in "biufU":
         raise ValueError("holds something else than texts and numbers")
     return value
 

@@ -94,17 +94,20 @@ def calibrate_analytical(data: Sequence[Log], start: JointParameters) -> Analyti
     from .calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
     fit = calibrate(data, start, np.random.default_rng(0), names=ASYMMETRIC_NAMES + FRICTION_NAMES)
-    diagnostics = {
-        "fitted": [f"{name} [{QUANTITIES[name].unit}]" for name in fit.names],
-        "values": fit.values,
-        "standard_errors": fit.standard_errors,
-        "correlation": fit.correlation,
-        "at_bound": list(fit.at_bound),
-        "rmse_windows_m": fit.rmse,
-        "converged": fit.converged,
-        "evaluations": fit.evaluations,
-    }
-    return AnalyticalModel(parameters=fit.parameters, name="analytical-calibrated", diagnostics=diagnostics)
+    return AnalyticalModel(
+        parameters=fit.parameters,
+        name="analytical-calibrated",
+        diagnostics={
+            "fitted": [f"{name} [{QUANTITIES[name].unit}]" for name in fit.names],
+            "values": fit.values,
+            "standard_errors": fit.standard_errors,
+            "correlation": fit.correlation,
+            "at_bound": list(fit.at_bound),
+            "rmse_windows_m": fit.rmse,
+            "converged": fit.converged,
+            "evaluations": fit.evaluations,
+        },
+    )
 
 
 def _parameters(training: Training) -> JointParameters:

@@ -442,11 +442,10 @@ def simulate(
     constants, weights = built or (joint.constants(thetas), joint.weights(thetas))
     seen = [joint.instruments(theta) for theta in thetas]
     keys = [(instrument.delay, instrument.charging, *instrument.probe) for instrument in seen]
-    first = {key: i for i, key in reversed(list(enumerate(keys)))}
-    order = {key: v for v, key in enumerate(first)}
+    different = list(dict.fromkeys(keys))
     driving = Driving(
-        np.array([inputs(seen[i]) for i in first.values()]),
-        np.array([order[key] for key in keys]),
+        np.array([inputs(seen[keys.index(key)]) for key in different]),
+        np.array([different.index(key) for key in keys]),
         np.array([instrument.offset for instrument in seen]),
         start,
     )

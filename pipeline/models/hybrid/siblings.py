@@ -224,10 +224,10 @@ def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulatio
     """
     file = read_part(SiblingsFile, tree, "siblings", "fleet learn")
     current = file.deviations == " | ".join(NAMES) and np.array_equal(file.prior_std, PRIOR_STD)
-    symmetric = np.allclose(file.covariance, file.covariance.T)
-    if not current or not symmetric or np.linalg.eigvalsh(file.covariance).min() <= 0.0:
+    covariance = file.covariance
+    if not (current and np.allclose(covariance, covariance.T) and np.linalg.eigvalsh(covariance).min() > 0.0):
         raise CorruptArtifactError(
             "siblings: of another version of debist, or no covariance; run `debist fleet learn` again"
         )
     names = str(file.diagnostics.get("siblings", "")).split(" | ")
-    return file.parameters, NormalPopulation(file.mean, file.covariance), names
+    return file.parameters, NormalPopulation(file.mean, covariance), names

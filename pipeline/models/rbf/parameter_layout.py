@@ -99,12 +99,16 @@ class ParameterLayout:
         s = self.structure
         k = len(self.signs)
         m = self.structure.basis_functions
+        # Of each shape element its relaxation, then the pulls of the inputs
+        shapes = (
+            name for i in range(s.shape_elements) for name in (f"relaxation{i}", *(f"pull{i}_{n}" for n in range(k)))
+        )
         sizes = {
             "force": {"curve": POLYNOMIALS + m, "polynomial": POLYNOMIALS, "offset": 1}[s.force],
             "damping": 1 if s.constant_damping else m,
             **{f"input{i}": 1 if s.constant_gain else m for i in range(k)},
             **{f"coupling{i}": m for i in range(len(s.rates))},
-            **dict.fromkeys(self._shapes, m),
+            **dict.fromkeys(shapes, m),
             "rate": len(s.rates),
             "slip_force": s.slips,
             "slip_length": s.slips,
@@ -124,15 +128,8 @@ class ParameterLayout:
     @cached_property
     def rows(self) -> dict[str, int]:
         """Row of each block of weights in `dynamics.Coefficients.curves`."""
-        inputs = (f"input{i}" for i in range(len(self.signs)))
-        couplings = (f"coupling{i}" for i in range(len(self.structure.rates)))
-        return {name: row for row, name in enumerate(["force", "damping", *inputs, *couplings, *self._shapes])}
-
-    @property
-    def _shapes(self) -> list[str]:
-        """Blocks of the shape elements: of each its relaxation, then the pulls of the inputs."""
-        parts = ("relaxation{i}", *(f"pull{{i}}_{n}" for n in range(len(self.signs))))
-        return [part.format(i=i) for i in range(self.structure.shape_elements) for part in parts]
+        names = list(self.slices)
+        return {name: row for row, name in enumerate(names[: names.index("rate")])}
 
     @cached_property
     def dimensionless(self) -> tuple[FloatArray, FloatArray]:
@@ -140,16 +137,12 @@ class ParameterLayout:
         offset = np.zeros(self.count)
         scale = np.ones(self.count)
         stiffness = self.units.stiffness
+        offsets = dict.fromkeys(("damping", "relaxation", "rate"), np.log(self.units.frequency))
+        offsets |= dict.fromkeys(("input", "slip_force"), np.log(stiffness))
+        scales = {"force": stiffness, "coupling": np.sqrt(stiffness), "pull": np.sqrt(stiffness)}
         for name, where in self.slices.items():
-            kind = kind_of(name)
-            if kind == "force":
-                scale[where] = stiffness
-            elif kind in ("damping", "relaxation", "rate"):
-                offset[where] = np.log(self.units.frequency)
-            elif kind in ("input", "slip_force"):
-                offset[where] = np.log(stiffness)
-            elif kind in ("coupling", "pull"):
-                scale[where] = np.sqrt(stiffness)
+            offset[where] = offsets.get(kind_of(name), 0.0)
+            scale[where] = scales.get(kind_of(name), 1.0)
         if self.structure.force != "offset":
             scale[self.cubic], offset[self.cubic] = 1.0, np.log(stiffness)
         return offset, scale
