@@ -172,8 +172,7 @@ class NarxModel(ModelFile):
         unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, np.arange(len(seen))))
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             first = max(int(unmeasured[start]) + 1, start - reach)
-            past = seen[first : start + 1]
-            run, _ = self.run(v[first : start + count + 1], past, float(speed[start]))
+            run, _ = self.run(v[first : start + count + 1], seen[first : start + 1], float(speed[start]))
             yield run[start - first :]
 
     def run(self, v: FloatArray, seen: FloatArray, qdot0: float) -> tuple[FloatArray, int]:

@@ -282,8 +282,7 @@ def calibrate(
             followed = SimulatedProblem(problem, wide.resolved(lost_windows, short), SEARCH)
             refined = improve("refining over windows that are followed", followed, refined.x, MOST_EVALUATIONS, 5e-2)
         improved = improve("refining over long windows", final, refined.x, MOST_EVALUATIONS, 1e-4)
-        reached = np.array([_rmse(sample.windows, result.fun) for result in candidates])
-        return _result(final, improved, reached)
+        return _result(final, improved, np.array([_rmse(sample.windows, result.fun) for result in candidates]))
 
 
 def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -> FloatArray:

@@ -116,8 +116,8 @@ def polynomial_shapes(path: StaticPath, degree: int) -> FloatArray:
 @lru_cache(maxsize=16)
 def reduce_joint(parameters: JointParameters) -> ReducedJoint:
     """The reduced joint over ±`REACH`, kept for the next caller. Cost: 5 ms."""
-    grid = np.linspace(-REACH, REACH, 1 + 2 * round(REACH / 1.25e-4))
-    return reduce_path(parameters, static_path(parameters, grid, np.zeros(2)))
+    q = np.linspace(-REACH, REACH, 1 + 2 * round(REACH / 1.25e-4))
+    return reduce_path(parameters, static_path(parameters, q, np.zeros(2)))
 
 
 @dataclass(frozen=True)

@@ -219,8 +219,7 @@ def simulate_windows(
         """The motion over one window."""
         t, v, _ = part.drive
         states, rates, _ = solution = no_solution(t.size)
-        valid = integrate((t, v, np.zeros(t.size)), start, p, scale, REACH, solution)
-        return WindowRun(states, rates, valid)
+        return WindowRun(states, rates, integrate((t, v, np.zeros(t.size)), start, p, scale, REACH, solution))
 
     def errors(run: WindowRun, part: Window) -> FloatArray:
         """Error of q [m] after the first sample; `UNREACHABLE` after a divergence."""

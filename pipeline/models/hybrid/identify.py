@@ -373,8 +373,8 @@ def _fit(training: Training) -> HybridModel:
         raise DataRefusedError(ANGLE_ALONE)
     if not (plant.squared and plant.displacement.symbol == "m" and len(plant.inputs) == 2):
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
-    units = similar_joint(training.records, NOMINAL, mass)
-    return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
+    similarity = similar_joint(training.records, NOMINAL, mass)
+    return identify_hybrid(training.records, NOMINAL, similarity=similarity, corrections=corrections)
 
 
 HYBRID = ModelType(_fit, HybridModel, "export.hybrid:realise")

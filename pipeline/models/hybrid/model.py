@@ -194,10 +194,16 @@ class HybridModel:
         steps = joint.substeps(self.theta, dt)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
         u = DrivingVoltages(v, dt).squared(steps, instruments, joint.largest_voltage)
-        reading = CubicSpline(t - t[0], bridged(seen, measured))(fine)
-        followed = Followed(reading, (measured & np.append(measured[1:], False)) / dt)
-        start = np.array([seen[0], speed[0], age_at(t)])
-        driving = Driving(u[None], np.zeros(1, np.int64), np.array([instruments.offset]), start)
+        followed = Followed(
+            reading=CubicSpline(t - t[0], bridged(seen, measured))(fine),
+            pole=(measured & np.append(measured[1:], False)) / dt,
+        )
+        driving = Driving(
+            squares=u[None],
+            variant=np.zeros(1, np.int64),
+            offset=np.array([instruments.offset]),
+            start=np.array([seen[0], speed[0], age_at(t)]),
+        )
         coefficients = JointCoefficients(
             joint.constants(self.theta)[None], joint.weights(self.theta)[None], joint.basis
         )

@@ -286,8 +286,9 @@ def correction_prior_std(p: JointParameters) -> FloatArray:
     loss = BEAM_DAMPING_FACTOR * p.eta * p.I / p.l
     electric = _side(p.left, "left", _values(np.zeros(len(NAMES))))["electric"] / p.left.l0
     slow = [0.017 * stiffness / p.l, 3.6 * loss / p.l**2, 7.8e-3 * electric, 7.8e-3 * electric]
-    deviation = [9.2e-3 * stiffness, 0.36 * stiffness, 4.4e-3 * electric * p.l, 4.4e-3 * electric * p.l, 1.8 * loss]
-    return np.array(slow + deviation)
+    return np.array(
+        [*slow, 9.2e-3 * stiffness, 0.36 * stiffness, 4.4e-3 * electric * p.l, 4.4e-3 * electric * p.l, 1.8 * loss]
+    )
 
 
 def _values(deviations: FloatArray) -> dict[str, Any]:

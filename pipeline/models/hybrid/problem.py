@@ -148,8 +148,11 @@ class CondensedJoint:
         instruments = np.zeros((INSTRUMENTS, count))
         instruments[range(INSTRUMENTS), condensed_parameters.OF_INSTRUMENTS] = 1.0
         instruments[0] *= self.instruments(np.ones(count)).offset - self.similarity.origin
-        widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
-        return constants, instruments, widths
+        return (
+            constants,
+            instruments,
+            condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights,
+        )
 
     def substeps(self, theta: FloatArray, dt: float) -> int:
         """Runge-Kutta steps in a sample interval of `dt` [s]."""
@@ -249,8 +252,9 @@ class CondensedProblem:
 
         Eight cost what one does.
         """
-        parts = [log.errors(self.joint, thetas, gain, self._steps)[:, log.compared(gain)] for log in self.logs]
-        errors = np.concatenate(parts, axis=1)
+        errors = np.concatenate(
+            [log.errors(self.joint, thetas, gain, self._steps)[:, log.compared(gain)] for log in self.logs], axis=1
+        )
         errors[np.any(np.abs(thetas[:, :DEVIATION_COUNT]) > FARTHEST, axis=1)] = np.nan
         return errors
 
@@ -341,9 +345,14 @@ class _Log:
         largest = joint.largest_voltage
         u = self._inputs(seen, steps, largest)
         moved = theta + PARAMETER_STEP * np.eye(len(theta))[condensed_parameters.OF_INSTRUMENTS[1:]]
-        later = [self.v.squared(steps, joint.instruments(each), largest) for each in moved]
-        by_inputs = (np.array(later) - u) / PARAMETER_STEP
-        driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
+        later = np.array([self.v.squared(steps, joint.instruments(each), largest) for each in moved])
+        driven = Driven(
+            squares=u,
+            by_instruments=(later - u) / PARAMETER_STEP,
+            observed=path,
+            pole=np.repeat(pole, 2 * steps) if len(path) else path,
+            start=self._start,
+        )
         q, columns, by_weights = sensitivities(
             JointCoefficients(joint.constants(theta), joint.weights(theta), joint.basis),
             np.abs(constants).max(axis=1),
@@ -353,8 +362,7 @@ class _Log:
             joint.stepping(self.dt, steps),
         )
         at = self.compared(gain)
-        active = np.any(constants, axis=1)
-        chain = 1e3 * np.concatenate([constants[active], instruments])
+        chain = 1e3 * np.concatenate([constants[np.any(constants, axis=1)], instruments])
         by = (columns if at.all() else columns[at]) @ chain
         of_weights = by_weights[at] * widths[:, None]
         by[:, DEVIATION_COUNT:] += 1e3 * of_weights.reshape(len(by), by.shape[1] - DEVIATION_COUNT)

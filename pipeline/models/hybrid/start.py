@@ -125,8 +125,7 @@ def _shift(wells: Wells) -> float:
 
 def mass_factor(parameters: JointParameters, mass: float | None) -> float:
     """The device's moving mass [kg], 1 kg if it is unknown, over that of the set's joint."""
-    ratio = static_slope_ratio(parameters)
-    return (1.0 if mass is None else mass) / moving_mass(parameters, ratio)
+    return (1.0 if mass is None else mass) / moving_mass(parameters, static_slope_ratio(parameters))
 
 
 def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotion | None:
@@ -175,8 +174,7 @@ def _weighted(estimates: Sequence[tuple[float, float]]) -> float:
 
 def _reference_motion(parameters: JointParameters) -> _SmallMotion:
     """Small motions of the parameter set's joint, from its static curves."""
-    ratio = static_slope_ratio(parameters)
-    k = constants(parameters, nominal_deviations(), ratio)
+    k = constants(parameters, nominal_deviations(), static_slope_ratio(parameters))
     q = np.linspace(0.02, 0.24, 111) * parameters.l
     force, _, left, right = static_curves(q, k, np.zeros(3), np.zeros((CURVES, 0)))
     rest = int(np.flatnonzero((force[:-1] < 0.0) & (force[1:] >= 0.0))[-1])

@@ -102,8 +102,8 @@ class _NormalEquations:
         coordinates = vectors[:, significant].T @ (self.right.ravel() / scale)
         weights = vectors[:, significant] @ (coordinates / values[significant]) / scale
         cost = 0.5 * (self.energy - float(coordinates @ (coordinates / values[significant]))) / self.samples
-        criteria = (cost, int(significant.sum()), float(np.sqrt(values[-1] / values[significant][0])))
-        return weights.reshape(self.curves, self.m), criteria
+        condition = float(np.sqrt(values[-1] / values[significant][0]))
+        return weights.reshape(self.curves, self.m), (cost, int(significant.sum()), condition)
 
     def gradient(self, weights: FloatArray, time_constant: float) -> float:
         """Derivative of the cost along ln T_z at fixed weights: the total one where the weights are optimal."""

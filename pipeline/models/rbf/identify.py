@@ -211,8 +211,7 @@ def _fit_joint(
             [best, *(trial for trial in tried.values() if trial.evidence > best.evidence + np.log(ODDS))],
             key=lambda trial: trial.evidence,
         )
-    levels = GAINS[1:] if best.fit.levels else GAINS
-    fitted = _fit_to_all(records, setting, best.candidate, best.begun, levels)
+    fitted = _fit_to_all(records, setting, best.candidate, best.begun, GAINS[1:] if best.fit.levels else GAINS)
     return fitted, {label: trial.rms for label, trial in tried.items()}
 
 
