@@ -258,19 +258,14 @@ def characteristics(parameters: JointParameters, *, voltage: float = FULL_VOLTAG
     rest = equilibria(parameters, np.zeros(2))
     wells = [e.energy for e in rest if e.stable]
     saddles = [e.energy for e in rest if not e.stable]
-    paths = {}
-    diagrams = {}
-    for name, state in VOLTAGE_STATES.items():
-        v = voltage * np.array(state)
-        paths[name] = _held_joint(parameters, v)
-        diagrams[name] = equilibrium_diagram(over_screw(parameters, v), (0.0, 0.01))
+    states = {name: voltage * np.array(state) for name, state in VOLTAGE_STATES.items()}
     return Characteristics(
         z_b_min=bistable_from(parameters),
         z_b_max=switchable_to(parameters, voltage),
         switching=switching_voltage(parameters),
         barrier=min(saddles) - max(wells) if len(wells) > 1 and saddles else None,
-        paths=paths,
-        diagrams=diagrams,
+        paths={name: _held_joint(parameters, v) for name, v in states.items()},
+        diagrams={name: equilibrium_diagram(over_screw(parameters, v), (0.0, 0.01)) for name, v in states.items()},
     )
 
 

@@ -49,59 +49,19 @@ class ReducedJoint:
         The joint that was reduced.
     q : FloatArray, shape (N,)
         Uniform breakpoints [m].
-    curves : FloatArray, shape (N, 7)
-        Values of `CURVES` at the breakpoints.
     coefficients : FloatArray, shape (N − 1, 4, 7)
-        Ascending powers of q − q_i on [q_i, q_{i+1}], of every curve.
-    creep_gain : FloatArray, shape (2,)
-        V_DE Y_MW of left and right membrane [J]: k̄_i = V_DE Y_MW k_i, with k_i = dλ_{3,i}/dq.
-    creep_rate : FloatArray, shape (2,)
-        Y_MW/η_MW [1/s].
-    path : StaticPath
-        The shapes q_m(q) that were substituted (eq. 24).
+        Ascending powers of q − q_i on [q_i, q_{i+1}], of every one of `CURVES`.
     """
 
     parameters: JointParameters
     q: FloatArray
-    curves: FloatArray
     coefficients: FloatArray
-    creep_gain: FloatArray
-    creep_rate: FloatArray
-    path: StaticPath
 
     def evaluate(self, q: FloatArray) -> FloatArray:
         """All curves at `q` (M,), and their derivatives: shape (2, M, 7)."""
         cell = np.clip(((q - self.q[0]) / (self.q[1] - self.q[0])).astype(int), 0, self.q.size - 2)
         cubics = CUBICS.evaluate(pieces=self.coefficients[cell].reshape(len(cell), -1), s=(q - self.q[cell])[:, None])
         return np.stack([cubics["curves"], cubics["slopes"]])
-
-
-def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
-    """Project the full-order equations on the shapes of a static path (uniform q)."""
-    from scipy.interpolate import CubicSpline
-
-    p = parameters.vector()
-    curves = np.empty((path.q.size, len(CURVES)))
-    mass = np.empty((RITZ, RITZ))
-    nothing = np.zeros(RITZ)
-    for i, (qm, tangent) in enumerate(zip(path.qm, path.tangent, strict=True)):
-        dynamics(qm, nothing, nothing[:3], nothing[:2], nothing[:1], p, mass, np.empty(RITZ), np.empty(3))
-        damping, _ = dissipative_matrices(qm, p)
-        curves[i, :2] = tangent @ mass @ tangent, tangent @ damping @ tangent
-    # Along the path ∂U/∂q_m = F ∂q/∂q_m, so f(q) = ∂U/∂q_m · dq_m/dq is the holding force itself.
-    curves[:, 2] = path.force
-    curves[:, 3:5] = path.stretch**-0.5
-    curves[:, 5:] = path.capacitance
-    sides = (parameters.left, parameters.right)
-    return ReducedJoint(
-        parameters=parameters,
-        q=path.q,
-        curves=curves,
-        coefficients=np.ascontiguousarray(CubicSpline(path.q, curves).c[::-1].transpose(1, 0, 2)),
-        creep_gain=np.array([s.volume * s.Y_MW for s in sides]),
-        creep_rate=np.array([s.relaxation for s in sides]),
-        path=path,
-    )
 
 
 def polynomial_shapes(path: StaticPath, degree: int) -> FloatArray:
@@ -115,9 +75,25 @@ def polynomial_shapes(path: StaticPath, degree: int) -> FloatArray:
 
 @lru_cache(maxsize=16)
 def reduce_joint(parameters: JointParameters) -> ReducedJoint:
-    """The reduced joint over ±`REACH`, kept for the next caller. Cost: 5 ms."""
-    q = np.linspace(-REACH, REACH, 1 + 2 * round(REACH / 1.25e-4))
-    return reduce_path(parameters, static_path(parameters, q, np.zeros(2)))
+    """The full-order equations projected on the shapes of the static path over ±`REACH` (eq. 24).
+
+    It is kept for the next caller. Cost: 5 ms.
+    """
+    from scipy.interpolate import CubicSpline
+
+    path = static_path(parameters, np.linspace(-REACH, REACH, 1 + 2 * round(REACH / 1.25e-4)), np.zeros(2))
+    p = parameters.vector()
+    moving = np.empty((path.q.size, 2))
+    mass = np.empty((RITZ, RITZ))
+    nothing = np.zeros(RITZ)
+    for i, (qm, tangent) in enumerate(zip(path.qm, path.tangent, strict=True)):
+        dynamics(qm, nothing, nothing[:3], nothing[:2], nothing[:1], p, mass, np.empty(RITZ), np.empty(3))
+        damping, _ = dissipative_matrices(qm, p)
+        moving[i] = tangent @ mass @ tangent, tangent @ damping @ tangent
+    # Along the path ∂U/∂q_m = F ∂q/∂q_m, so f(q) = ∂U/∂q_m · dq_m/dq is the holding force itself.
+    curves = np.column_stack([moving, path.force, path.stretch**-0.5, path.capacitance])
+    pieces = np.ascontiguousarray(CubicSpline(path.q, curves).c[::-1].transpose(1, 0, 2))
+    return ReducedJoint(parameters, path.q, pieces)
 
 
 @dataclass(frozen=True)
@@ -203,7 +179,7 @@ class ReducedSystem(NamedTuple):
     pieces : FloatArray, shape (cells, 4, 7)
         Cubics of the curves.
     gain, rate : FloatArray, shape (2,)
-        Of the Maxwell elements.
+        Of the Maxwell elements: k̄_i = V_DE Y_MW k_i [J], with k_i = dλ_{3,i}/dq, and Y_MW/η_MW [1/s].
     friction : FloatArray, shape (2,)
         Force [N] and length [m].
     slip : FloatArray, shape (2,)
@@ -293,6 +269,7 @@ def simulate_reduced(
         External force [N].
     """
     parameters = reduced.parameters
+    sides = (parameters.left, parameters.right)
     interval = sample_interval(t) if t.size > 1 else LONGEST_STEP
     steps = max(1, int(np.ceil(interval / LONGEST_STEP - 1e-9)))
     out = np.full((t.size, 3, 1), np.nan)
@@ -303,8 +280,8 @@ def simulate_reduced(
         origin=reduced.q[0],
         spacing=reduced.q[1] - reduced.q[0],
         pieces=reduced.coefficients,
-        gain=reduced.creep_gain,
-        rate=reduced.creep_rate,
+        gain=np.array([side.volume * side.Y_MW for side in sides]),
+        rate=np.array([side.relaxation for side in sides]),
         friction=np.array([parameters.F_c, parameters.s_c]),
         slip=np.array([q0, 0.0]),
         s=np.zeros(1),

@@ -22,7 +22,7 @@ from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, Unit, tree_of
 from .kernels import CURVES
 from .log_reading import DrivingVoltages, Similarity
-from .parameters import DEVIATIONS, NAMES, PRIOR_STD
+from .parameters import DEVIATIONS, NAMES, PRIOR_STD, moving_mass
 from .problem import POLES, CondensedJoint, CondensedProblem, age_at, simulate
 from .runs import BATCH, Driving, Followed, JointCoefficients, continued_runs
 from .statics import static_curves, substeps
@@ -163,7 +163,7 @@ class HybridModel:
     @property
     def mass_kg(self) -> float:
         """Moving mass [kg]."""
-        return self.joint.mass
+        return moving_mass(self.parameters, self.slope_ratio) * self.similarity.mass
 
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:

@@ -210,8 +210,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
     for i, name in enumerate(_ELEMENTS):
-        values |= {f"stop_force_{i}": d[name.format("force")]}
-        values |= {f"stop_travel_{i}": _TRAVELS[i] * np.exp(d[f"log {name.format('travel')}"])}
+        travel = _TRAVELS[i] * np.exp(d[f"log {name.format('travel')}"])
+        values |= {f"stop_force_{i}": d[name.format("force")], f"stop_travel_{i}": travel}
     for i in range(CREEPS):
         values |= {f"creep_stiffness_{i}": d[f"creep stiffness {i}"], f"creep_rate_{i}": 1.0 / _CREEP_TIMES[i]}
     k = np.empty((*np.shape(deviations)[:-1], len(CONSTANTS)))

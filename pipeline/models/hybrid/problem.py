@@ -159,11 +159,6 @@ class CondensedJoint:
         return substeps(self.constants(theta), self.basis, self.weights(theta), dt, self.similarity.time)
 
     @property
-    def mass(self) -> float:
-        """Moving mass [kg]."""
-        return condensed_parameters.moving_mass(self.parameters, self.slope_ratio) * self.similarity.mass
-
-    @property
     def length(self) -> float:
         """Length of the beam [m]."""
         return self.parameters.l * self.similarity.length
