@@ -37,8 +37,6 @@ POORER = 2.0
 """Times the error of the equations on what both were fitted to, beyond which a network does not replace them: a single
 slow passage of the last quarter may go wrong with equations that follow all others within 0.01 %."""
 
-ABLATION = ("equations_alone", "equations_with_rbf", "rbf_alone")
-
 Fit = Callable[[Training], StoredModel]
 
 
@@ -81,7 +79,7 @@ class Choice:
             "excess_of_the_other": None if self.excess is None else asdict(self.excess),
             "interval_of_hybrid": None if self.interval is None else asdict(self.interval),
             "basis_functions": self.model.describe().get("basis_functions"),
-            "ablation": dict.fromkeys(ABLATION)
+            "ablation": dict.fromkeys(("equations_alone", "equations_with_rbf", "rbf_alone"))
             | getattr(self.model, "diagnostics", {}).get("ablation", {})
             | ({"rbf_alone": self.held_out["rbf"]} if "rbf" in self.held_out else {}),
         }

@@ -60,8 +60,7 @@ def voltage_knots(t: FloatArray, v: FloatArray) -> VoltageKnots:
     parts = v.shape[1]
     samples = v[:, 0]
     lines = samples[:-1, None] + np.diff(samples, axis=0)[:, None] * (np.arange(parts)[:, None] / parts)
-    bent = np.abs(v[:-1] - lines).max(axis=(1, 2)) > BENT * np.abs(v).max()
-    count = np.where(bent, parts, 1)
+    count = np.where(np.abs(v[:-1] - lines).max(axis=(1, 2)) > BENT * np.abs(v).max(), parts, 1)
     rows = np.concatenate([[0], np.cumsum(count)])
     within = np.arange(rows[-1]) - np.repeat(rows[:-1], count)
     interval = np.repeat(np.arange(t.size - 1), count)

@@ -73,7 +73,6 @@ OPEN = (0, 1)
 equations simplify more than the capacitances. With none the bands of 40 simulated joints held 84 to 96 % of the true
 curves, with these 88 to 98 %, with all nine 95 to 100 %."""
 
-ANGLE_ALONE = "q is an angle; with a parameter set (plant.parameters) the equations of the joint read it"
 _NO_FIT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
 
 ALONE = "equations_alone"
@@ -370,7 +369,9 @@ def _fit(training: Training) -> HybridModel:
             rotation=training.rotation,
         )
     if plant.squared and plant.displacement.symbol == "rad" and plant.input_symbols == ("V", "V"):
-        raise DataRefusedError(ANGLE_ALONE)
+        raise DataRefusedError(
+            "q is an angle; with a parameter set (plant.parameters) the equations of the joint read it"
+        )
     if not (plant.squared and plant.displacement.symbol == "m" and len(plant.inputs) == 2):
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
     similarity = similar_joint(training.records, NOMINAL, mass)

@@ -235,8 +235,7 @@ def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, s
         Time unit of the joints over that of the parameter set.
     """
     many = np.atleast_2d(k)
-    loads = weights if weights.ndim == 3 else weights[None]
-    joints = zip(many, prepare(many), loads, strict=True)
+    joints = zip(many, prepare(many), weights if weights.ndim == 3 else weights[None], strict=True)
     jacobians = np.concatenate([_jacobians(k_i, p_i, basis, w_i) for k_i, p_i, w_i in joints])
     fewest = int(np.ceil(dt / (slowness * LONGEST_STEP)))
     most = 3 * fewest  # the constants that a fit may try are absurd beyond

@@ -234,10 +234,14 @@ class RbfPaperModel(ModelFile):
         qdot : FloatArray, shape (N,)
             Velocity.
         """
-        z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag_s)
-        signals = curve_signals(q, z, input_signal(v, self.inputs))
         curves = basis_values(q, self.centres, self.width) @ self.weights.T
+        signals = self._signals(q, qdot, v, sample_interval(t))
         return np.asarray(np.einsum("ij,ij->i", curves, signals) / self.mass_kg)
+
+    def _signals(self, q: FloatArray, qdot: FloatArray, v: FloatArray, interval: float) -> FloatArray:
+        """Signals of eq. 40 along a measured motion, the friction state filtered from its velocity."""
+        z, _ = first_order_lag(np.ascontiguousarray(qdot), interval, self.lag_s)
+        return curve_signals(q, z, input_signal(v, self.inputs))
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
@@ -263,8 +267,7 @@ class RbfPaperModel(ModelFile):
 
     def regressors(self, motion: Log) -> FloatArray:
         """Rows of eq. 40 along a measured motion, shape (N, (2 + K)·M), the lag being known."""
-        z, _ = first_order_lag(np.ascontiguousarray(motion.qdot), motion.interval, self.lag_s)
-        signals = curve_signals(motion.q, z, input_signal(motion.v, self.inputs))
+        signals = self._signals(motion.q, motion.qdot, motion.v, motion.interval)
         return regressor(basis_values(motion.q, self.centres, self.width), signals)
 
     def force_rows(self, q: FloatArray) -> FloatArray:

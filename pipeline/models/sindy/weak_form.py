@@ -166,8 +166,7 @@ class Library:
         alone, moving, driven = (f"poly{degree}(q)" for degree in self.degrees)
         if self.turning:
             alone, moving, driven = ("(1, sin q, cos q)" if degree else "1" for degree in self.degrees)
-        friction = " + tanh q̇" if self.friction else ""
-        return f"{alone} + {moving}·(q̇{z}{u}) + {driven}·u{friction}"
+        return f"{alone} + {moving}·(q̇{z}{u}) + {driven}·u{' + tanh q̇' * self.friction}"
 
 
 @dataclass(frozen=True)
