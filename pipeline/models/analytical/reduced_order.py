@@ -29,7 +29,7 @@ from ...numerics.metrics import nrmse
 from ...numerics.stiff import RITZ
 from ..base import FreeRun
 from .full_order import FullOrderMotion, dissipative_matrices, rest_state, simulate
-from .statics import FULL_VOLTAGE, StaticPath, equilibria, static_path
+from .statics import FULL_VOLTAGE, equilibria, static_path
 
 CURVES = ("m_q", "d", "f", "lambda3_1", "lambda3_2", "C_1", "C_2")
 """Order of the curves: m_q [kg], d [N·s/m], f [N], λ_{3,i} [1], C_i [F]."""
@@ -62,15 +62,6 @@ class ReducedJoint:
         cell = np.clip(((q - self.q[0]) / (self.q[1] - self.q[0])).astype(int), 0, self.q.size - 2)
         cubics = CUBICS.evaluate(pieces=self.coefficients[cell].reshape(len(cell), -1), s=(q - self.q[cell])[:, None])
         return np.stack([cubics["curves"], cubics["slopes"]])
-
-
-def polynomial_shapes(path: StaticPath, degree: int) -> FloatArray:
-    """One polynomial in q for each Ritz coordinate, as the paper fits them (figure 6b), shape (4, degree + 1).
-
-    Least squares over the path; ascending powers of q over the path's largest displacement.
-    """
-    x = path.q / np.max(np.abs(path.q))
-    return np.stack([np.polynomial.polynomial.polyfit(x, path.qm[:, i], degree) for i in range(RITZ)])
 
 
 @lru_cache(maxsize=16)

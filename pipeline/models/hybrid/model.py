@@ -173,9 +173,8 @@ class HybridModel:
         twice the largest trained one; a wall confines the run (`CondensedJoint.q_stop`): it is bounded for any input.
         """
         states = self._simulate(None, t, v, np.array([q0, qdot0]))[0]
-        diverged = np.flatnonzero(~np.isfinite(states[:, 0]))
         q, qdot, qddot = np.ascontiguousarray(states.T)
-        return FreeRun(t, q, qdot, qddot, *run_status(t, int(diverged[0]) if len(diverged) else len(t)))
+        return FreeRun(t, q, qdot, qddot, *run_status(t, int(np.count_nonzero(np.isfinite(q)))))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray

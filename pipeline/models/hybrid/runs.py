@@ -292,8 +292,7 @@ def run_joints(
             reading=stepping.reading,
         )
         integrate_joints(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
-        filled = min(width, count - first)
-        out[first : first + filled] = shown_states.transpose(2, 0, 1)[:filled]
+        out[first : first + width] = shown_states.transpose(2, 0, 1)[: count - first]
     if not np.isfinite(out.sum()):
         out[np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)] = np.nan
     out[:, :, 0] += driving.offset[:, None]

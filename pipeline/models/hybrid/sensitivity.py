@@ -95,9 +95,13 @@ def columns_of(active: IntArray) -> Columns:
     of_constant[active] = places[: len(active)]
     row, constant = _BY_CONSTANTS[of_constant[_BY_CONSTANTS[:, 1]] >= 0].T
     stops = of_constant[[*range(_TRAVEL, _TRAVEL + _ELEMENTS), _ARM, _LENGTH]]
-    sources = (row * _CONSTANTS + constant) * STAGES
-    acting = np.where(stops >= 0, stops + STATES * _ROW, -1)
-    return sources, of_constant[constant] + row * _ROW, acting, places[len(active) :], len(places)
+    return (
+        (row * _CONSTANTS + constant) * STAGES,
+        of_constant[constant] + row * _ROW,
+        np.where(stops >= 0, stops + STATES * _ROW, -1),
+        places[len(active) :],
+        len(places),
+    )
 
 
 class Driven(NamedTuple):

@@ -137,8 +137,7 @@ def _fitted(problem: Problem, candidate: Treatment, fold: int | None) -> Polynom
     d = problem.empty
     terms = problem.exponents[columns[nonzero]]
     used = np.flatnonzero(terms[:, d.scales.size :].any(axis=0))
-    velocity = np.zeros((1, d.scales.size + used.size), dtype=np.int64)
-    velocity[0, QDOT] = 1
+    velocity = np.arange(d.scales.size + used.size) == QDOT
     table = np.zeros((2, nonzero.size + 1))
     table[0, 0] = d.scales[QDOT]  # q̇ = v, not regressed
     table[1, 1:] = coefficients[nonzero]
