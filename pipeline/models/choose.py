@@ -134,8 +134,9 @@ def _compared(
         return Choice(model, f"rbf is no candidate: {refused}", held_out, None, interval)
     errors = _errors(network, training.records)
     held_out["rbf"] = _rms(errors)
-    block = _block(training, errors, hybrid_errors)
-    excess = rms_difference_interval(errors, hybrid_errors, block, np.random.default_rng(SEED))
+    excess = rms_difference_interval(
+        errors, hybrid_errors, _block(training, errors, hybrid_errors), np.random.default_rng(SEED)
+    )
     if held_out["hybrid"] <= held_out["rbf"]:
         return Choice(model, "smaller error on held-out training data", held_out, excess, interval)
     if not (UNKNOWN_BOUND * held_out["rbf"] < held_out["hybrid"] if excess is None else excess.high < 0.0):
@@ -237,8 +238,9 @@ def _percent(error: float) -> str:
 
 def _lost(model: StoredModel, record: Log) -> float:
     """Error of a free run over the range of q in its log, at most 1: that of one that diverged."""
-    measured = np.where(record.valid, record.q, np.nan)
-    return free_run_error(measured, from_first(model, record).q, float(np.ptp(record.known_q)))
+    return free_run_error(
+        np.where(record.valid, record.q, np.nan), from_first(model, record).q, float(np.ptp(record.known_q))
+    )
 
 
 def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:

@@ -239,9 +239,8 @@ def tree_of(part: Any) -> dict[str, Any]:
     """Dictionary of arrays, numbers and texts, from which `read_part` restores the part."""
     if isinstance(part, JointParameters):
         return {name: part.value(name) for name in VECTOR_NAMES}
-    fields = type(part).__pydantic_fields__.items()
-    entries = {name: getattr(part, name) for name, field in fields if not field.exclude}
-    return {name: tree_of(entry) if is_dataclass(entry) else entry for name, entry in entries.items()}
+    entries = ((n, getattr(part, n)) for n, field in type(part).__pydantic_fields__.items() if not field.exclude)
+    return {name: tree_of(entry) if is_dataclass(entry) else entry for name, entry in entries}
 
 
 class ModelFile(BaseModel):

@@ -196,8 +196,11 @@ def _first_fits(
     decision : dict
         Errors that decided about the prior of other joints; empty without one.
     """
-    largest = max(float(np.abs(record.drive).max()) for record in search.records)
-    plain = replace(joint, basis=search.basis, largest_voltage=largest)
+    plain = replace(
+        joint,
+        basis=search.basis,
+        largest_voltage=max(float(np.abs(record.drive).max()) for record in search.records),
+    )
     # Most of the convergence happens while the observer is strong: what is not settled there ends in another minimum.
     first = search.early.without_siblings.fit(plain, plain.start(), COUPLED, steps=FIRST_STEPS)
     alone = search.early.fit(plain, first.theta, FREE)

@@ -220,8 +220,7 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     # The load changes little when the beam is bent, so the axial strain u0 of eq. 9 that it causes can be a constant.
     k[..., [INDEX["left_e_x"], INDEX["right_e_x"]]] += UPRIGHT.evaluate(k=k)["load"] / (p.E * p.A / p.l)
     size = np.stack([d["log length"], d["log time"], d["log voltage"]], axis=-1)
-    k *= np.exp(size @ DIMENSIONS[:, 1:].T)
-    return k
+    return np.asarray(k * np.exp(size @ DIMENSIONS[:, 1:].T))
 
 
 def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:

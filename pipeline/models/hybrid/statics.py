@@ -269,8 +269,7 @@ def _shape_slopes(
     x[0] = q - _NUDGE
     corrections_at(x[0], basis, weights, c)
     rest_forces(x, u, c, p, forces, by)
-    by_q1 = (ahead[1] - forces[1]) / (2.0 * _NUDGE)
-    by_q2 = (ahead[2] - forces[2]) / (2.0 * _NUDGE)
+    _, by_q1, by_q2 = (ahead - forces) / (2.0 * _NUDGE)
     x[0] = q
     corrections_at(q, basis, weights, c)
     rest_forces(x, u, c, p, forces, by)

@@ -69,10 +69,10 @@ class _NormalEquations:
         self.samples = sum(len(x.target) for x in segments)
         fixed = [i for i in range(self.curves) if i != LAG]
         pairs = [(i, j) for i in fixed for j in fixed if j <= i]
+        first, second = (list(each) for each in zip(*pairs, strict=True))
         for x in segments:
-            first = x.signals[:, [i for i, _ in pairs]]
-            second = x.signals[:, [j for _, j in pairs]]
-            for (i, j), block in zip(pairs, _accumulate(x, first, second), strict=True):
+            blocks = _accumulate(x, x.signals[:, first], x.signals[:, second])
+            for (i, j), block in zip(pairs, blocks, strict=True):
                 self.gram[i, :, j, :] += block
                 if i != j:
                     self.gram[j, :, i, :] += block

@@ -128,9 +128,13 @@ def identify_rbf(
     if pair and not candidates:
         fitted, tried = _fit_joint(records, setting, wanted, first, angle=angle)
     else:
-        slow = looks_overdamped(records, inputs)
-        driven = any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
-        usual = offers(wanted, fine=fine, slow=slow, driven=driven, squared=inputs == "squared")
+        usual = offers(
+            wanted,
+            fine=fine,
+            slow=looks_overdamped(records, inputs),
+            driven=any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records),
+            squared=inputs == "squared",
+        )
         offered = ([lambda _: candidates[1:]], []) if candidates else usual
         chosen, judged, tried, complete = search(records, setting, first, *offered)
         fitted = _fit_to_all(records, setting, chosen, setting.begin(records, chosen, judged))

@@ -75,8 +75,13 @@ class RbfModel:
         """
         s = self.parameters.scales
         states, valid = self._run(self.theta, t, v, _free(len(t)), ((q0 - s.middle) / s.half, qdot0 / s.half))
-        q = s.middle + s.half * states[:, 0]
-        return FreeRun(t, q, s.half * states[:, 1], s.half * states[:, 2], *run_status(t, valid))
+        return FreeRun(
+            t,
+            s.middle + s.half * states[:, 0],
+            s.half * states[:, 1],
+            s.half * states[:, 2],
+            *run_status(t, valid),
+        )
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray

@@ -316,8 +316,8 @@ class JointProblem:
         self.effort.spent += simulation_effort(stop * steps, len(wrt.factor))
         drive = Drive(u, du, p.at_rest(u, theta, begins=log.past == 0), p.held and log.every == 1)
         coupling = Coupling(log.measured[:stop], seen[:stop], gain * p.scales.frequency)
-        c = p.coefficients(theta)
-        return observed_run(c, drive, coupling, (float(log.measured[0]), log.start), log.interval, steps, wrt)
+        start = (float(log.measured[0]), log.start)
+        return observed_run(p.coefficients(theta), drive, coupling, start, log.interval, steps, wrt)
 
 
 def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float, thinning: int) -> _Log:

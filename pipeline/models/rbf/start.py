@@ -148,8 +148,9 @@ def is_bistable_pair(records: Sequence[Log], action: InputAction) -> bool:
     """
     if action != "squared" or records[0].v.shape[1] != 2:
         return False
-    plain = JointStructure(rates=(), shape_elements=0, slips=0, arc=False)
-    p, start = starting_joint(records, plain, action, centred=False)
+    p, start = starting_joint(
+        records, JointStructure(rates=(), shape_elements=0, slips=0, arc=False), action, centred=False
+    )
     coefficients = p.coefficients(start)
     x = np.linspace(-1.0, 1.0, PLACES)
     force = basis_rows(x, coefficients) @ coefficients.curves[FORCE]

@@ -396,9 +396,8 @@ def _quick_fit(
 
 def _alike(p: ParameterLayout, near: ParameterLayout) -> bool:
     """True if the fit of another structure is a good start: its inputs act alike, its scales and signs are equal."""
-    names = ("effect_lags", "rest_at_zero", *TIMES)
-    drive = all(getattr(p.structure, name) == getattr(near.structure, name) for name in names)
-    return drive and near.scales == p.scales and near.signs == p.signs
+    same = (getattr(p.structure, n) == getattr(near.structure, n) for n in ("effect_lags", "rest_at_zero", *TIMES))
+    return all(same) and near.scales == p.scales and near.signs == p.signs
 
 
 def _adopted(p: ParameterLayout, start: FloatArray, near: ParameterLayout, theta: FloatArray) -> FloatArray:

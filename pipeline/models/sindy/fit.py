@@ -175,8 +175,7 @@ def _cross_validate(problem: Problem, candidate: Treatment) -> tuple[FloatArray,
 
 def _error(problem: Problem, dynamics: PolynomialDynamics, block: HeldOutBlock, part: int) -> float:
     """Free-run NRMSE of q over one of the `STARTS` parts of a block."""
-    length = block.stop - block.start
-    first, last = (block.start + length * i // STARTS for i in (part, part + 1))
+    first, last = (block.start + (block.stop - block.start) * i // STARTS for i in (part, part + 1))
     whole = problem.trajectories[block.source]
     x = whole.part(first, last)
     path, _ = free_run(dynamics, x.drive, whole.interval, float(x.q[0]), float(x.qdot[0]))
