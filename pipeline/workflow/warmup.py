@@ -41,8 +41,8 @@ def _compile(group: int) -> None:
 
 def _hybrid() -> None:
     from ..device.parameters import NOMINAL
-    from ..models.hybrid.log_reading import DrivingVoltages
-    from ..models.hybrid.parameters import constants, instruments, nominal_deviations, static_slope_ratio
+    from ..models.hybrid.log_reading import DrivingVoltages, Instruments
+    from ..models.hybrid.parameters import constants, nominal_deviations, static_slope_ratio
     from ..models.hybrid.runs import Driving, Followed, JointCoefficients, Stepping, run_joints
     from ..models.hybrid.sensitivity import Driven, sensitivities
     from ..models.hybrid.statics import static_curves, substeps
@@ -51,7 +51,7 @@ def _hybrid() -> None:
     basis = np.array([-0.01, 0.01, 0.01])
     weights = np.zeros((9, 3))
     substeps(k, basis, weights, _DT)
-    undisturbed = instruments(np.zeros(len(nominal_deviations())))
+    undisturbed = Instruments(offset=0.0, delay=0.0, charging=1e-3, probe=np.zeros(2))
     for shape in ((2, 2), (3, 10, 2)):
         u = DrivingVoltages(np.zeros(shape), _DT).squared(1, undisturbed, 1.0)[None]
     stepping = Stepping(_DT, 1, 0.05, 1.0)

@@ -322,7 +322,7 @@ class HybridModel:
             start = np.stack([q, qdot], axis=-1)
         start = np.concatenate([start, np.full((*start.shape[:-1], 1), age_at(t))], axis=-1)
         driving = DrivingVoltages(v, dt)
-        built = self._best if thetas is None else self._built(thetas)
+        built = self._best if thetas is None else (self.joint.constants(thetas), self.joint.weights(thetas))
         thetas = self.theta[None] if thetas is None else thetas
         numbers = (array.tobytes() for array in (built[0], self.joint.basis, built[1]))
         steps = _substeps(*numbers, len(thetas), dt, self.joint.similarity.time)
@@ -353,12 +353,8 @@ class HybridModel:
 
     @cached_property
     def _best(self) -> tuple[FloatArray, FloatArray]:
-        """Of the fit, which restarts along a log simulate hundreds of times."""
-        return self._built(self.theta[None])
-
-    def _built(self, thetas: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Constants and weights of several θ."""
-        return self.joint.constants(thetas), self.joint.weights(thetas)
+        """Constants and weights of the fit, which restarts along a log simulate hundreds of times."""
+        return self.joint.constants(self.theta[None]), self.joint.weights(self.theta[None])
 
     def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         joint = self.joint

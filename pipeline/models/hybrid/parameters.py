@@ -6,7 +6,6 @@ fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth. Las
 taken as right at full scale: another scale would be another length or voltage of the joint, and nothing else.
 """
 
-import math
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations_with_replacement
@@ -31,7 +30,7 @@ from ...generated.condensed_joint import (
 )  # fmt: skip
 from ...numerics.arrays import FloatArray
 from .kernels import CURVES, INDEX, prepare
-from .log_reading import DIMENSIONS, Instruments
+from .log_reading import DIMENSIONS
 from .statics import rest_state
 
 
@@ -180,12 +179,6 @@ def moving_mass(p: JointParameters, ratio: float) -> float:
     """Mass [kg] that moves with q slowly: the frame and ∫(h1 + ratio h2)² of the beam's mass."""
     slow = np.array([1.0, ratio, 0.0])
     return p.m + float(slow @ SHAPES @ slow) * p.rho * p.A * p.l
-
-
-def instruments(deviations: FloatArray) -> Instruments:
-    """The instruments' share of the deviations."""
-    offset, delay, charging, *probe = (deviations[OF_INSTRUMENTS] * PRIOR_STD[OF_INSTRUMENTS]).tolist()
-    return Instruments(offset, delay, CHARGING_TIME * math.exp(charging), np.array(probe))
 
 
 def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> FloatArray:

@@ -4,6 +4,7 @@
 RBF corrections, all in prior standard deviations.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
@@ -125,13 +126,14 @@ class CondensedJoint:
 
     def instruments(self, theta: FloatArray) -> Instruments:
         """Instruments between the joint and the log."""
-        seen = condensed_parameters.instruments(theta[:DEVIATION_COUNT])
+        own = condensed_parameters.OF_INSTRUMENTS
+        offset, delay, charging, *probe = (theta[own] * condensed_parameters.PRIOR_STD[own]).tolist()
         units = self.similarity
         return Instruments(
-            units.origin + units.length * seen.offset,
-            units.time * seen.delay,
-            units.time * seen.charging,
-            units.voltage * seen.probe,
+            offset=units.origin + units.length * offset,
+            delay=units.time * delay,
+            charging=units.time * (condensed_parameters.CHARGING_TIME * math.exp(charging)),
+            probe=units.voltage * np.array(probe),
         )
 
     def derivatives(self, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -240,8 +240,10 @@ def offers(
     """
     change = _Change(decided)
     usual = decided.get("rest_at_zero", False)
-    resting = [DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in ((False, True) if driven else (usual,))]
-    resting += [DRIVE["effect-lag"] | {"rest_at_zero": usual}] * squared
+    resting = [
+        *(DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in ((False, True) if driven else (usual,))),
+        *[DRIVE["effect-lag"] | {"rest_at_zero": usual}] * squared,
+    ]
     drives = change.to(DRIVE["direct"], *resting, DRIVE["delay"])
     hold = change.each("hold", ["linear", "zero", "cubic", *(["record"] if fine else [])])
     friction = change.to(*(FRICTION[name] for name in OFFERED))
@@ -276,9 +278,18 @@ def offers(
         change.to(*(FRICTION[name] | together for name in OFFERED[:3])),
     ]
     curves = change.to(*({"constant_damping": d, "constant_gain": g} for d in (False, True) for g in (False, True)))
-    sizes = [change.each("basis_functions", [5, 12]), change.each("smoothing", [0.8, 1.3])]
-    again = [curves, change.each("force", FORCES), hold, drives, friction, drag]
-    again += [change.each("stops", [False]), effect, *sizes]
+    again = [
+        curves,
+        change.each("force", FORCES),
+        hold,
+        drives,
+        friction,
+        drag,
+        change.each("stops", [False]),
+        effect,
+        change.each("basis_functions", [5, 12]),
+        change.each("smoothing", [0.8, 1.3]),
+    ]
     return once, [change.each("overdamped", [False, True]), *again] if slow else again
 
 

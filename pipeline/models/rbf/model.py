@@ -74,7 +74,8 @@ class RbfModel:
         Hidden states start at rest under the first inputs.
         """
         s = self.parameters.scales
-        states, valid = self._run(self.theta, t, v, _free(len(t)), ((q0 - s.middle) / s.half, qdot0 / s.half))
+        start = ((q0 - s.middle) / s.half, qdot0 / s.half)
+        states, valid = _Driven(self.parameters, self.theta, v, sample_interval(t)).run(_free(len(t)), start)
         return FreeRun(
             t,
             s.middle + s.half * states[:, 0],
@@ -130,7 +131,8 @@ class RbfModel:
         s = self.parameters.scales
         draws = self.draws(count)
         start = ((q0 - s.middle) / s.half, qdot0 / s.half)
-        runs = [self._run(theta, t, v, _free(len(t)), start)[0][:, 0] for theta in draws]
+        driven = (_Driven(self.parameters, theta, v, sample_interval(t)) for theta in draws)
+        runs = [each.run(_free(len(t)), start)[0][:, 0] for each in driven]
         return s.middle + s.half * np.array(runs), draws
 
     def _followed(
@@ -227,11 +229,6 @@ class RbfModel:
         """The model as a dictionary of arrays, numbers and texts."""
         return tree_of(self)
 
-    def _run(
-        self, theta: FloatArray, t: FloatArray, v: FloatArray, coupling: Coupling, start: tuple[float, float]
-    ) -> tuple[FloatArray, int]:
-        return _Driven(self.parameters, theta, v, sample_interval(t)).run(coupling, start)
-
     def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         p = self.parameters
         s = p.scales
@@ -290,12 +287,13 @@ def _equation_of_motion(s: JointStructure) -> str:
         *["- Dahl friction"] * bool(s.slips),
         "+ gains u",
     ]
-    equations = [
-        " ".join(terms),
-        *["F with end stops"] * s.stops,
-        *["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] * elements,
-    ]
-    return ", ".join(equations)
+    return ", ".join(
+        [
+            " ".join(terms),
+            *["F with end stops"] * s.stops,
+            *["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] * elements,
+        ]
+    )
 
 
 def _left_out(p: ParameterLayout, c: Coefficients) -> dict[str, Coefficients | None]:

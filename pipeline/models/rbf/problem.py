@@ -290,7 +290,8 @@ class JointProblem:
         for log in self.logs:
             observe = log.observe.copy()
             observe[log.split :] *= coupled / gain
-            states, _, _ = self._run(theta, log, gain, stop=len(log.measured), sensitive=False, observe=observe)
+            freed = replace(log, observe=observe)
+            states, _, _ = self._run(theta, freed, gain, stop=len(log.measured), sensitive=False)
             error = (states[:, 0] - log.measured)[log.split :][log.observe[log.split :] > 0.0]
             errors.append(np.where(np.isfinite(error), error, np.inf))
         return errors
@@ -303,10 +304,8 @@ class JointProblem:
         *,
         stop: int,
         sensitive: bool,
-        observe: FloatArray | None = None,
     ) -> tuple[FloatArray, FloatArray, int]:
         p = self.parameters
-        seen = log.observe if observe is None else observe
         steps = steps_per_sample(p, log.interval, theta, self.step)
         skipped = 2 * steps * log.past
         volts = log.at_nodes(p, steps, p.delay(theta))[: skipped + 2 * steps * (stop - 1) + 1]
@@ -315,7 +314,7 @@ class JointProblem:
         wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
         self.effort.spent += simulation_effort(stop * steps, len(wrt.factor))
         drive = Drive(u, du, p.at_rest(u, theta, begins=log.past == 0), p.held and log.every == 1)
-        coupling = Coupling(log.measured[:stop], seen[:stop], gain * p.scales.frequency)
+        coupling = Coupling(log.measured[:stop], log.observe[:stop], gain * p.scales.frequency)
         start = (float(log.measured[0]), log.start)
         return observed_run(p.coefficients(theta), drive, coupling, start, log.interval, steps, wrt)
 

@@ -210,7 +210,7 @@ def _refit(
     }
 
 
-def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> PolynomialDynamics:
+def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> tuple[PolynomialDynamics, dict[str, Any]]:
     """``pysindy.SINDy().fit(x, t=…, u=…)`` with x = [q, q̇] and u = v² (or v), everything else left alone.
 
     The defaults are second-degree polynomials, STLSQ with a threshold of 0.1 on raw coefficients and second-order
@@ -249,6 +249,10 @@ def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> PolynomialD
     scales = np.array([length, length, 1.0, 1.0, 1.0, *[input_scale] * inputs])
     coefficients = length * np.asarray(model.coefficients(), dtype=np.float64)
     used = np.any(coefficients != 0.0, axis=0)
-    return PolynomialDynamics(
+    dynamics = PolynomialDynamics(
         exponents[used], coefficients[:, used], scales, (), plant.squared, *escape_bounds(low, high)
     )
+    return dynamics, {
+        "library": "poly2(q, q̇, u), pysindy's default, in the units of the log",
+        "terms_kept": int(np.count_nonzero(coefficients[1])),
+    }

@@ -236,47 +236,37 @@ class SindyModel(ModelFile):
         return {"structure": "sparse polynomial", "equations": self.equations(), **self.diagnostics}
 
 
-def identify_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | None = None) -> SindyModel:
-    """SINDy at its best: see `pipeline.models.sindy.fit.fit_sindy`.
+def identify_sindy(
+    trajectories: Sequence[Log],
+    plant: Device,
+    *,
+    most: int | None = None,
+    name: Literal["sindy", "sindy-default"] = "sindy",
+) -> SindyModel:
+    """SINDy at its best, or as pysindy ships it; see `pipeline.models.sindy.fit`.
 
     Parameters
     ----------
     trajectories : sequence of Log
         Gap-free segments of the training logs, voltages as finely as they are known.
     plant : Device
-        Action of the inputs, units, and the mass, which scales the characteristic curves only.
+        Action of the inputs, units, those of the log among them, and the mass, which scales the characteristic curves
+        only.
     most : int, optional
-        Candidates that the search tries, see `fit_sindy`.
+        Candidates that the search for `sindy` tries.
+    name : {"sindy", "sindy-default"}
+        The model.
 
     Raises
     ------
     InputError
         No data, differing inputs, or a constant displacement.
     """
-    from .fit import fit_sindy
+    from .fit import fit_default_sindy, fit_sindy
 
-    dynamics, notes = fit_sindy(trajectories, plant, most=most)
-    return SindyModel.of(dynamics, plant, "sindy", notes)
-
-
-def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyModel:
-    """SINDy as pysindy ships it: `pipeline.models.sindy.fit.fit_default_sindy`.
-
-    Parameters
-    ----------
-    trajectories : sequence of Log
-        Gap-free segments of the training logs.
-    plant : Device
-        Action of the inputs, units, those of the log among them, and mass.
-    """
-    from .fit import fit_default_sindy
-
-    dynamics = fit_default_sindy(trajectories, plant)
-    notes = {
-        "library": "poly2(q, q̇, u), pysindy's default, in the units of the log",
-        "terms_kept": int(np.count_nonzero(dynamics.coefficients[1])),
-    }
-    return SindyModel.of(dynamics, plant, "sindy-default", notes)
+    best = name == "sindy"
+    dynamics, notes = fit_sindy(trajectories, plant, most=most) if best else fit_default_sindy(trajectories, plant)
+    return SindyModel.of(dynamics, plant, name, notes)
 
 
 SINDY = ModelType(
@@ -285,7 +275,7 @@ SINDY = ModelType(
     "export.data_driven:realise_polynomial",
 )
 SINDY_DEFAULT = ModelType(
-    lambda data: identify_default_sindy(data.segments, data.device),
+    lambda data: identify_sindy(data.segments, data.device, name="sindy-default"),
     SindyModel,
     "export.data_driven:realise_polynomial",
 )

@@ -59,12 +59,9 @@ def seeded() -> Iterator[None]:
 def feature_library(variables: int, angle: bool) -> Any:
     """Pysindy's library of the powers of q, and of q (for an `angle` also sin q, cos q) times every other variable."""
     libraries = [pysindy.PolynomialLibrary(HIGHEST), pysindy.PolynomialLibrary(COUPLED), pysindy.IdentityLibrary()]
-    inputs = [[Q], [Q], [k for k in range(variables) if k not in (Q, SINE, COSINE)]]
-    tensors = [[0, 1, 1]]
-    if angle:
-        libraries.append(pysindy.PolynomialLibrary(1))
-        inputs = [*inputs, [SINE, COSINE]]
-        tensors = [[0, 1, 1, 0], [0, 0, 1, 1]]
+    libraries += [pysindy.PolynomialLibrary(1)] * angle
+    inputs = [[Q], [Q], [k for k in range(variables) if k not in (Q, SINE, COSINE)], *[[SINE, COSINE]] * angle]
+    tensors = [[0, 1, 1, 0], [0, 0, 1, 1]] if angle else [[0, 1, 1]]
     return pysindy.GeneralizedLibrary(libraries, tensors, inputs, exclude_libraries=[1, 2])
 
 
