@@ -180,11 +180,13 @@ def _errors(model: StoredModel, records: Sequence[Log], *, held_out: bool = True
     NaN where masked; at most 1, as where the run diverged.
     """
     span = float(np.ptp(operating_range(records)))
-    errors = []
-    for record in records:
-        error = np.minimum(np.nan_to_num(np.abs(from_first(model, record).q - record.q), nan=np.inf) / span, 1.0)
-        errors.append(np.where(record.valid, error, np.nan)[fitted_samples(len(record.t)) if held_out else 0 :])
-    return np.concatenate(errors)
+    errors = [np.nan_to_num(np.abs(from_first(model, record).q - record.q), nan=np.inf) / span for record in records]
+    return np.concatenate(
+        [
+            np.where(r.valid, np.minimum(error, 1.0), np.nan)[fitted_samples(len(r.t)) if held_out else 0 :]
+            for r, error in zip(records, errors, strict=True)
+        ]
+    )
 
 
 LOST = 0.15
@@ -250,8 +252,13 @@ def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:
         half = float(record.t[-1] - record.t[0]) / 2.0
         times = [time for time, _ in HORIZONS.values() if SHORTEST_HORIZON * record.interval <= time <= half]
         q, speed = (np.where(record.valid, signal, np.nan) for signal in (record.q, record.qdot))
-        path = MeasuredPath(record.t, record.drive_of(fine=model.fine_voltages), q, speed)
-        errors += horizon_errors(predictor(model), path, times, plant=None, most_starts=STARTS)
+        errors += horizon_errors(
+            predictor(model),
+            MeasuredPath(record.t, record.drive_of(fine=model.fine_voltages), q, speed),
+            times,
+            plant=None,
+            most_starts=STARTS,
+        )
     return errors
 
 

@@ -107,8 +107,8 @@ def _spread(free: FloatArray, ensemble: FloatArray, floor: float, apart: float) 
     """√(s² + s₀²), shape (N,)."""
     distance = ensemble - free
     near = np.abs(distance) <= apart
-    count = np.maximum(np.count_nonzero(near, axis=0), 1)
-    return np.asarray(np.sqrt(np.sum(np.where(near, distance, 0.0) ** 2, axis=0) / count + floor**2))
+    squares = np.sum(np.where(near, distance, 0.0) ** 2, axis=0)
+    return np.asarray(np.sqrt(squares / np.maximum(np.count_nonzero(near, axis=0), 1) + floor**2))
 
 
 def free_run(log: Log, model: DynamicModel) -> FreeRun:

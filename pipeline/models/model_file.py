@@ -345,11 +345,10 @@ def columns_of(device: Device, files: Mapping[str, type[Any]]) -> Columns:
     files : mapping of str to type
         The declaration of each group of the file.
     """
-    mass = MASS[device.displacement.symbol] if device.known_mass is not None else "1"
     units = {
         "q": device.displacement.symbol,
         "v": device.inputs[0].symbol,
-        "m": mass,
+        "m": MASS[device.displacement.symbol] if device.known_mass is not None else "1",
         "c": {"N": "N/m", "N·m": "N·m/rad"}.get(device.curve_units["F"], "1/s²"),
     }
     return partial(column_of, units=units | device.curve_units, files=files)

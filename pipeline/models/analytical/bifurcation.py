@@ -214,13 +214,13 @@ def switching_voltage(parameters: JointParameters) -> SwitchingVoltage:
     wells = [e for e in equilibria(parameters, np.zeros(2)) if e.stable]
     if len(wells) < 2:
         return SwitchingVoltage(None, None)
-    folds: list[float | None] = []
-    for side, well in ((0, wells[0]), (1, wells[-1])):
-        branch = branch_through(over_voltage(parameters, side), well.qm, 0.0, (0.0, _HIGHEST))
-        # v² is even in v: the branch runs to both signs, and only the upward half is looked at.
-        upward = [point.parameter for point in branch.special if point.kind == "fold" and point.parameter > 0.0]
-        folds.append(min(upward) if upward else None)
-    return SwitchingVoltage(*folds)
+    branches = [
+        branch_through(over_voltage(parameters, side), well.qm, 0.0, (0.0, _HIGHEST))
+        for side, well in ((0, wells[0]), (1, wells[-1]))
+    ]
+    # v² is even in v: a branch runs to both signs, and only its upward half is looked at.
+    folds = ([s.parameter for s in branch.special if s.kind == "fold" and s.parameter > 0.0] for branch in branches)
+    return SwitchingVoltage(*(min(upward, default=None) for upward in folds))
 
 
 VOLTAGE_STATES = {"off": (0.0, 0.0), "left": (1.0, 0.0), "right": (0.0, 1.0), "both": (1.0, 1.0)}

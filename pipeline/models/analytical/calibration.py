@@ -77,13 +77,21 @@ class CalibrationProblem:
 
     def values(self, x: FloatArray) -> FloatArray:
         """Values [SI] at x."""
-        pairs = zip(self.priors, self.origin, x, strict=True)
-        return np.array([o * prior.width**s if prior.relative else o + prior.width * s for prior, o, s in pairs])
+        return np.array(
+            [
+                o * prior.width**s if prior.relative else o + prior.width * s
+                for prior, o, s in zip(self.priors, self.origin, x, strict=True)
+            ]
+        )
 
     def slopes(self, x: FloatArray) -> FloatArray:
         """Derivatives of the values [SI] with respect to x."""
-        pairs = zip(self.priors, self.values(x), strict=True)
-        return np.array([v * np.log(prior.width) if prior.relative else prior.width for prior, v in pairs])
+        return np.array(
+            [
+                value * np.log(prior.width) if prior.relative else prior.width
+                for prior, value in zip(self.priors, self.values(x), strict=True)
+            ]
+        )
 
     def parameters(self, x: FloatArray) -> JointParameters:
         """The set at x."""
@@ -293,10 +301,9 @@ def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -
     """
     count = jacobian.shape[1]
     weights = (1.0 + (residuals / LOSS_SCALE) ** 2) ** -0.5  # of the residuals in the gradient of the soft-L1 loss
-    scores = (weights * residuals)[:, None] * jacobian
     windows = int(labels.max()) + 1
     clusters = np.zeros((windows, count))
-    np.add.at(clusters, labels, scores[:-count])
+    np.add.at(clusters, labels, ((weights * residuals)[:, None] * jacobian)[:-count])
     # The rows of the prior, one for each unknown, weigh here as they do in the bread.
     meat = clusters.T @ clusters * (windows / max(windows - 1, 1)) + np.diag(weights[-count:] ** 2)
     bread = np.linalg.inv(jacobian.T @ (weights[:, None] * jacobian))

@@ -196,8 +196,8 @@ def simulate(
     count = t.size
     solution = no_solution(count)
     states, rates, steps = solution
-    load = np.zeros(count) if force is None else np.ascontiguousarray(force)
-    drive = (np.ascontiguousarray(t), np.ascontiguousarray(v), load)
+    load = np.zeros(count) if force is None else force
+    drive = (np.ascontiguousarray(t), np.ascontiguousarray(v), np.ascontiguousarray(load))
     valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
     states[valid:], rates[valid:] = np.nan, np.nan
     qm, qm_dot, z = np.split(states, [RITZ, FIRST_Z], axis=1)

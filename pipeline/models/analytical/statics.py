@@ -135,8 +135,8 @@ def _starts(scale: FloatArray) -> FloatArray:
     grid = np.linspace(-1.0, 1.0, 21), np.linspace(-2.0, 2.0, 7), np.linspace(-7.0, 7.0, 7)
     q, slope, bow = (REACH * axis.ravel() for axis in np.meshgrid(*grid, indexing="ij"))
     # Cubic Hermite from the clamp to (q, slope), plus bow · s²(1 − s)².
-    coefficients = np.stack([3.0 * q - slope + bow, slope - 2.0 * q - 2.0 * bow, bow, np.zeros_like(q)], axis=1)
-    return np.asarray(coefficients * scale)
+    shapes = [3.0 * q - slope + bow, slope - 2.0 * q - 2.0 * bow, bow, np.zeros_like(q)]
+    return np.asarray(np.stack(shapes, axis=1) * scale)
 
 
 def equilibria(parameters: JointParameters, v: FloatArray, force: float = 0.0) -> list[JointEquilibrium]:

@@ -270,8 +270,8 @@ def error_derivatives(
             by_parameter[: reached.size] = np.tensordot(states[reached, :3], levers, (1, 0))
         return by_parameter[1:]
 
-    mapped = (pool.map if pool else map)(derivatives, motions.runs, motions.windows.parts, np.stack(starts, axis=-1))
-    return np.concatenate([*mapped])
+    every = (motions.runs, motions.windows.parts, np.stack(starts, axis=-1))
+    return np.concatenate([*(pool.map if pool else map)(derivatives, *every)])
 
 
 def start_states(parameters: JointParameters, windows: Windows) -> FloatArray:

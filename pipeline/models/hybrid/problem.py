@@ -361,8 +361,7 @@ class _Log:
         at = self.compared(gain)
         chain = 1e3 * np.concatenate([constants[np.any(constants, axis=1)], instruments])
         by = (columns if at.all() else columns[at]) @ chain
-        of_weights = by_weights[at] * widths[:, None]
-        by[:, DEVIATION_COUNT:] += 1e3 * of_weights.reshape(len(by), by.shape[1] - DEVIATION_COUNT)
+        by[:, DEVIATION_COUNT:] += 1e3 * (by_weights[at] * widths[:, None]).reshape(by[:, DEVIATION_COUNT:].shape)
         by += 1e3 * instruments[0]  # the reading is q + offset
         return 1e3 * (q[at] + seen.offset - self.q[at]), by
 

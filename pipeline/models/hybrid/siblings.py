@@ -162,13 +162,11 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
     members = [information_of(model) for model in models.values()]
     whole = estimate_population(members, prior)
     suspects = [i for i, entry in enumerate(DEVIATIONS) if entry.quantity.rpartition(".")[2] in _SUSPECTS]
-    gains = {}
-    odd = []
-    for name, member, rest in zip(models, members, without_each(members, prior, whole), strict=True):
-        gains[name] = log_evidence(member, rest) - log_evidence(member, prior)
-        if (outlier := oddity(member, rest, len(members) - 1, suspects)).odd:
-            odd.append(_odd(name, outlier))
-    return Learnt(whole, _quantities(whole, prior), tuple(odd), gains)
+    others = [*zip(models, members, without_each(members, prior, whole), strict=True)]
+    gains = {name: log_evidence(member, rest) - log_evidence(member, prior) for name, member, rest in others}
+    tested = ((name, oddity(member, rest, len(members) - 1, suspects)) for name, member, rest in others)
+    odd = tuple(_odd(name, outlier) for name, outlier in tested if outlier.odd)
+    return Learnt(whole, _quantities(whole, prior), odd, gains)
 
 
 def _title(entry: int) -> str:

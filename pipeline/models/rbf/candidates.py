@@ -110,8 +110,13 @@ def candidate(structure: JointStructure, symmetry: float | None = None, *, popul
         *([] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]),
         *["population prior"] * population,
     ]
-    inflation = POPULATION_INFLATION if population else Candidate.noise_inflation
-    return Candidate(", ".join(words), structure, inflation, symmetry, population)
+    return Candidate(
+        label=", ".join(words),
+        structure=structure,
+        noise_inflation=POPULATION_INFLATION if population else Candidate.noise_inflation,
+        symmetry=symmetry,
+        population=population,
+    )
 
 
 def first_candidate(decided: dict[str, Any], *, pair: bool, angle: bool, fine: bool) -> Candidate:

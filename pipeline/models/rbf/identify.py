@@ -284,8 +284,13 @@ def _fit_to_all(
         complete = within(records, fit.theta, LAST_JACOBIANS)
         last = descend(complete, fit.theta, gains[-1:], 1.0)
         fit, problem = (last, complete) if last.levels else (fit, problem)
-    errors = fit.residual[problem.of_displacement] if fit.levels else fit.residual
-    return _Fitted(option, begun, fit, errors, problem)
+    return _Fitted(
+        candidate=option,
+        begun=begun,
+        fit=fit,
+        errors=fit.residual[problem.of_displacement] if fit.levels else fit.residual,
+        problem=problem,
+    )
 
 
 def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float]) -> dict[str, object]:

@@ -89,8 +89,8 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
         Longest step [1/pace].
     """
     c = p.coefficients(theta)
-    decays = ["damping", *(f"relaxation{i}" for i in range(p.structure.shape_elements))]
-    decaying = basis_rows(p.centres, c) @ c.curves[[p.rows[name] for name in decays]].T
+    rows = [p.rows["damping"], *(p.rows[f"relaxation{i}"] for i in range(p.structure.shape_elements))]
+    decaying = basis_rows(p.centres, c) @ c.curves[rows].T
     fastest = max(float(decaying.max()), float(c.rates.max(initial=0.0)))
     touching = 0.0
     if p.structure.stops:

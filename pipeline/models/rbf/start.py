@@ -120,8 +120,8 @@ def starting_joint(
         signs = tuple((known_signs or {}).get(i, 1 if mean >= 0.0 else -1) for i, mean in enumerate(means))
     parameters = ParameterLayout(structure, measured, action, signs)
     fitted = _bounded_fit(columns, target, structure, signs)
-    typical = [_typical_gain(basis, gain, scales) for basis, gain in zip(columns[2:], fitted[2:], strict=True)]
-    start = _start_vector(parameters, fitted, typical)
+    pairs = zip(columns[2:], fitted[2:], strict=True)
+    start = _start_vector(parameters, fitted, [_typical_gain(basis, gain, scales) for basis, gain in pairs])
     at = parameters.slices
     if structure.slips:
         forces: FloatArray | float = START_SLIP_FORCE * scales.stiffness / structure.slips

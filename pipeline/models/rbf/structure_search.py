@@ -224,8 +224,8 @@ def search(
                 best = option
                 last_taken = max(number + 1, len(once))
                 taken.append(option)
-    fit = tried[best.label].fits[0] if tried else None
-    return best, fit, {label: judgement.rms for label, judgement in tried.items()}, complete
+    held_out = {label: judgement.rms for label, judgement in tried.items()}
+    return best, tried[best.label].fits[0] if tried else None, held_out, complete
 
 
 @dataclass(frozen=True)
