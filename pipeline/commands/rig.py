@@ -114,22 +114,14 @@ def fleet(
         typer.echo(f"{count} simulated prototypes in {output}; next: debist batch {shell_word(output)} -o runs")
 
 
-@dataclass(frozen=True)
-class DesignLimits:
-    """Limits of a designed sequence."""
-
-    max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV"
-    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s"
+@app.command()
+def excite(
+    max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV",
+    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s",
     file: Annotated[
         Path | None,
         typer.Option("--design", metavar="FILE", help="TOML file with kinds of bursts, rate, rest, field, joints."),
-    ] = None
-
-
-@app.command()
-@with_options
-def excite(
-    within: DesignLimits,
+    ] = None,
     parameters: Parameters = "nominal",
     output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Sequence to write: .csv or .mat.")] = Path(
         "excitation.csv"
@@ -147,11 +139,11 @@ def excite(
     from ..workflow.studies.excitation_design import Requirements
     from .inspection import emit_design
 
-    rare = read_options(within.file, excitation.DesignFile)
-    voltage = parse_quantity(within.max_voltage, ("V",), "--max-voltage")
+    rare = read_options(file, excitation.DesignFile)
+    voltage = parse_quantity(max_voltage, ("V",), "--max-voltage")
     source = excitation.ExcitationSource(parameters, rare.joints, rare.seed)
     wanted = Requirements(
-        duration=parse_quantity(within.duration, ("s",), "--duration"),
+        duration=parse_quantity(duration, ("s",), "--duration"),
         rest=rare.rest_s,
         kinds=rare.kinds,
         candidates=rare.candidates,
