@@ -104,10 +104,15 @@ def settings(
         "mass": None if mass is None else {"value": mass, "unit": "kg m^2" if turned else "kg"},
         "parameters": parameters,
     }
-    document: dict[str, Any] = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
     if entry(model) is None and model != AUTO:
         raise InputError(f"no model {model!r}; there are {', '.join((AUTO, *(each.name for each in ENTRIES)))}")
-    document["identify"] = {"models": [model]} if model in (AUTO, *names("identify")) else {}
+    document: dict[str, Any] = {
+        "name": "signals",
+        "logs": {"train": ["signals"]},
+        "channels": channels,
+        "plant": plant,
+        "identify": {"models": [model]} if model in (AUTO, *names("identify")) else {},
+    }
     if not isinstance(more, Mapping):
         raise InputError(
             f"settings is {more!r}; give a mapping of tables, as {{'ingest': {{'sample_interval': 0.005}}}}"
@@ -225,8 +230,11 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
     )
     moved, _ = kinematics(coarse, fine, prototype)
     notes = {**checked.notes, "raw_step": checked.raw_step}
-    remarks = tuple(f"{where}: {text}" for text in checked.notes["warnings"])
-    return motion(moved, fine, prototype, notes.get(UNKNOWN, ())), log_signals(where, fine, notes), remarks
+    return (
+        motion(moved, fine, prototype, notes.get(UNKNOWN, ())),
+        log_signals(where, fine, notes),
+        tuple(f"{where}: {text}" for text in checked.notes["warnings"]),
+    )
 
 
 def _in_this_folder() -> Path:
@@ -268,8 +276,13 @@ def identify_signals(
     else:
         models, notes = identified(measured, prototype, parameters, prior)
         model = next(iter(models.values()))
-    remarks_of_all = [*(text for texts in warnings for text in texts), *remarks(findings), *contradictions]
-    notes |= {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}
+    notes["warnings"] = [
+        *(text for texts in warnings for text in texts),
+        *remarks(findings),
+        *contradictions,
+        *notes["warnings"],
+    ]
+    notes["contradictions"] = contradictions
     return model, notes, measured
 
 
