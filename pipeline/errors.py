@@ -6,7 +6,7 @@ import re
 import sys
 import warnings
 from collections.abc import Sequence
-from typing import ClassVar, Self
+from typing import ClassVar
 
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
 _NO_MEMORY = re.compile(
@@ -29,8 +29,6 @@ class DebistError(Exception):
 class InputError(DebistError):
     """Bad usage or bad input: settings, raw logs, units, options."""
 
-    exit_code = 2
-
 
 class SeveralMistakesError(InputError):
     """Several things are wrong at once; each has a line of its own where there is room for lines.
@@ -42,13 +40,12 @@ class SeveralMistakesError(InputError):
     """
 
     def __init__(self, where: str, mistakes: Sequence[str]) -> None:
-        self._given = (where, mistakes)
+        super().__init__(where, mistakes)  # by which it is pickled
         self.lines = (f"{where}: {len(mistakes)} mistakes", *mistakes)
-        super().__init__(f"{self.lines[0]}: {'; '.join(f'({i}) {text}' for i, text in enumerate(mistakes, 1))}")
 
-    def __reduce__(self) -> tuple[type[Self], tuple[str, Sequence[str]]]:
-        """Pickle the error by the arguments that it was raised with."""
-        return type(self), self._given
+    def __str__(self) -> str:
+        """All mistakes in one line."""
+        return f"{self.lines[0]}: {'; '.join(f'({i}) {text}' for i, text in enumerate(self.lines[1:], 1))}"
 
     @classmethod
     def of(cls, where: str, mistakes: Sequence[str]) -> InputError:
@@ -108,8 +105,7 @@ def interrupted(error: BaseException | None) -> bool:
     if error is None or isinstance(error, KeyboardInterrupt):
         return error is not None
     cause = error.__cause__
-    context = error.__context__
-    return interrupted(cause) or (context is not cause and interrupted(context))
+    return interrupted(cause) or (error.__context__ is not cause and interrupted(error.__context__))
 
 
 def memory_failure(error: BaseException | None) -> bool:
@@ -117,11 +113,8 @@ def memory_failure(error: BaseException | None) -> bool:
     if interrupted(error):
         return False  # compiled code that a signal stops says what it also says where memory ends
     while error is not None:
-        if isinstance(error, MemoryError):
-            return True
-        if isinstance(error, ImportError | OSError | SystemError | RuntimeError | ValueError) and _NO_MEMORY.search(
-            str(error)
-        ):
+        may_state_it = isinstance(error, ImportError | OSError | SystemError | RuntimeError | ValueError)
+        if isinstance(error, MemoryError) or (may_state_it and _NO_MEMORY.search(str(error))):
             return True
         error = error.__cause__ or error.__context__
     return False

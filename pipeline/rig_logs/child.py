@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from ..errors import disk_failure
 from ..system.isolation import Send, limit
-from ..system.package import module_at
+from ..system.package import object_at
 from .source import (
     MEGABYTE,
     CsvOptions,
@@ -311,5 +311,5 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     for is_such, what in _KNOWN_BY_MORE:
         if module == "csv" and is_such(start):
             raise UnreadableLogError(what)
-    source: Source = module_at(f"rig_logs.{module}").open_log(path, csv, limits)
+    source: Source = object_at(f"rig_logs.{module}:open_log")(path, csv, limits)
     return with_starts(source)

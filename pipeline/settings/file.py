@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
 
 from ..errors import InputError, SeveralMistakesError
 from ..system.names import shell_word
@@ -76,7 +77,7 @@ def translated(stored: Mapping[str, Any], *, used: bool = False) -> dict[str, An
     return {**stored, **tables}
 
 
-Options = TypeVar("Options", bound=BaseModel)
+Settings = TypeVar("Settings", bound=BaseModel)
 
 _SLIPS = (
     (re.compile(r"=\s*[-+]?\d+,\d"), "numbers have a decimal point, as 40.5"),
@@ -122,7 +123,7 @@ def read_document(path: Path) -> dict[str, Any]:
         raise InputError(f"{path}: {_no_toml(path, error)}") from error
 
 
-def read_options(path: Path | None, schema: type[Options]) -> Options:
+def read_options(path: Path | None, schema: type[Settings]) -> Settings:
     """The rare options of a command, from a TOML file of its own; the defaults where there is no file.
 
     Raises
@@ -134,11 +135,21 @@ def read_options(path: Path | None, schema: type[Options]) -> Options:
         return schema()
     if not path.exists():
         raise InputError(f"{path}: no such file")
-    document = read_document(path)
+    return checked(read_document(path), schema, str(path))
+
+
+def checked(document: dict[str, Any], schema: type[Settings], where: str) -> Settings:
+    """Settings that were read from `where`.
+
+    Raises
+    ------
+    InputError
+        Everything that is wrong, each with the key and a suggestion.
+    """
     try:
         return schema.model_validate(document)
     except ValidationError as error:
-        raise SeveralMistakesError.of(str(path), mistakes(error.errors(include_url=False), schema)) from None
+        raise SeveralMistakesError.of(where, mistakes(error.errors(include_url=False), schema)) from None
 
 
 def _no_toml(path: Path, error: Exception) -> str:
@@ -228,6 +239,8 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
     key = ".".join(location)
     if error["type"] in ("extra_forbidden", "literal_error") and (instead := replacement(key, error["input"])):
         return instead
+    if error["type"] == "extra_forbidden" and key in getattr(settings, "gone", {}):
+        return f"{key} is gone; {settings.gone[key]}"  # type: ignore[attr-defined]
     if error["type"] == "extra_forbidden":
         return f"unknown key {key!r}; {_hint(location, settings)}"
     if error["type"] == "missing":
@@ -242,7 +255,9 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
         if close := difflib.get_close_matches(str(error["input"]), choices, n=1):
             return f"{key}: there is no {given:.60}; did you mean {close[0]!r}?"
     if error["type"] in ("model_type", "model_attributes_type", "dict_type"):
-        wanted = ", ".join(f"{name} = …" for name in _mandatory_at(location, settings))
+        fields = _fields_at(location, settings)
+        mandatory = [name for name, field in fields.items() if field.is_required()]
+        wanted = ", ".join(f"{name} = …" for name in mandatory or fields)
         return f"{key}: must be a table, as {{ {wanted} }} (got {given:.60})"
     message = str(error["msg"]).removeprefix("Value error, ")
     if not key:  # a check of the whole names its keys itself
@@ -255,46 +270,30 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
 
 def _unit_at(location: list[str], settings: type[BaseModel]) -> str:
     """The unit of a number, as the meaning of its key states it in brackets."""
-    table = _table_at(location[:-1], settings)
-    field = table.model_fields.get(location[-1]) if table else None
+    field = _fields_at(location[:-1], settings).get(location[-1])
     unit = _UNIT.search((field and field.description) or "")
     return f"; a number in {unit[1]}" if unit else ""
 
 
 def _hint(location: list[str], settings: type[BaseModel]) -> str:
     *section, key = location
-    keys = _fields_at(section, settings)
+    keys = list(_fields_at(section, settings))
     if close := difflib.get_close_matches(key, keys, n=1, cutoff=0.5):
         return f"did you mean {close[0]!r}?"
     elsewhere = [name for name in settings.model_fields if key in _fields_at([name], settings) and len(section) < 2]
     return f"it belongs into [{elsewhere[0]}]" if elsewhere else f"known here: {', '.join(keys)}"
 
 
-def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:
-    """Names of the keys that the table at a place must have; all of them where none is mandatory."""
-    if (table := _table_at(location, settings)) is None:
-        return []
-    return [name for name, field in table.model_fields.items() if field.is_required()] or list(table.model_fields)
-
-
-def _fields_at(location: list[str], settings: type[BaseModel]) -> list[str]:
-    """Names of the keys of the table at a place; none where there is no table."""
-    table = _table_at(location, settings)
-    return [] if table is None else list(table.model_fields)
-
-
-def _table_at(location: list[str], settings: type[BaseModel]) -> type[BaseModel] | None:
-    """The table at a place, if there is one."""
+def _fields_at(location: list[str], settings: type[BaseModel]) -> dict[str, FieldInfo]:
+    """The fields of the table at a place by their keys; none where there is no table."""
     model = settings
-    for part in location:
-        if part.isdigit():
-            continue
+    for part in (part for part in location if not part.isdigit()):
         annotation = model.model_fields[part].annotation
         tables = [c for c in _within(annotation) if isinstance(c, type) and issubclass(c, BaseModel)]
         if not tables:
-            return None
+            return {}
         model = tables[0]
-    return model
+    return model.model_fields
 
 
 def _within(annotation: Any) -> list[Any]:

@@ -6,13 +6,12 @@ The reference page of the settings is generated from the descriptions below.
 
 import difflib
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field, ValidationError, field_validator, model_validator
+from pydantic import AfterValidator, Field, field_validator, model_validator
 
-from ..errors import SeveralMistakesError
 from ..system.names import check_log_name, check_name, log_name, slug
-from .file import GATES, mistakes, read_document
+from .file import GATES, checked, read_document
 from .logs import ROLES, Channels, Logs, Number, SettingsTable, Whole, log_label
 from .models import AUTO, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
 
@@ -239,7 +238,7 @@ class Quality(SettingsTable):
 class Prototype(SettingsTable):
     """Everything that decides the results of one prototype."""
 
-    name: str
+    name: Annotated[str, AfterValidator(check_name)]
     """Name of the prototype; letters of any script, blanks and brackets too. A safe form of it names its folder."""
     logs: Logs
     channels: Channels
@@ -249,11 +248,6 @@ class Prototype(SettingsTable):
     differentiate: Differentiate = Differentiate()
     identify: Identify = Identify()
     compare: Compare = Compare()
-
-    @field_validator("name")
-    @classmethod
-    def _usable(cls, value: str) -> str:
-        return check_name(value)
 
     @model_validator(mode="after")
     def _log_names(self) -> "Prototype":
@@ -266,24 +260,21 @@ class Prototype(SettingsTable):
                     raise ValueError(
                         f"logs.{role}: two logs are named {name!r}, by which a run files them: rename one of the files"
                     )
-        twice = set(map(log_label, self.logs.train)) & set(map(log_label, self.logs.validation))
-        if twice:
+        if twice := set(map(log_label, self.logs.train)) & set(map(log_label, self.logs.validation)):
             raise ValueError(f"logs.validation: {min(twice)!r} is a training log too; validate on a log of its own")
         return self
 
     @model_validator(mode="after")
     def _joint(self) -> "Prototype":
         plant = self.plant
-        lacking = [
-            entry.name for entry in ENTRIES if entry.needs_parameters and entry.name in (self.compare.models or ())
-        ]
         _refuse(
             *(
                 (
-                    plant.parameters is None,
-                    f"compare.models: {name!r} needs a parameter set; name one as plant.parameters",
+                    plant.parameters is None and entry.name in (self.compare.models or ()),
+                    f"compare.models: {entry.name!r} needs a parameter set; name one as plant.parameters",
                 )
-                for name in lacking
+                for entry in ENTRIES
+                if entry.needs_parameters
             ),
             (
                 "hybrid" in self.identify.models and not self.may_be_a_joint,
@@ -323,7 +314,7 @@ class Prototype(SettingsTable):
                 for key, value in self.identify.structure
             ),
             (
-                no_rbf and self.identify.time_limit != _default(Identify, "time_limit"),
+                no_rbf and self.identify.time_limit != RBF_TIME_LIMIT,
                 f"identify.time_limit: {of_rbf}",
             ),
             (no_rbf and self.plant.curves is not None, f"plant.curves: {of_rbf}"),
@@ -331,7 +322,7 @@ class Prototype(SettingsTable):
             (no_hybrid and self.identify.corrections != AUTO, f"identify.corrections: {of_hybrid}"),
             *(
                 (
-                    not self.may_be_a_joint and getattr(self.plant, key) != _default(Plant, key),
+                    not self.may_be_a_joint and getattr(self.plant, key) != Plant.model_fields[key].default,
                     f"plant.{key}: {of_joint}",
                 )
                 for key in sorted(FILM)
@@ -359,13 +350,8 @@ class Prototype(SettingsTable):
         """The baselines to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
             return self.compare.models
-        every = [entry for entry in ENTRIES if entry.part == "compare"]
-        return tuple(entry.name for entry in every if not entry.needs_parameters or self.plant.parameters is not None)
-
-
-def _default(section: type[SettingsTable], key: str) -> Any:
-    """Default of a key."""
-    return section.model_fields[key].default
+        has_set = self.plant.parameters is not None
+        return tuple(e.name for e in ENTRIES if e.part == "compare" and (has_set or not e.needs_parameters))
 
 
 def _refuse(*rules: tuple[bool, str]) -> None:
@@ -404,7 +390,4 @@ def parse_prototype(document: dict[str, Any], where: str) -> Prototype:
     InputError
         Everything that is wrong, each with the key and a suggestion.
     """
-    try:
-        return Prototype.model_validate(document)
-    except ValidationError as error:
-        raise SeveralMistakesError.of(where, mistakes(error.errors(include_url=False), Prototype)) from None
+    return checked(document, Prototype, where)

@@ -20,7 +20,7 @@ from ..store.manifest import MANIFEST
 from ..store.outputs import note_written
 from ..store.run_folder import RunFolder
 from ..system.isolation import Isolated, Send, death, largest_memory, next_ready, preload
-from ..system.linear_algebra import claim_room
+from ..system.machine import claim_room
 from ..system.package import full_name
 from .members import FLEET_CSV, FLEET_FACTS, FLEET_FILES, FLEET_REPORT, FLEET_TABLE, Member, Shard
 from .progress import failure, failure_file, forget_failure, keep_failure
