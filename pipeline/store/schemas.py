@@ -59,10 +59,13 @@ def schema_of(schema: Schema, device: Device, *, phi: bool = False, tubes: bool 
     tubes : bool
         With the limits of the tubes.
     """
-    inputs = tuple(unit.symbol for unit in device.inputs)
-    velocity = device.velocity is not None
     return resolve(
-        schema, displacement=device.displacement.symbol, inputs=inputs, phi=phi, velocity=velocity, tubes=tubes
+        schema,
+        displacement=device.displacement.symbol,
+        inputs=device.input_symbols,
+        phi=phi,
+        velocity=device.velocity is not None,
+        tubes=tubes,
     )
 
 

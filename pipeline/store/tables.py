@@ -35,7 +35,6 @@ def write_table(
     target: Path,
     schema: Schema,
     columns: Mapping[str, Any],
-    note: Mapping[str, str] | None = None,
     *,
     within: Path | None = None,
 ) -> str:
@@ -49,19 +48,16 @@ def write_table(
         Resolved for the device; decides order, types and metadata.
     columns : mapping of str to array-like, each of length N
         For text and nullable columns, lists with None for null.
-    note : mapping of str to str, optional
-        Further metadata of the file.
     within : Path, optional
         As for `atomic_path`.
     """
-    return write_pieces(target, schema, [columns], note, within=within)
+    return write_pieces(target, schema, [columns], within=within)
 
 
 def write_pieces(
     target: Path,
     schema: Schema,
     pieces: Iterable[Mapping[str, Any]],
-    note: Mapping[str, str] | None = None,
     *,
     within: Path | None = None,
 ) -> str:
@@ -69,7 +65,7 @@ def write_pieces(
 
     Parameters
     ----------
-    target, schema, note, within
+    target, schema, within
         As for `write_table`.
     pieces : iterable of mapping of str to array-like
         Consecutive rows of all columns.
@@ -78,7 +74,7 @@ def write_pieces(
         pa.field(column.key, _ARROW[column.dtype], metadata={"unit": column.unit, "meaning": column.help})
         for column in schema.columns
     ]
-    columns = pa.schema(fields, metadata={"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}", **(note or {})})
+    columns = pa.schema(fields, metadata={"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}"})
     digests = {column.key: ColumnDigest() for column in schema.columns}
     with (
         atomic_path(target, within=within) as temporary,

@@ -231,17 +231,18 @@ def run_batch(
     claim_room(ROOM)
     make_folder(output)
     preload([full_name("workflow.preloaded"), program.__module__])
-    own = [member for member in members if shard is None or shard.holds(member.name)]
-    options = () if execution.report else ("--no-report",)
 
     def begin(member: Member) -> "Worker | None":
         """Process of the prototype; None where none is needed."""
         forget_failure(output, member.name)
         if _is_up_to_date(member.settings, output / member.name, execution.report):
             return None
+        options = () if execution.report else ("--no-report",)
         return Worker(program, member.name, member.settings, output, options, time_limit=execution.time_limit)
 
-    with run_lock(output, (shard or Shard()).lock):
+    part = shard or Shard()
+    with run_lock(output, part.lock):
+        own = [member for member in members if part.holds(member.name)]
         outcomes = _run_all(own, observer, begin, execution)
         if shard is None:
             write_fleet(output, outcomes)

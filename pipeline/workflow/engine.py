@@ -1,6 +1,5 @@
 """Bring artifacts up to date: content decides what is done again and why; side by side in processes."""
 
-import math
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -87,23 +86,10 @@ class Observer(Protocol):
 class Unheard:
     """An observer that reports nothing."""
 
-    def planned(self, stages: Sequence[str]) -> None:
-        """Say nothing."""
+    def warned(self, *_: Any, **__: Any) -> None:
+        """Say nothing: the notes of the artifacts hold the warnings."""
 
-    def started(self, task: Task, reasons: list[str]) -> None:
-        """Say nothing."""
-
-    def progressed(self, task: Task, what: str, share: float) -> None:
-        """Say nothing."""
-
-    def finished(self, task: Task, seconds: float) -> None:
-        """Say nothing."""
-
-    def skipped(self, task: Task) -> None:
-        """Say nothing."""
-
-    def warned(self, what: str, warning: str) -> None:
-        """Print nothing: the notes of the artifacts hold the warnings."""
+    planned = started = progressed = finished = skipped = warned
 
 
 @dataclass(frozen=True)
@@ -264,7 +250,7 @@ def bring_up_to_date(run: RunFolder, plan: Plan, observer: Observer, *, jobs: in
     except BaseException:
         recover(run.root)
         raise
-    return schedule.statuses
+    return [schedule.statuses[number] for number in sorted(schedule.statuses)]
 
 
 Event = Callable[[Observer], None]
@@ -302,11 +288,11 @@ class _InOrder:
 
 @dataclass
 class _Step:
-    """A task under way: what its outputs are made from, its raw files before they are read, its beginning [s]."""
+    """A task under way: its raw files before they are read, what its outputs are made from, its beginning [s]."""
 
     task: Task
-    recipe: Recipe
     sources: dict[Path, Seen]
+    recipe: Recipe
     began: float
 
 
@@ -324,12 +310,8 @@ class _Schedule:
         self._running: dict[int, _Step] = {}
         self.failed: tuple[int, Exception] | None = None
         """Place and error of the first task of the plan that failed."""
-        self._statuses: dict[int, TaskStatus] = {}
-
-    @property
-    def statuses(self) -> list[TaskStatus]:
-        """Tasks done and their reasons, in the order of the plan."""
-        return [self._statuses[number] for number in sorted(self._statuses)]
+        self.statuses: dict[int, TaskStatus] = {}
+        """Tasks done and their reasons."""
 
     def goes_on(self) -> bool:
         """True if a task waits or runs, after the plan was read as far as it is known."""
@@ -341,8 +323,7 @@ class _Schedule:
             else:
                 self._waiting[self._read] = entry
                 self._read += 1
-        behind = math.inf if self.failed is None else self.failed[0]
-        return bool(self._waiting) or any(number < behind for number in self._running)
+        return bool(self._waiting) or any(self.failed is None or number < self.failed[0] for number in self._running)
 
     def _must_wait(self) -> bool:
         """True if the plan is not known beyond this place, or this process alone does the tasks read so far."""
@@ -366,10 +347,10 @@ class _Schedule:
     def _begin(self, number: int, task: Task) -> None:
         """Begin a task; one that is up to date has ended at once."""
         run = self._run
-        sources = seen(task)  # before they are hashed: what changes between the two is found
-        step = _Step(task, recipe_of(run, task), sources, time.perf_counter())
+        # its sources are looked at before they are hashed: what changes between the two is found
+        step = _Step(task, seen(task), recipe_of(run, task), time.perf_counter())
         reasons = reasons_of(run, task, step.recipe)
-        self._statuses[number] = TaskStatus(task.stage, task.title, task.outputs, reasons)
+        self.statuses[number] = TaskStatus(task.stage, task.title, task.outputs, reasons)
         if not reasons:
             self._events.add(number, lambda observer: observer.skipped(task), None)
             return
@@ -383,8 +364,8 @@ class _Schedule:
             self._events.at_once(number, lambda observer: observer.progressed(task, what, share))
 
         self._running[number] = step
-        alone = self._processes.jobs == 1
-        self._processes.begin(number, partial(_perform, task, run if alone else run.root), on_progress)
+        place = run if self._processes.jobs == 1 else run.root
+        self._processes.begin(number, partial(_perform, task, place), on_progress)
 
     def end_what_is_done(self) -> None:
         """Wait for running tasks, and commit what they have written."""

@@ -87,21 +87,23 @@ def _centres(excitation: Excitation, factor: float, unit: str) -> Iterator[Short
     poor = np.isin(np.arange(len(excitation.centres)), excitation.visits.poorly_visited)
     for rows in runs_of(poor):
         fewest = int(excitation.visits.visits[rows].min())
-        finding = f"{_places(excitation, rows, factor, unit)}: {fewest} samples, below {FEW}"
         if rows.start == 0 or rows.stop == len(poor):
             add = "full pulses in quick succession, so that it overshoots; or fewer basis functions"
         elif isinstance(excitation.wells, Wells):
             add = "pulses near the switching voltage and chirps, which linger between the wells"
         else:
             add = "chirps, random steps and pulses of all sizes, which lead it there"
-        yield Shortfall(finding, add)
+        yield Shortfall(f"{_places(excitation, rows, factor, unit)}: {fewest} samples, below {FEW}", add)
 
 
 def _driven(excitation: Excitation, names: Sequence[str], factor: float, unit: str) -> Iterator[Shortfall]:
     for k, name in enumerate(names):
         for rows in runs_of((excitation.visits.driven[k] < FEW) & (excitation.visits.visits >= FEW)):
-            finding = f"{name} hardly acts at {_places(excitation, rows, factor, unit)}: its gain there is a guess"
-            yield Shortfall(finding, f"pulses of {name}, also weak ones, while q is or swings there")
+            place = _places(excitation, rows, factor, unit)
+            yield Shortfall(
+                f"{name} hardly acts at {place}: its gain there is a guess",
+                f"pulses of {name}, also weak ones, while q is or swings there",
+            )
 
 
 def _largest(excitation: Excitation, names: Sequence[str], plant: Device) -> Iterator[Shortfall]:
@@ -170,8 +172,8 @@ def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExc
     """
     if settings is not None:
         prototype = load_prototype(settings)
-        csv = CsvOptions(**prototype.ingest.csv.model_dump())
-        return inspect_log(log, csv=csv), _excitation(log, prototype, parameter_set(prototype, settings))
+        inspection = inspect_log(log, csv=CsvOptions(**prototype.ingest.csv.model_dump()))
+        return inspection, _excitation(log, prototype, parameter_set(prototype, settings))
     inspection = inspect_log(log)
     try:
         return inspection, replace(_excitation(log, _supposed(inspection), None), assumed=True)

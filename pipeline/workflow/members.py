@@ -86,15 +86,13 @@ def table_settings(table: Path, base: Path | None, folder: Path) -> list[Path]:
 
 
 def _base_of(table: Path, given: Path | None) -> Path:
-    if given is not None:
-        return given
-    beside = [table.with_suffix(".toml"), table.with_name(_BASE)]
-    for path in beside:
-        if path.is_file():
-            return path
-    raise InputError(
-        f"{table}: no base settings; write what all rows share into {beside[0].name} beside it, or name it with --base"
-    )
+    usual = table.with_suffix(".toml")
+    base = given or next((path for path in (usual, table.with_name(_BASE)) if path.is_file()), None)
+    if base is None:
+        raise InputError(
+            f"{table}: no base settings; write what all rows share into {usual.name} beside it, or name it with --base"
+        )
+    return base
 
 
 def _keys(table: Path, heading: list[Any]) -> list[str]:
@@ -353,10 +351,9 @@ def members(prototypes: Sequence[Path]) -> list[Member]:
         Two prototypes of one name, capitals aside, or one that is named as a file of the fleet.
     """
     named: dict[str, Member] = {}
-    reserved = (*FLEET_FILES, SETTINGS, FAILED)
     for path in prototypes:
         member = _member(path)
-        if (folded := member.name.casefold()) in reserved:
+        if (folded := member.name.casefold()) in (*FLEET_FILES, SETTINGS, FAILED):
             raise InputError(
                 f"{path}: {member.name!r} is the name of a file of the fleet; name the prototype otherwise"
             )
@@ -375,5 +372,4 @@ def _member(path: Path) -> Member:
         prototype = load_prototype(path)
     except DebistError as error:
         return Member(slug(path.stem), path, error=str(error))  # its own run fails with the reason
-    logs = dict.fromkeys(log for _, log, _ in layout.raw_logs(prototype, path))
-    return Member(prototype.folder, path, tuple(logs))
+    return Member(prototype.folder, path, tuple(dict.fromkeys(log for _, log, _ in layout.raw_logs(prototype, path))))

@@ -37,8 +37,8 @@ def load_settings(prototype_file: Path) -> Prototype:
         mistakes = list[str]()
     except InputError as error:
         prototype = None
-        several = error.lines[1:] if isinstance(error, SeveralMistakesError) else ()
-        mistakes = [*several] or [str(error).removeprefix(f"{prototype_file}: ")]
+        alone = [str(error).removeprefix(f"{prototype_file}: ")]
+        mistakes = [*error.lines[1:]] if isinstance(error, SeveralMistakesError) else alone
     mistakes += _wrong_units(document)
     if prototype is not None and not mistakes:
         device(prototype)  # whether the units suit each other

@@ -42,8 +42,7 @@ class MemberState:
 
 def is_fleet(folder: Path) -> bool:
     """True if a folder is no run but holds runs, or failures of a batch."""
-    alone = folder.is_dir() and not (folder / MANIFEST).exists()
-    return alone and bool(_runs(folder) or failed_names(folder))
+    return folder.is_dir() and not (folder / MANIFEST).exists() and bool(_runs(folder) or failed_names(folder))
 
 
 def fleet_progress(output: Path) -> list[MemberState]:
@@ -126,8 +125,8 @@ def keep_failure(output: Path, name: str, exit_code: int, reason: str, printed: 
     printed : str
         Standard error of the process.
     """
-    head = f"exit code {exit_code}: {' '.join(reason.split())}\n"
-    write_text(failure_file(output, name), f"{head}\n{printed}", within=output)
+    text = f"exit code {exit_code}: {' '.join(reason.split())}\n\n{printed}"
+    write_text(failure_file(output, name), text, within=output)
 
 
 def forget_failure(output: Path, name: str) -> None:

@@ -126,12 +126,16 @@ def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None
 def subject(run: RunFolder, prototype: Prototype, name: str | None) -> Subject:
     """A model of the run, the main model if none is named, and what travels along with it."""
     chosen, artifact = model_artifact(run, prototype, name)
-    model = model_from_tree(chosen, run.read_tree(artifact, chosen))
     # The first validation log, or the first training log where there is none; of one with gaps the longest part.
     role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
-    check = load_motion(run, prototype, role, log).longest_part()
-    logs = load_logs(run, prototype, "train")
-    return subject_on(check, model, prototype, logs=logs, name=chosen, origin=run.record(artifact).content_hash)
+    return subject_on(
+        load_motion(run, prototype, role, log).longest_part(),
+        model_from_tree(chosen, run.read_tree(artifact, chosen)),
+        prototype,
+        logs=load_logs(run, prototype, "train"),
+        name=chosen,
+        origin=run.record(artifact).content_hash,
+    )
 
 
 def subject_on(

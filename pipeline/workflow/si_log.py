@@ -112,14 +112,13 @@ def read_si(
     """
     channels = prototype.channels
     signals = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]
-    used = (channels.time, *signals, *(signal.time for signal in signals))
-    wanted = [each.channel for each in used if each is not None]
+    named = [each.channel for each in (channels.time, *(signal.time for signal in signals)) if each is not None]
+    wanted = [*named, *(signal.channel for signal in signals)]
     csv = CsvOptions(**prototype.ingest.csv.model_dump())
     read = read_recording(path, channels=wanted, csv=csv, progress=progress)
     beside = _clocks_beside(read, prototype)
     unread = sorted({*beside.values(), *_clocks_unnamed(read, prototype)}.difference(wanted))
     if unread:
-        named = [each.channel for each in (channels.time, *(signal.time for signal in signals)) if each is not None]
         clocks = read_recording(path, channels=[*named, *unread], csv=csv).channels  # stamps count from one origin
         others = (each for each in read.channels if each.name not in {clock.name for clock in clocks})
         read = replace(read, channels=(*clocks, *others))
@@ -425,12 +424,11 @@ def _rates_in_doubt(recording: Recording, prototype: Prototype) -> list[str]:
     if any(abs(ratio - 1.0) <= _RATES_AGREE for ratio in ratios.values()):
         return []
     beyond = [f"{name} is {ratio * rate:.6g} Hz" for name, ratio in ratios.items() if ratio >= 0.5 * (1 - _RATES_AGREE)]
-    if not beyond:
-        return []
-    return [
+    doubt = (
         f"in the log {' and '.join(beyond)}, and a motion has less than half of [ingest] sample_rate = {rate:g} Hz: is "
         "that rate right?"
-    ]
+    )
+    return [doubt] if beyond else []
 
 
 def _rate_of_column(column: RecordedChannel, wanted: float) -> dict[str, float]:

@@ -73,11 +73,11 @@ def instrument_rows(
         if log in trained and len(trained) == 1:
             continue
         reading = instruments.of_training[trained.index(log)] if log in trained else instruments.of(parts[log])
-        values = _values(stated[log].then(reading.corrections))
+        by = stated[log].then(reading.corrections)
+        values = [*by.gains, by.zero, by.gain_q, by.delay, by.clock]  # in the order of the quantities
         measures = zip(instruments.quantities.items(), reading.estimate, reading.standard_error, values, strict=True)
         for (quantity, limit), estimate, error, value in measures:
             measured = bool(np.isfinite(estimate))
-            beyond = measured and abs(estimate) > max(SIGNIFICANCE * error, limit)
             rows.append(
                 {
                     "log": log[1],
@@ -88,24 +88,14 @@ def instrument_rows(
                     "standard_error": float(error) if measured else None,
                     "correction": value if measured else None,
                     "limit": limit,
-                    "beyond": beyond,
+                    "beyond": measured and abs(estimate) > max(SIGNIFICANCE * error, limit),
                     "residual_ratio": reading.residual_ratio if measured else None,
                     "exchanged": reading.exchange,
                     "status": reading.status,
                 }
             )
-    return _both_beyond(rows, trained)
-
-
-def _both_beyond(rows: list[dict[str, Any]], trained: Sequence[tuple[Role, str]]) -> list[dict[str, Any]]:
-    """The rows; of two training logs, which measure one difference, an error is beyond its limit only by both."""
-    if len(trained) == 2:
+    if len(trained) == 2:  # both measure one difference: an error is beyond its limit only by both
         own = [[row for row in rows if (row["role"], row["log"]) == log] for log in trained]
         for first, second in zip(*own, strict=True):
             first["beyond"] = second["beyond"] = first["beyond"] and second["beyond"]
     return rows
-
-
-def _values(by: Corrections) -> list[float]:
-    """Corrections in the order of the quantities, as [logs] takes them, in SI."""
-    return [*by.gains, by.zero, by.gain_q, by.delay, by.clock]

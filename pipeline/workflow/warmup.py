@@ -84,7 +84,7 @@ def _without_parameter_set() -> None:
         high=1.0,
     )
     free_run(still, v, _DT, 0.0, 0.0)
-    narx = NarxModel(
+    NarxModel(
         structure=np.array([1, 1, 1, 2]),
         exponents=np.zeros((1, 4), dtype=np.int64),
         coefficients=np.zeros(1),
@@ -92,8 +92,7 @@ def _without_parameter_set() -> None:
         interval_s=_DT,
         inputs="squared",
         bounds=np.array([-1.0, 1.0]),
-    )
-    narx.run(v, 0.0, 0.0)
+    ).run(v, 0.0, 0.0)
 
 
 def _network() -> None:

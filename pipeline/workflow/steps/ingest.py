@@ -127,8 +127,8 @@ def _few_samples(signals: RawLog, interval: float) -> tuple[list[str], list[Find
     """
     own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q[0]}
     steps = {name: nominal_step(time) for name, time in own.items()}
-    lasts = {name: float(time[-1] - time[0]) for name, time in own.items()}
-    return [name for name in own if seldom(own[name].size, steps[name], lasts[name])], coarse_inputs(steps, interval)
+    few = [name for name, time in own.items() if seldom(time.size, steps[name], float(time[-1] - time[0]))]
+    return few, coarse_inputs(steps, interval)
 
 
 def _refuse_no_record(where: str, span: tuple[float, float], interval: float, covered: float) -> None:
@@ -162,10 +162,14 @@ def _sensor(signals: RawLog, quality: SignalQuality) -> dict[str, Any]:
 
     A sketch of the samples serves to recognise a copy.
     """
-    lines = [line.frequency for line in quality.hum if line.stands_out]
     step = resolution(signals.q[1])
-    held = held_samples(signals.q[1], step)
-    return {"noise": quality.noise, "resolution": step, "hum": lines, "held": held, "sketch": sketch(*signals.q)}
+    return {
+        "noise": quality.noise,
+        "resolution": step,
+        "hum": [line.frequency for line in quality.hum if line.stands_out],
+        "held": held_samples(signals.q[1], step),
+        "sketch": sketch(*signals.q),
+    }
 
 
 def _cut_off(usable: Survey, clock: TimeQuality) -> float:
@@ -194,7 +198,6 @@ def _discarded(rows: TimeRows) -> list[str]:
     """Messages on rows that are left out where time steps back."""
     if not rows.turns.size:
         return []
-
     share = rows.backward / rows.time.size
     places = counted(int(rows.turns.size), "place")
     much = "; give the parts as logs of their own, or repair the clock" if share > _MUCH_DISCARDED else ""
@@ -217,9 +220,9 @@ def _gaps(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> Iterato
     ]
     for what, count, places, then in kinds:
         if count:
-            (before, after), several = places[0], "the first " if count > 1 else ""
-            place = f"{several}from {stamped(before)} to {stamped(after)} s"
-            yield f"{counted(count, 'gap')} {what}, {place}: {then}"
+            before, after = map(stamped, places[0])
+            several = "the first " if count > 1 else ""
+            yield f"{counted(count, 'gap')} {what}, {several}from {before} to {after} s: {then}"
 
 
 def _left_out(trusted: Trusted, warnings: list[str], prototype: Prototype) -> dict[str, int]:

@@ -223,13 +223,12 @@ def kept_document(
             document = json.dumps(findings, indent=1, allow_nan=False, default=lambda value: value.tolist())
             return {name: run.write_text(name, document + "\n", {})}
 
-        inputs = (joint_run.artifact, *joint_run.records)
         task = Task(
             stage="control",
             title=title,
             algorithm=ALGORITHM,
             settings=settings,
-            inputs=inputs,
+            inputs=(joint_run.artifact, *joint_run.records),
             outputs=(name,),
             work=write,
             reports=True,

@@ -15,7 +15,7 @@ from ...models.analytical.reduced_order import Motions, pulse_sequence, simulate
 from ...models.analytical.statics import static_path
 from ...numerics.arrays import FloatArray
 from ...settings.logs import SettingsTable, Whole
-from ...signals.log import Log, log_of
+from ...signals.log import Log, log_of, voltages
 from ...store.outputs import new_outputs
 from ...store.tables import Table, read_table
 from ..logs import between
@@ -68,8 +68,7 @@ def simulate(parameters: JointParameters, voltage: float, signals: Path | None =
         return simulate_both(parameters, *pulse_sequence(voltage))
     table = _columns(signals, "t", "v1", "v2")
     q = table["q"][np.isfinite(table["q"])] if "q" in table else np.empty(0)
-    v = np.column_stack([table["v1"], table["v2"]])
-    return simulate_both(parameters, table["t"], v, q0=float(q[0]) if q.size else None)
+    return simulate_both(parameters, table["t"], voltages(table), q0=float(q[0]) if q.size else None)
 
 
 class SearchFile(SettingsTable):

@@ -126,8 +126,8 @@ def _work(run: RunFolder, prototype: Prototype, name: StudyName, jobs: int) -> M
         "online": _online,
     }
     columns, notes = studies[name](run, prototype, plant)
-    schema = schemas.schema_of(schemas.STUDIES[name], plant)
-    return {layout.study(name): run.write_table(layout.study(name), schema, columns, notes)}
+    artifact = layout.study(name)
+    return {artifact: run.write_table(artifact, schemas.schema_of(schemas.STUDIES[name], plant), columns, notes)}
 
 
 def _alpha(run: RunFolder, prototype: Prototype, plant: Device) -> tuple[Columns, dict[str, Any]]:
@@ -163,8 +163,8 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     work = partial(_one_basis, _segments(run, prototype, "train"), _held_out(run, prototype), _recipe(prototype, plant))
     mse, condition, nrmse = np.array(list(in_processes(work, grid, jobs))).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
-    columns = {"basis_functions": counts, "smoothing": smoothings, "mse": mse, "condition": condition, "nrmse": nrmse}
-    return columns, {"model": "rbf-paper"}
+    errors = {"mse": mse, "condition": condition, "nrmse": nrmse}
+    return {"basis_functions": counts, "smoothing": smoothings, **errors}, {"model": "rbf-paper"}
 
 
 def _recipe(prototype: Prototype, plant: Device) -> dict[str, Any]:
