@@ -6,6 +6,7 @@ import re
 import sys
 import warnings
 from collections.abc import Sequence
+from traceback import walk_stack
 from typing import ClassVar
 
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
@@ -83,20 +84,15 @@ class BatchFailedError(DebistError):
 
 def warn_user(text: str) -> None:
     """Give a `UserWarning` at the line that called debist; the program prints it on stderr."""
-    frame = sys._getframe()
-    level = 1
-    outside = 1
-    while frame.f_back is not None:
-        if str(frame.f_globals.get("__name__")).partition(".")[0] in ("pipeline", "debist"):
-            outside = level + 1
-        frame, level = frame.f_back, level + 1
-    warnings.warn(f"{WARNING}{text}", stacklevel=outside)
+    packages = [str(frame.f_globals.get("__name__")).partition(".")[0] for frame, _ in walk_stack(sys._getframe())]
+    own = [level for level, package in enumerate(packages, start=1) if package in ("pipeline", "debist")]
+    warnings.warn(f"{WARNING}{text}", stacklevel=max(own) + 1)
 
 
 def disk_failure(error: Exception) -> str | None:
     """The system's reason for a refused read; None if `error` may also mean damage."""
-    number_text = _IN_HDF5.search(str(error))
-    number = int(number_text[1]) if number_text else error.errno if isinstance(error, OSError) else None
+    stated = _IN_HDF5.search(str(error))
+    number = int(stated[1]) if stated else getattr(error, "errno", None)
     return os.strerror(number) if number in _DISK else None
 
 

@@ -30,8 +30,8 @@ from ..signals.log import UNKNOWN, Log, RawLog, log_of
 from ..store import layout
 from ..store.columns import TUBE_COLUMNS
 from ..store.run_folder import RunFolder
-from ..workflow.logs import load_motion, motion
 from ..workflow.prior_knowledge import prior_knowledge_in
+from ..workflow.run_contents import load_motion, motion
 from ..workflow.si_log import on_uniform_clocks, with_displacement
 from ..workflow.stage_check import log_signals
 from ..workflow.steps.differentiate import kinematics

@@ -21,7 +21,7 @@ from ..store.hashing import tree_hash
 from ..store.outputs import new_outputs, rebased
 from ..store.trees import read_tree, write_tree
 from ..workflow.export import MODELS, write_model
-from ..workflow.run_models import subject_on
+from ..workflow.run_contents import subject_on
 
 _CHECK = "check"
 """Group of the file with what travels along beside the model."""

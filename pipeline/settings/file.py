@@ -28,25 +28,25 @@ _DEFAULTS: dict[str, dict[str, Any]] = {
 }
 """Keys that are gone, and the value that the program has now in any case."""
 
-_GONE = {
-    "differentiate.reweighted": "leave it out: the penalty is always lifted where the acceleration jumps",
-    "differentiate.rate": 'leave it out; for "signals" give [ingest] record_interval the value of sample_interval',
-    "differentiate.method": 'write method = "savitzky-golay", or leave it out',
-    "identify.basis": "leave it out: `rbf-paper` has Gaussians",
-    "identify.rbf_basis_functions": "leave it out: inner validation chooses the number",
-    "identify.rbf_smoothing": "leave it out: inner validation chooses the width",
-    "identify.rbf_prior": "leave it out: inner validation chooses the prior",
-}
 
+def replacement(key: str, value: Any, gone: Mapping[str, str]) -> str | None:
+    """The line for a key, or value, that an earlier release had; None where none had it.
 
-def replacement(key: str, value: Any) -> str | None:
-    """The line for a key, or value, that an earlier release had; None where none had it."""
+    Parameters
+    ----------
+    key : str
+        Dotted.
+    value : object
+        Its value.
+    gone : mapping of str to str
+        Advice by keys that went.
+    """
     table, _, name = key.partition(".")
     if table == "identify" and name in STRUCTURE:
         return f"{key} is gone; write [identify.structure], and {name} = {value!r:.60} below it".replace("'", '"')
     if key == "differentiate.method" and value != "rts":
         return None
-    return f"{key} is gone; {_GONE[key]}" if key in _GONE else None
+    return f"{key} is gone; {gone[key]}" if key in gone else None
 
 
 def translated(stored: Mapping[str, Any], *, used: bool = False) -> dict[str, Any]:
@@ -237,10 +237,9 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
     """One error of pydantic's, for the settings that `settings` describes."""
     location = _location(error)
     key = ".".join(location)
-    if error["type"] in ("extra_forbidden", "literal_error") and (instead := replacement(key, error["input"])):
+    gone = getattr(settings, "gone", {})
+    if error["type"] in ("extra_forbidden", "literal_error") and (instead := replacement(key, error["input"], gone)):
         return instead
-    if error["type"] == "extra_forbidden" and key in getattr(settings, "gone", {}):
-        return f"{key} is gone; {settings.gone[key]}"  # type: ignore[attr-defined]
     if error["type"] == "extra_forbidden":
         return f"unknown key {key!r}; {_hint(location, settings)}"
     if error["type"] == "missing":

@@ -6,7 +6,7 @@ The reference page of the settings is generated from the descriptions below.
 
 import difflib
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import AfterValidator, Field, field_validator, model_validator
 
@@ -238,6 +238,15 @@ class Quality(SettingsTable):
 class Prototype(SettingsTable):
     """Everything that decides the results of one prototype."""
 
+    gone: ClassVar = {
+        "differentiate.reweighted": "leave it out: the penalty is always lifted where the acceleration jumps",
+        "differentiate.rate": 'leave it out; for "signals" give [ingest] record_interval the value of sample_interval',
+        "differentiate.method": 'write method = "savitzky-golay", or leave it out',
+        "identify.basis": "leave it out: `rbf-paper` has Gaussians",
+        "identify.rbf_basis_functions": "leave it out: inner validation chooses the number",
+        "identify.rbf_smoothing": "leave it out: inner validation chooses the width",
+        "identify.rbf_prior": "leave it out: inner validation chooses the prior",
+    }
     name: Annotated[str, AfterValidator(check_name)]
     """Name of the prototype; letters of any script, blanks and brackets too. A safe form of it names its folder."""
     logs: Logs

@@ -86,18 +86,6 @@ def refuse_link(path: Path, *, within: Path | None = None) -> None:
                 raise InputError(f"{step}: is a symbolic link; debist writes to no link, remove it and run again")
 
 
-def make_folder(path: Path) -> None:
-    """Make a folder and those on the way to it.
-
-    Raises
-    ------
-    InputError
-        A file has its name, or the system does not let it.
-    """
-    with writing(path):
-        path.mkdir(parents=True, exist_ok=True)
-
-
 def not_written(path: Path, error: OSError) -> InputError:
     """Error of a file that could not be written, with the reason."""
     if isinstance(error, FileExistsError | NotADirectoryError):

@@ -286,7 +286,7 @@ class RunFolder:
         notes : mapping
             Notes on the result.
         """
-        return Written(tables.write_table(self._staged(name), schema, columns, within=self.root), notes)
+        return self.write_pieces(name, schema, [columns], notes)
 
     def write_pieces(
         self, name: str, schema: Schema, pieces: Iterable[Mapping[str, Any]], notes: Mapping[str, Any]

@@ -31,29 +31,6 @@ _ROW_GROUP = 1 << 20
 _WIDEST = 8
 
 
-def write_table(
-    target: Path,
-    schema: Schema,
-    columns: Mapping[str, Any],
-    *,
-    within: Path | None = None,
-) -> str:
-    """Write a table and return its content hash.
-
-    Parameters
-    ----------
-    target : Path
-        Path of the file.
-    schema : Schema
-        Resolved for the device; decides order, types and metadata.
-    columns : mapping of str to array-like, each of length N
-        For text and nullable columns, lists with None for null.
-    within : Path, optional
-        As for `atomic_path`.
-    """
-    return write_pieces(target, schema, [columns], within=within)
-
-
 def write_pieces(
     target: Path,
     schema: Schema,
@@ -61,14 +38,20 @@ def write_pieces(
     *,
     within: Path | None = None,
 ) -> str:
-    """Write a table that comes in pieces, one row group at a time; neither file nor hash depends on the pieces' sizes.
+    """Write a table that comes in pieces, one row group at a time, and return its content hash.
+
+    Neither file nor hash depends on the pieces' sizes.
 
     Parameters
     ----------
-    target, schema, within
-        As for `write_table`.
+    target : Path
+        Path of the file.
+    schema : Schema
+        Resolved for the device; decides order, types and metadata.
     pieces : iterable of mapping of str to array-like
-        Consecutive rows of all columns.
+        Consecutive rows of all columns; of text and nullable columns lists with None for null.
+    within : Path, optional
+        As for `atomic_path`.
     """
     fields = [
         pa.field(column.key, _ARROW[column.dtype], metadata={"unit": column.unit, "meaning": column.help})

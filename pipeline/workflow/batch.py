@@ -15,7 +15,7 @@ from ..errors import DebistError, RunLockedError
 from ..reporting.fleet_report import Summary, fleet_report, summary
 from ..reporting.tables import disarmed
 from ..store import layout, schemas, tables
-from ..store.atomic import make_folder, run_lock, write_text
+from ..store.atomic import run_lock, write_text, writing
 from ..store.manifest import MANIFEST
 from ..store.outputs import note_written
 from ..store.run_folder import RunFolder
@@ -229,7 +229,8 @@ def run_batch(
     elsewhere as much for each; for a prototype that is up to date some milliseconds and the hashing of its files.
     """
     claim_room(ROOM)
-    make_folder(output)
+    with writing(output):
+        output.mkdir(parents=True, exist_ok=True)
     preload([full_name("workflow.preloaded"), program.__module__])
 
     def begin(member: Member) -> "Worker | None":
@@ -300,7 +301,6 @@ def _is_up_to_date(prototype: Path, run: Path, report: bool) -> bool:
 def collect_batch(members: Sequence[Member], output: Path) -> list[Outcome]:
     """Write the fleet tables from the runs that are there, running nothing."""
     outcomes = [_existing(member, output) for member in members]
-    make_folder(output)
     write_fleet(output, outcomes)
     return sorted(outcomes, key=lambda outcome: outcome.name)
 
@@ -312,7 +312,7 @@ def write_fleet(output: Path, outcomes: Iterable[Outcome]) -> None:
     summaries = [_member(output, outcome.name, outcome.reason) for outcome in ordered]
     facts = [(member.name, key, value, unit) for member in summaries for key, (value, unit) in member.facts.items()]
     columns = {column.key: [fact[k] for fact in facts] for k, column in enumerate(schemas.FLEET_FACTS.columns)}
-    tables.write_table(output / FLEET_FACTS, schemas.FLEET_FACTS, columns)
+    tables.write_pieces(output / FLEET_FACTS, schemas.FLEET_FACTS, [columns])
     write_text(output / FLEET_REPORT, fleet_report(summaries, output.resolve().name))
     note_written(output, FLEET_FILES, "batch")
 
@@ -328,7 +328,7 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
             scores, head = [{}], head | {"exit_code": error.exit_code, "reason": str(error)}
         rows += [{column.key: None for column in schemas.SCORES.columns} | score | head for score in scores]
     columns = {column.key: [row[column.key] for row in rows] for column in schemas.FLEET.columns}
-    tables.write_table(output / FLEET_TABLE, schemas.FLEET, columns)
+    tables.write_pieces(output / FLEET_TABLE, schemas.FLEET, [columns])
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)

@@ -196,8 +196,7 @@ def check_sources(task: Task, recipe: Recipe, before: Mapping[Path, Seen]) -> No
     after = seen(task)
     for name, path in (task.sources or {}).items():
         was = before.get(path)
-        now = after.get(path)
-        same = was is not None and now is not None and was.identity == now.identity
+        same = was is not None and path in after and was.identity == after[path].identity
         if not same or (was and was.recent and file_sha256(path) != recipe.inputs[name]):
             raise InputError(f"{path}: was changed while it was read; wait until it is complete and run again")
 

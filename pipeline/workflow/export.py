@@ -18,7 +18,7 @@ from ..store.outputs import new_outputs, rebased, written_files
 from ..store.run_folder import RunFolder
 from ..system.names import Target, log_name
 from .prior_knowledge import named_files
-from .run_models import failed_validations, load_design, model_artifact, subject
+from .run_contents import failed_validations, load_design, model_artifact, subject
 
 _TAKES_NONE = {
     "crate": "it is the whole run",

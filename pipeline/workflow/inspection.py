@@ -231,9 +231,8 @@ def _supposed(inspection: Inspection) -> Prototype:
             what = "its unit is not stated" if role.only else "no single channel stands out"
             raise InputError(f"which channel is {role.role} is not clear ({what}); {settings}")
         channels[role.role] = {"channel": role.only, "unit": units[role.only]}
-    document = {"name": "log", "logs": {"train": ["log"]}, "channels": channels}
     try:
-        return Prototype.model_validate(document)
+        return Prototype.model_validate({"name": "log", "logs": {"train": ["log"]}, "channels": channels})
     except ValidationError as error:
         raise InputError(f"the channels are not clear; {settings}") from error
 

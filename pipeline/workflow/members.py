@@ -62,10 +62,12 @@ def table_settings(table: Path, base: Path | None, folder: Path) -> list[Path]:
     """
     shared = _base_of(table, base)
     document = anchored(read_document(shared), shared.resolve().parent)
-    rows = _rows(table)
+    rows = enumerate(_workbook_rows(table) if table.suffix.lower() == ".xlsx" else _csv_rows(table), start=1)
     keys = _keys(table, next(rows, (0, []))[1])
     written: dict[str, tuple[int, Path]] = {}
     for number, cells in rows:
+        if number > _MOST_ROWS:
+            raise InputError(f"{table}: has more than {_MOST_ROWS} rows; divide it")
         values = {key: cell for key, cell in zip(keys, cells, strict=False) if key and cell != ""}
         if not values:
             continue
@@ -128,15 +130,6 @@ def _logs(cell: Any) -> list[Any]:
     return [part.strip() for part in text.replace("\n", ";").split(";") if part.strip()]
 
 
-def _rows(table: Path) -> Iterator[tuple[int, list[Any]]]:
-    """Number, counted from 1, and cells of each row."""
-    rows = _workbook_rows(table) if table.suffix.lower() == ".xlsx" else _csv_rows(table)
-    for number, row in enumerate(rows, start=1):
-        if number > _MOST_ROWS:
-            raise InputError(f"{table}: has more than {_MOST_ROWS} rows; divide it")
-        yield number, row
-
-
 def _csv_rows(table: Path) -> Iterator[list[Any]]:
     try:
         text = read_plain(table, _LARGEST).decode("utf-8-sig")
@@ -178,8 +171,8 @@ def with_siblings(prototypes: Sequence[Path], siblings: Path, folder: Path) -> l
     changed = []
     for path in prototypes:
         try:
-            document = anchored(read_document(path), path.resolve().parent)
-            document = with_values(document, {"plant.siblings": str(siblings.resolve())})
+            own = anchored(read_document(path), path.resolve().parent)
+            document = with_values(own, {"plant.siblings": str(siblings.resolve())})
             changed.append(write_settings(folder, parse_prototype(document, str(path)).folder, document))
         except InputError:
             changed.append(path)

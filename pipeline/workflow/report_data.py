@@ -23,7 +23,7 @@ from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import log_title, true_name
 from ..units.units import ALPHA_UNIT
 from .prior_knowledge import named_files
-from .run_models import identified_models
+from .run_contents import identified_models
 from .steps.identify import CHOICE, IDENTIFIED
 
 

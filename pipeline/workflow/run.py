@@ -11,7 +11,7 @@ from ..device.parameters import JointParameters, parameter_set
 from ..errors import DebistError
 from ..settings.prototype import Prototype, load_prototype
 from ..store import layout
-from ..store.atomic import run_lock, sweep
+from ..store.atomic import run_lock
 from ..store.manifest import MANIFEST, load_manifest, recover
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import Typeface
@@ -26,7 +26,7 @@ from . import (
 )
 from .engine import After, Observer, Plan, Task, TaskStatus, bring_up_to_date, status, tasks_of
 from .place import Place, before_any_work, edited, place_of, run_folder
-from .run_models import identified_models, made_control
+from .run_contents import identified_models, made_control
 
 
 @dataclass(frozen=True)
@@ -93,14 +93,13 @@ def _compare(planned: Planned) -> Iterator[Task]:
 
 
 def _report(planned: Planned) -> list[Task]:
-    run = planned.run
     return stage_report.tasks(
         planned.prototype,
         planned.parameters,
         models=planned.scored,
-        studies=stage_report.made_studies(run),
-        figures=planned.typeface or stage_report.made_figures(run),
-        control=made_control(run),
+        studies=stage_report.made_studies(planned.run),
+        figures=planned.typeface or stage_report.made_figures(planned.run),
+        control=made_control(planned.run),
     )
 
 
@@ -190,7 +189,6 @@ def run_prototype(
     stages = [only] if only else [name for name in STAGE_NAMES if with_report or name != "report"]
     with run_lock(place.root):
         run = RunFolder.create(place.root, prototype.model_dump(mode="json"), prototype_file)
-        sweep(place.root)
         _strike_lost(run, observer)
         planned = Planned(run, prototype, prototype_file, jobs=jobs)
         observer.planned([task.stage for task in tasks_of(of_stages(plan(planned), stages))])
@@ -250,10 +248,9 @@ def _strike_lost(run: RunFolder, observer: Observer) -> None:
 
 def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:
     """Nothing is made from an artifact, or called up to date with it, that has not the bytes it was written with."""
-    outputs = {name for task in tasks for name in task.outputs}
-    for name in dict.fromkeys(name for task in tasks for name in task.inputs):
-        if name not in outputs and name in run.manifest.artifacts:
-            run.checked(name)
+    inputs = {name for task in tasks for name in task.inputs} - {name for task in tasks for name in task.outputs}
+    for name in sorted(inputs & run.manifest.artifacts.keys()):
+        run.checked(name)
 
 
 def _bring_up_to_date(

@@ -18,8 +18,8 @@ from ..store.manifest import TIMES
 from ..store.run_folder import RunFolder, Written
 from ..system.worker_pool import OnProgress
 from .engine import Task
-from .logs import load_logs, sources
 from .prior_knowledge import known_inputs, prior_knowledge_of
+from .run_contents import load_logs, sources
 from .steps.identify import CHOICE, IDENTIFIED, identified, training
 
 ALGORITHM = "63"

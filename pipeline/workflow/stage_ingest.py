@@ -20,9 +20,9 @@ from ..store.run_folder import RunFolder, Written
 from ..system.names import log_title, true_name
 from ..system.worker_pool import OnProgress
 from .engine import Task
-from .logs import corrected_log, corrections
+from .run_contents import corrections
 from .si_log import part_of_log, read_si
-from .steps.ingest import examined, record_columns, resamplings
+from .steps.ingest import corrected_log, examined, record_columns, resamplings
 
 ALGORITHM = "20"
 

@@ -15,7 +15,7 @@ from ..signals.log import Corrections, Log
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
 from .engine import Task
-from .logs import corrections, load_motion, sources
+from .run_contents import corrections, load_motion, sources
 from .steps.identify import fitted_parts
 
 ALGORITHM = "9"
@@ -27,12 +27,17 @@ Logs = Mapping[tuple[Role, str], Log]
 def task(prototype: Prototype, identified: Sequence[str]) -> Task:
     """One task for all logs: the training logs are the reference of each."""
     models = list(dict.fromkeys((identified[0], *(name for name in identified if name == "rbf"))))
-    stated = {f"{role}/{log}": asdict(by) for (role, log), by in corrections(prototype).items() if by.act}
     return Task(
         stage="instruments",
         title=", ".join(models),
         algorithm=ALGORITHM,
-        settings={"models": models, "inputs_before": prototype.plant.inputs_before, "corrections": stated},
+        settings={
+            "models": models,
+            "inputs_before": prototype.plant.inputs_before,
+            "corrections": {
+                f"{role}/{log}": asdict(by) for (role, log), by in corrections(prototype).items() if by.act
+            },
+        },
         inputs=(layout.MODELS, *sources(prototype)),
         outputs=(layout.INSTRUMENTS,),
         work=partial(_measure, prototype=prototype, models=models),

@@ -57,7 +57,7 @@ def tasks(
     figures : {"sans", "serif"}, optional
         Typeface of the figures for a paper; None makes none.
     control : sequence of str
-        Results of `debist control` for the present model (`pipeline.workflow.run_models.made_control`).
+        Results of `debist control` for the present model (`pipeline.workflow.run_contents.made_control`).
     """
     from ..reporting.log_figures import LOG_FIGURES
 

@@ -30,8 +30,7 @@ from ..store.tables import Table
 from ..system.names import with_true_names
 from ..units.units import SIGNALS
 from .engine import Task
-from .logs import load_motion, sources
-from .run_models import identified_models
+from .run_contents import identified_models, load_motion, sources
 from .steps.score import ComparedRun, rows_of_log, validated
 
 ALGORITHM = "29"

@@ -141,8 +141,7 @@ def _analytical() -> None:
     friction_state(np.zeros(2), 1.0)
     maxwell_strains(np.ones((2, 2)), 1.0, np.ones(2))
     still: Any = np.zeros((2, STATES))
-    joints = np.tile(NOMINAL.vector(), (2, 1))
-    state_sensitivities(t, v, still, still, joints, np.ones(1), np.zeros((STATES, 1)))
+    state_sensitivities(t, v, still, still, np.tile(NOMINAL.vector(), (2, 1)), np.ones(1), np.zeros((STATES, 1)))
 
 
 def _measured() -> None:

@@ -12,7 +12,7 @@ from cli import app
 from pipeline.commands.console import printable
 from pipeline.store import layout
 from pipeline.store.schemas import STUDIES
-from pipeline.workflow.run_models import TITLES
+from pipeline.workflow.run_contents import TITLES
 from tests.prototypes import SMALL_CSV
 
 RUNNER = CliRunner()

@@ -10,8 +10,9 @@ from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.signals.log import Corrections, RawLog
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard
-from pipeline.workflow.logs import corrected_log, corrections
 from pipeline.workflow.run import run_prototype
+from pipeline.workflow.run_contents import corrections
+from pipeline.workflow.steps.ingest import corrected_log
 
 
 def _prototype(log: object, **plant: object) -> Prototype:

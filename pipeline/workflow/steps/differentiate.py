@@ -97,15 +97,18 @@ def derivatives(fine: Table, t: FloatArray, prototype: Prototype) -> tuple[Float
             }
         )
     index = np.rint((t - grid[0]) / interval).astype(np.int64)
-    notes = {
-        "method": settings.method,
-        "of": "velocity" if measured else "q",
-        **({"order": method["order"]} if settings.method == "tvregdiff" else {}),
-        "interval_s": interval,
-        "unit_si": unit,
-        "stretches": segments,
-    }
-    return rates[0, index], rates[1, index], notes
+    return (
+        rates[0, index],
+        rates[1, index],
+        {
+            "method": settings.method,
+            "of": "velocity" if measured else "q",
+            **({"order": method["order"]} if settings.method == "tvregdiff" else {}),
+            "interval_s": interval,
+            "unit_si": unit,
+            "stretches": segments,
+        },
+    )
 
 
 def differentiator(settings: Differentiate, *, measured: bool, unit: float) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Ingest: a raw log examined, masked and brought to uniform records."""
+"""Ingest: a raw log corrected, examined, masked and brought to uniform records."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -12,7 +12,7 @@ from ...diagnostics.sentences import judge, sentences
 from ...errors import DataRefusedError
 from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
-from ...signals.columns import finite, missing, select
+from ...signals.columns import finite, missing, scaled, select
 from ...signals.findings import (
     Finding,
     coarse_inputs,
@@ -25,7 +25,7 @@ from ...signals.findings import (
     saturation,
     scale_suspicion,
 )
-from ...signals.log import LONGEST_BRIDGE, UNKNOWN, RawLog
+from ...signals.log import LONGEST_BRIDGE, UNKNOWN, Corrections, RawLog
 from ...signals.noise import held_samples, mains_at_another_rate, resolution
 from ...signals.outliers import Trusted, dropout_remarks, trusted, without_spikes
 from ...signals.segments import TimeRows
@@ -38,6 +38,23 @@ _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought t
 _FEWEST_ROWS = 10
 _MUCH_DISCARDED = 0.03
 """Share of the rows that may be left out where time steps back, before another remedy is named."""
+
+
+def corrected_log(log: RawLog, by: Corrections) -> RawLog:
+    """A raw log whose readings are corrected; a measured velocity is left as its own sensor read it."""
+    made: dict[tuple[int, float], FloatArray] = {}
+
+    def base(time: FloatArray, delay: float = 0.0) -> FloatArray:
+        """A corrected time base, made once, so that signals that shared one do so still."""
+        return made.setdefault((id(time), delay), scaled(time, by.clock, delay))
+
+    inputs = [
+        (base(time, by.delay), scaled(samples, gain, 0.0))
+        for (time, samples), gain in zip(log.inputs, by.gains, strict=True)
+    ]
+    q = base(log.q[0]), scaled(log.q[1], by.gain_q, by.zero)
+    velocity = None if log.velocity is None else (base(log.velocity[0]), log.velocity[1])
+    return RawLog(q, tuple(inputs), velocity, log.notes)
 
 
 @dataclass(frozen=True)

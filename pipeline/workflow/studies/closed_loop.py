@@ -26,7 +26,7 @@ from ...settings.logs import Number, SettingsTable, Whole
 from ...store.outputs import new_outputs, rebased
 from ...store.run_folder import RunFolder
 from ...units.units import parse_quantity, to_si
-from ..run_models import load_design
+from ..run_contents import load_design
 
 _NAMED = {"nominal": nominal, "table1": table1}
 _MOST_STEPS = 50

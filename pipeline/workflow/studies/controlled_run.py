@@ -22,7 +22,7 @@ from ...store.run_folder import RunFolder, Written
 from ...system.names import shell_word
 from ...system.worker_pool import OnProgress
 from ..engine import Observer, Task, bring_up_to_date
-from ..run_models import WORST, controlled_model, failed_validations, load_run_model
+from ..run_contents import WORST, controlled_model, failed_validations, load_run_model
 
 ALGORITHM = "22"
 _MISSED = 0.09

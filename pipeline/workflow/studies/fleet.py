@@ -22,9 +22,8 @@ from ...store.manifest import MANIFEST
 from ...store.run_folder import RunFolder, in_snapshot
 from ...store.trees import write_tree
 from ...system.names import shell_word
-from ..logs import load_logs
 from ..prior_knowledge import read_siblings
-from ..run_models import load_run_model, model_artifact
+from ..run_contents import load_logs, load_run_model, model_artifact
 from ..steps.identify import fitted_parts
 
 

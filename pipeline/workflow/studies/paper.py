@@ -75,10 +75,9 @@ ENDINGS: tuple[Format, ...] = ("svg", "pdf")
 
 @dataclass(frozen=True)
 class PaperRun:
-    """Paths of the figures, and Table 2 with the printed values beside the computed ones."""
+    """The recipe's run, which holds the figures, and Table 2 with the printed values beside the computed ones."""
 
     root: Path
-    page: Path
     done: list[TaskStatus]
     table: list[dict[str, Any]]
 
@@ -135,7 +134,7 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
         done = bring_up_to_date(
             run, [*tasks, study_task(recipe, "basis", jobs=1), _task(recipe, prototype_file)], observer
         )
-    return PaperRun(root, root / layout.PAPER, done, run.record(layout.PAPER).notes["table_2"])
+    return PaperRun(root, done, run.record(layout.PAPER).notes["table_2"])
 
 
 def _opened(source: Path) -> tuple[Prototype, Path, Path]:
@@ -211,7 +210,6 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         for role in ROLES
         if (logs := data.role(role))
     }
-    chosen = (prototype.identify.basis_functions, prototype.identify.smoothing)
     study = read_study(run, "basis", data.device)
     begin = float(training.motion.t[0])
     q = np.linspace(network.centres[0], network.centres[-1], 241)
@@ -221,7 +219,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         "fig-08": draw.basis_figure(q, basis_values(q, network.centres, network.width), network.weights[0]),
         "lag-search": draw.lag_figure(network.diagnostics["lag_search"]),
         "fig-11a": draw.signals_figure(training),
-        "fig-11b": draw.basis_study_figure(study.columns, study.units, chosen),
+        "fig-11b": draw.basis_study_figure(study.columns, study.units, (CENTRES, SMOOTHING)),
         "fig-11c": draw.alpha_figure(*_alpha_study(training.motion), float(RECIPE.alpha)),
         "fig-12": compared["train"],
         "fig-13": window(compared["train"], *(begin + at for at in draw.ZOOM)),

@@ -18,7 +18,7 @@ from ...settings.logs import SettingsTable, Whole
 from ...signals.log import Log, log_of, voltages
 from ...store.outputs import new_outputs
 from ...store.tables import Table, read_table
-from ..logs import between
+from ..run_contents import between
 
 
 def energy_over_q(
@@ -122,8 +122,15 @@ def calibrate(
     motions = [segment for path in kinematics for segment in motion(path).segments()]
     if not motions:
         raise InputError("there is nothing to calibrate on; name kinematics.parquet files with valid samples")
-    rng = np.random.default_rng(search.seed)
-    return fit(motions, parameters, rng, names=names, starts=search.starts, jobs=search.threads, report=report)
+    return fit(
+        motions,
+        parameters,
+        np.random.default_rng(search.seed),
+        names=names,
+        starts=search.starts,
+        jobs=search.threads,
+        report=report,
+    )
 
 
 def write_parameters(fit: Calibration, target: Path) -> None:
