@@ -14,8 +14,8 @@ import numpy as np
 from pipeline.commands.console import Progress
 from pipeline.device.device import device
 from pipeline.diagnostics.check import check_logs, refusing
+from pipeline.diagnostics.log_facts import LogSignals
 from pipeline.diagnostics.sentences import sentences
-from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.rig.fleet import Experiment, simulate_prototype
 from pipeline.settings.prototype import Prototype, load_prototype
 from pipeline.signals.findings import Finding

@@ -13,8 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.diagnostics.series import ALARM
-from pipeline.fitting.trends import trend
+from pipeline.diagnostics.series import ALARM, trend
 from pipeline.rig.joint import barrier
 from pipeline.rig.parameters import from_json
 from pipeline.workflow.studies.fleet import series_of

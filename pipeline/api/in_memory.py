@@ -8,20 +8,16 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ..device.device import Device, device
+from ..device.device import device
 from ..device.parameters import parameter_set
-from ..diagnostics.characteristics import believed_wells, stable_rests
 from ..diagnostics.check import check_logs, refusing, remarks
 from ..diagnostics.copies import shared_findings, shared_recordings
+from ..diagnostics.log_facts import LogSignals
 from ..diagnostics.sentences import sentences
-from ..diagnostics.weak_form import LogSignals
 from ..errors import DataRefusedError, InputError, warn_user
-from ..models.base import DynamicModel, kind_of, real_numbers
-from ..models.free_runs import free_run
+from ..models.base import FreeRun, kind_of, real_numbers
 from ..models.model_type import StoredModel, model_type
 from ..numerics.arrays import FloatArray
-from ..numerics.metrics import fit_percent
-from ..scoring.wells import wells_of
 from ..settings.models import AUTO, ENTRIES, entry, names
 from ..settings.prototype import Plant, Prototype, parse_prototype
 from ..signals.columns import code_remarks, codes_in, masked
@@ -37,7 +33,6 @@ from ..workflow.stage_check import log_signals
 from ..workflow.steps.differentiate import kinematics
 from ..workflow.steps.identify import identified, training
 from ..workflow.steps.ingest import examined, record_columns, resamplings
-from ..workflow.steps.score import ComparedRun, score_rows
 
 OF_RUN = "debist_log"
 """Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""
@@ -145,25 +140,6 @@ def _plain(table: Mapping[str, Any]) -> dict[str, Any]:
     return {key: value.item() if isinstance(value, np.generic) else value for key, value in texts.items()}
 
 
-@dataclass(frozen=True)
-class Cleaned:
-    """Signals as a run holds them.
-
-    Attributes
-    ----------
-    motion : Log
-        On the uniform grid, with derivatives.
-    signals : LogSignals
-        Signals for the checks.
-    warnings : tuple of str
-        Remarks, and masked samples.
-    """
-
-    motion: Log
-    signals: LogSignals
-    warnings: tuple[str, ...]
-
-
 def log_in(table: Any) -> Log | None:
     """The log that a model is scored on, from a log of a run (`pipeline.api.run.Run.log`); None for other signals.
 
@@ -206,8 +182,17 @@ def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None
             )
 
 
-def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
+def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, LogSignals, tuple[str, ...]]:
     """Clean signals, bring them to the uniform grid and differentiate them; the angle of a joint becomes its q.
+
+    Returns
+    -------
+    Log
+        On the uniform grid, with derivatives.
+    LogSignals
+        Signals for the checks.
+    tuple of str
+        Remarks, and masked samples.
 
     Raises
     ------
@@ -231,7 +216,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     moved, _ = kinematics(coarse, fine, prototype)
     notes = {**checked.notes, "raw_step": checked.raw_step}
     remarks = tuple(f"{where}: {text}" for text in checked.notes["warnings"])
-    return Cleaned(motion(moved, fine, prototype, notes.get(UNKNOWN, ())), log_signals(where, fine, notes), remarks)
+    return motion(moved, fine, prototype, notes.get(UNKNOWN, ())), log_signals(where, fine, notes), remarks
 
 
 def _in_this_folder() -> Path:
@@ -255,8 +240,7 @@ def identify_signals(
     parameters = parameter_set(prototype, settings_file)
     prior = prior_knowledge_in(settings_file, prototype, parameters)
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
-    measured = [part.motion for part in parts]
-    records = [part.signals for part in parts]
+    measured, records, warnings = map(list, zip(*parts, strict=True))
     findings = [
         *check_logs(records, device(prototype), prototype.ingest.sample_interval),
         *shared_findings(records, shared_recordings(records)),
@@ -274,29 +258,9 @@ def identify_signals(
     else:
         models, notes = identified(measured, prototype, parameters, prior)
         model = next(iter(models.values()))
-    remarks_of_all = [*(text for part in parts for text in part.warnings), *remarks(findings), *contradictions]
+    remarks_of_all = [*(text for texts in warnings for text in texts), *remarks(findings), *contradictions]
     notes |= {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}
     return model, notes, measured
-
-
-def score_table(model: DynamicModel, log: Log, plant: Device) -> list[dict[str, Any]]:
-    """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them, with the fit in
-    percent as MATLAB's ``compare`` states it.
-    """
-    run = free_run(log, model)
-    pairs = {name: (getattr(log, name), getattr(run, name)) for name in ("q", "qdot", "qddot")}
-    wells = believed_wells(wells_of([log], plant=plant), model.name, stable_rests(model, [log.q]), plant=plant)
-    compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
-    return [
-        {"signal": row["signal"], "fit_percent": _or_nan(fit_percent(*pairs[row["signal"]])), "unit": row["unit"]}
-        | {name: _or_nan(value) for name, value in row.items()}
-        for row in score_rows(plant, log, compared, wells)
-    ]
-
-
-def _or_nan(value: Any) -> Any:
-    """NaN in place of a number that is not defined, as after a divergence."""
-    return np.nan if value is None else value
 
 
 def column_name(name: str, displacement: str, inputs: str = "V") -> str:
@@ -310,6 +274,31 @@ def column_name(name: str, displacement: str, inputs: str = "V") -> str:
 def frame(columns: Mapping[str, Any], displacement: str, inputs: str = "V") -> pd.DataFrame:
     """Columns of a table, all of one length, with their SI units in the names."""
     return pd.DataFrame({column_name(name, displacement, inputs): values for name, values in columns.items()})
+
+
+def free_run_frame(
+    run: FreeRun, tubes: Mapping[str, FloatArray], v: FloatArray, units: tuple[str, str], **more: FloatArray
+) -> pd.DataFrame:
+    """A free run as a table; its ``attrs`` hold how it ended.
+
+    Parameters
+    ----------
+    run : FreeRun
+        The run.
+    tubes : mapping of str to FloatArray
+        Tubes of q, or none.
+    v : FloatArray, shape (N, K)
+        Voltages [V].
+    units : (str, str)
+        SI symbols of the displacement and of the inputs.
+    **more : FloatArray
+        Further columns by name.
+    """
+    inputs = {f"v{k}": column for k, column in enumerate(v.T, start=1)}
+    motion = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
+    table = frame({**motion, **tubes, **inputs, **more}, *units)
+    table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
+    return table
 
 
 def as_pandas(t: Any) -> Any:

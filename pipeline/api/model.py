@@ -1,44 +1,58 @@
-"""Models for notebooks and scripts: identified from arrays or DataFrames, simulated, scored and drawn. SI units."""
+"""Models for notebooks and scripts: identified from arrays or DataFrames, simulated, scored, drawn, saved and exported.
 
+SI units. A file of a saved model also has its settings and what travels along.
+"""
+
+import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
 from numbers import Real
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 import numpy as np
 import pandas as pd
 
 from ..device.device import device
-from ..errors import InputError, warn_user
-from ..export.subject import Subject
+from ..diagnostics.characteristics import believed_wells, stable_rests
+from ..errors import CorruptArtifactError, InputError, warn_user
+from ..export.subject import Subject, Validity
 from ..models.base import DynamicModel, HasCurves, HasDraws, real_numbers
 from ..models.free_runs import free_run, wanted_tubes
+from ..models.model_file import ModelFile, Sizes, Span, Table, Unit, columns_of, read_part
+from ..models.model_type import StoredModel, model_from_tree
 from ..numerics.arrays import FloatArray
+from ..numerics.metrics import fit_percent
 from ..scoring.scores import fit_note, predicted
-from ..settings.prototype import Prototype
+from ..scoring.wells import wells_of
+from ..settings.file import translated
+from ..settings.prototype import Prototype, parse_prototype
 from ..signals.log import Log
+from ..store.hashing import tree_hash
+from ..store.outputs import new_outputs, rebased
+from ..store.trees import read_tree, write_tree
 from ..system.machine import one_thread
 from ..units.quantity import axis_scale, moment
 from ..units.units import column_suffix
-from ..workflow.steps.score import measured_path
+from ..workflow.export import MODELS, write_model
+from ..workflow.run_contents import subject_on
+from ..workflow.steps.score import ComparedRun, measured_path, score_rows
 from .in_memory import (
     Signals,
     arrays_of,
     as_pandas,
     cleaned,
     frame,
+    free_run_frame,
     identify_signals,
     log_in,
     refuse_other_units,
-    score_table,
     settings as settings_of,
     si_symbols,
     signals_of,
     voltages_of,
 )
-from .saved_model import export_model, load_saved, save_model, subject_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -46,6 +60,32 @@ if TYPE_CHECKING:
 
 
 _COARSEST = 30.0  # times the sample interval that a step of times may be: 1 kHz in ms has 100
+
+
+_CHECK = "check"
+"""Group of the file with what travels along beside the model."""
+
+
+class _File(ModelFile):
+    """Metadata that are saved beside the model."""
+
+    sizes: ClassVar[Sizes] = {"N": (2, 10_000_000), "K": (1, 2)}
+    name: str
+    """Name of the model, and of its group."""
+    settings_json: str
+    """Settings, as JSON."""
+    t: Annotated[FloatArray, Table("N"), Unit("s")]
+    """Times of the log that an export is checked on."""
+    v: Annotated[FloatArray, Table("N K"), Unit("SI")]
+    """Inputs of the model."""
+    start: Annotated[FloatArray, Table("2"), Unit("SI")]
+    """Displacement and velocity at its beginning."""
+    q: Annotated[Span, Unit("SI")]
+    """Least and largest displacement of the training logs."""
+    qdot: Annotated[Span, Unit("SI")]
+    """Least and largest velocity."""
+    inputs: Annotated[FloatArray, Table("K 2"), Unit("SI")]
+    """Least and largest value of each input."""
 
 
 class Model:
@@ -96,7 +136,23 @@ class Model:
         InputError
             The model cannot be filed, or the file cannot be written.
         """
-        save_model(Path(path), self._subject, self._prototype)
+        subject = self._subject
+        if not hasattr(subject.model, "to_tree"):
+            raise InputError(f"the model {subject.name} cannot be saved; identify another one")
+        bounds = subject.validity
+        beside = {
+            "name": subject.name,
+            "settings_json": json.dumps(self._prototype.model_dump(mode="json"), sort_keys=True),
+            "t": subject.t,
+            "v": subject.v,
+            "start": np.array(subject.start),
+            "q": np.array(bounds.q),
+            "qdot": np.array(bounds.qdot),
+            "inputs": np.array(bounds.v),
+        }
+        files: dict[str, type[Any]] = {_CHECK: _File, subject.name: type(subject.model)}
+        tree = {_CHECK: beside, subject.name: subject.model.to_tree()}
+        write_tree(Path(path), tree, columns_of(device(self._prototype), files))
         return Path(path)
 
     @classmethod
@@ -105,11 +161,53 @@ class Model:
 
         Raises
         ------
+        InputError
+            There is no such file.
         CorruptArtifactError
             The file is damaged, or no saved model.
         """
-        subject, prototype = load_saved(Path(path))
-        return cls(subject.model, prototype, subject=partial(replace, subject))
+        import h5py
+
+        advice = "`Model.save` writes one, and `debist.open_run` opens the folder of a run"
+        if not Path(path).is_file():
+            raise InputError(f"{path}: no such file; {advice}")
+        tree = read_tree(Path(path)) if h5py.is_hdf5(path) else {}
+        if not isinstance(tree.get(_CHECK), dict):
+            raise CorruptArtifactError(f"{path}: is no saved model; {advice}")
+        held = read_part(_File, tree[_CHECK], "in the file", "identify")
+        if not isinstance(model_tree := tree.get(held.name), dict):
+            raise CorruptArtifactError(f"{path}: holds no model {held.name!r}, which it names; save it again")
+        try:
+            document: Any = json.loads(held.settings_json)
+            if not isinstance(document, dict):
+                raise ValueError("no tables")
+            prototype = parse_prototype(translated(document), str(path))
+        except (ValueError, InputError, RecursionError) as error:
+            raise CorruptArtifactError(
+                f"{path}: its settings cannot be read ({error}); save the model again"
+            ) from error
+        core = model_from_tree(held.name, model_tree)
+        plant = device(prototype)
+        bounds = Validity(
+            q=tuple(held.q),
+            qdot=tuple(held.qdot),
+            v=tuple(tuple(row) for row in held.inputs),
+            sample_interval=prototype.ingest.sample_interval,
+            q_unit=plant.displacement.symbol,
+            v_units=tuple(unit.symbol for unit in plant.inputs),
+        )
+        subject = Subject(
+            prototype=prototype.name,
+            name=held.name,
+            model=core,
+            validity=bounds,
+            origin=tree_hash(model_tree),
+            t=held.t,
+            v=held.v,
+            start=(float(held.start[0]), float(held.start[1])),
+            curve_units=plant.curve_units,
+        )
+        return cls(core, prototype, subject=partial(replace, subject))
 
     def export(self, target: Literal["c", "fmu", "json", "matlab"], output: str | Path) -> list[Path]:
         """Write the model for another tool into a folder and return the files; see `debist export`.
@@ -117,9 +215,14 @@ class Model:
         Raises
         ------
         InputError
-            A form that cannot carry the model, or a file of others in the folder.
+            No such form of a model, a form that cannot carry it, or a file of others in the folder.
         """
-        return export_model(self._subject, target, Path(output)).written
+        if target not in MODELS:
+            raise InputError(f"no export {target!r} of a model alone; there are {', '.join(MODELS)}")
+        subject = self._subject
+        with new_outputs(Path(output), "export", made_from={"model": subject.origin}) as staged:
+            written = write_model(target, subject, staged).written
+        return [rebased(path, staged, Path(output)) for path in written]
 
     @one_thread
     def simulate(
@@ -174,11 +277,7 @@ class Model:
         core = self.core
         drawn = core.simulate_draws(times, volts, q0, qdot0)[0] if tube and isinstance(core, HasDraws) else None
         tubes = wanted_tubes(run.q, drawn, core) if tube else {}
-        inputs = {f"v{k}": column for k, column in enumerate(volts.T, start=1)}
-        motion = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
-        table = frame({**motion, **tubes, **inputs}, *self._units)
-        table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
-        return table
+        return free_run_frame(run, tubes, volts, self._units)
 
     @one_thread
     def score(
@@ -212,7 +311,18 @@ class Model:
         UserWarning
             Remarks on the log, and its masked samples.
         """
-        return pd.DataFrame(score_table(self.core, self._measured(t, q, v1, v2), device(self._prototype)))
+        log = self._measured(t, q, v1, v2)
+        plant = device(self._prototype)
+        run = free_run(log, self.core)
+        pairs = {name: (getattr(log, name), getattr(run, name)) for name in ("q", "qdot", "qddot")}
+        wells = believed_wells(wells_of([log], plant=plant), self.name, stable_rests(self.core, [log.q]), plant=plant)
+        compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
+        rows = [
+            {"signal": row["signal"], "fit_percent": fit_percent(*pairs[row["signal"]]), "unit": row["unit"]} | row
+            for row in score_rows(plant, log, compared, wells)
+        ]
+        # NaN in place of a number that is not defined, as after a divergence.
+        return pd.DataFrame([{key: np.nan if value is None else value for key, value in row.items()} for row in rows])
 
     @one_thread
     def predict(
@@ -329,10 +439,9 @@ class Model:
             if len(signals) > 1:
                 raise InputError(f"{len(signals)} logs were given; give one after the other")
             self._check_columns(signals[0].v.shape[1], signals[0].unit)
-            record = cleaned(signals[0], self._prototype, "the log")
-            for text in record.warnings:
+            log, _, remarks = cleaned(signals[0], self._prototype, "the log")
+            for text in remarks:
                 warn_user(text)
-            log = record.motion
         self._warn_beyond(list(log.v.T))
         return log
 
@@ -433,7 +542,14 @@ def identify(
     core, notes, cleaned_logs = identify_signals(logs, prototype, model)
     length = sum(log.duration for log in cleaned_logs)
     notes["training"] = f"trained on {len(logs)} log{'s' * (len(logs) > 1)} of {length:.4g} s"
-    return Model(core, prototype, notes, subject=partial(subject_of, core, prototype, cleaned_logs))
+    return Model(core, prototype, notes, subject=partial(_subject_of, core, prototype, cleaned_logs))
+
+
+def _subject_of(model: StoredModel, prototype: Prototype, logs: Sequence[Log]) -> Subject:
+    """A model that was identified from kinematics, with its bounds; an export is checked on the first log."""
+    return subject_on(
+        logs[0].longest_part(), model, prototype, logs=logs, name=model.name, origin=tree_hash(model.to_tree())
+    )
 
 
 def _logs(t: Any, q: Any, v1: Any, v2: Any) -> list[Signals]:

@@ -44,7 +44,7 @@ from ..workflow.run_contents import (
 )
 from ..workflow.si_log import read_si
 from ..workflow.stage_validate import scored_models
-from .in_memory import OF_RUN, frame, seconds, si_symbols
+from .in_memory import OF_RUN, frame, free_run_frame, seconds, si_symbols
 from .model import Model, identify
 
 if TYPE_CHECKING:
@@ -290,11 +290,7 @@ class Run:
         core = self.model(model).core
         run = free_run(measured, core)
         tubes = wanted_tubes(run.q, drawn_runs(measured, core), core) if tube else {}
-        inputs = {f"v{k}": column for k, column in enumerate(measured.v.T, start=1)}
-        motion = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
-        result = frame({**motion, **tubes, **inputs, "q_measured": measured.q}, *self._units)
-        result.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
-        return result
+        return free_run_frame(run, tubes, measured.v, self._units, q_measured=measured.q)
 
     def datasheet(self) -> dict[str, Any]:
         """The document ``datasheet.json``."""
@@ -336,21 +332,17 @@ class Run:
         from ..reporting.figure import of_models
         from ..reporting.plotted import paper_look, plotted
 
-        whole = self._figure(figure)
+        figures = self._report.figures
+        if figure not in figures:
+            close = difflib.get_close_matches(figure, figures, n=1)
+            hint = f"did you mean {close[0]!r}? " if close else ""
+            raise InputError(f"{self.root}: has no figure {figure!r}; {hint}it has {', '.join(figures)}")
         names = self._report.data.model_names
         if unknown := [model for model in models if model not in names]:
             raise InputError(f"{self.root}: has no model {unknown[0]!r}; it has {', '.join(names)}")
-        chosen = of_models(whole, names, models) if models else whole
+        chosen = of_models(figures[figure], names, models) if models else figures[figure]
         part = _segment(chosen, start, stop)
         return plotted(part, names, paper_look(part, typeface), pyplot.figure()).axes
-
-    def _figure(self, name: str) -> "Figure":
-        figures = self._report.figures
-        if name not in figures:
-            close = difflib.get_close_matches(name, figures, n=1)
-            hint = f"did you mean {close[0]!r}? " if close else ""
-            raise InputError(f"{self.root}: has no figure {name!r}; {hint}it has {', '.join(figures)}")
-        return figures[name]
 
     def linear_models(self, v1: float = 0.0, v2: float = 0.0) -> "list[LinearModel]":
         """Equilibria under constant voltages [V], from left to right, with the linear model about each.

@@ -178,14 +178,14 @@ class WholeLines(TyperGroup):
     def format_commands(self, ctx: Any, formatter: Any) -> None:
         """Write the name of each command and the first line of its help, wrapped to the terminal."""
         commands = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
-        rows = [(name, _first_line(command.help or "")) for name, command in commands if command and not command.hidden]
+        rows = [
+            (name, " ".join((command.help or "").strip().partition("\n\n")[0].split()).removesuffix("."))
+            for name, command in commands
+            if command and not command.hidden
+        ]
         if rows:
             with formatter.section("Commands"):
                 formatter.write_dl(rows)
-
-
-def _first_line(text: str) -> str:
-    return " ".join(text.strip().partition("\n\n")[0].split()).removesuffix(".")
 
 
 class Program(typer.Typer):
@@ -239,13 +239,14 @@ class ErrorBoundary(WholeLines):
         self._given = sys.argv[1:] if given is None else given
         printed.clear()
         _warned.clear()
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, io.TextIOWrapper):
+                stream.reconfigure(errors="backslashreplace")  # the bytes of a name that is not UTF-8
         try:
             with warnings.catch_warnings():
                 warnings.filterwarnings("always", re.escape(WARNING))  # whatever PYTHONWARNINGS asks for
                 warnings.showwarning = _show_warning  # type: ignore[assignment]
                 return super().main(*arguments, **options)
-        except MemoryError:
-            pass
         except Exception as error:
             if not memory_failure(error):
                 if not isinstance(error, OSError) or not _stdout_fails():
@@ -275,29 +276,18 @@ class ErrorBoundary(WholeLines):
 
     def invoke(self, ctx: Any) -> Any:
         """Run the command; exit codes are those of `pipeline.errors`."""
-        _show_every_name()
         try:
             done = super().invoke(ctx)
             sys.stdout.flush()
             return done
-        except DebistError as error:
-            if interrupted(error) or _signals:
-                raise _interruption() from error
-            if memory_failure(error):
-                raise  # what it says is only what came of it
-            first, *more = getattr(error, "lines", (str(error),))
-            typer.echo(f"debist: {printable(first)}", err=True)
-            for line in more:
-                typer.echo(f"  {printable(line)}", err=True)
-            self._emit_error(str(error), error.exit_code)
-            raise typer.Exit(error.exit_code) from error
         except KeyboardInterrupt as stopped:
             raise _interruption(str(stopped)) from stopped
         except (typer.Exit, typer.Abort):
             raise
         except Exception as error:
             if isinstance(error, OSError) and _stdout_fails():
-                if _reader_has_gone(error):
+                # Nobody reads standard output any more, which Windows calls an invalid argument.
+                if isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL):
                     raise _unread() from error
                 raise
             if _of_typer(error):
@@ -307,13 +297,17 @@ class ErrorBoundary(WholeLines):
             if interrupted(error) or _signals:
                 raise _interruption() from error
             if memory_failure(error):
-                raise MemoryError from error
-            remedy = _remedy(error)
-            if remedy is None:
+                raise MemoryError from error  # what the error says is only what came of it
+            code = getattr(error, "exit_code", InputError.exit_code)
+            text = str(error) if isinstance(error, DebistError) else _remedy(error)
+            if text is None:
                 traceback.print_exc(file=sys.stderr)
-            bug = "this is a bug in debist; please report the lines above"
-            code, text = (1, bug) if remedy is None else (InputError.exit_code, remedy)
-            typer.echo(f"debist: {text}", err=True)
+                code = 1
+                text = "this is a bug in debist; please report the lines above"
+            first, *more = getattr(error, "lines", (text,))
+            typer.echo(f"debist: {printable(first)}", err=True)
+            for line in more:
+                typer.echo(f"  {printable(line)}", err=True)
             self._emit_error(text, code)
             raise typer.Exit(code) from error
 
@@ -334,13 +328,6 @@ def _show_warning(message: Warning | str, *_: Any) -> None:
     if str(message).startswith(WARNING) and str(message) not in _warned:
         _warned.add(str(message))
         typer.echo(f"warning: {printable(str(message).removeprefix(WARNING))}", err=True)
-
-
-def _show_every_name() -> None:
-    """Show a name that is not UTF-8 with its bytes written out."""
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")
 
 
 def _unread() -> typer.Exit:
@@ -377,11 +364,6 @@ def _remedy(error: Exception) -> str | None:
         unreadable = denied and Path(place).exists() and not os.access(error.filename, os.R_OK)
         return f"{place}: cannot be {'read' if unreadable else 'written'}: {why}; choose another place, or see to it"
     return None
-
-
-def _reader_has_gone(error: OSError) -> bool:
-    """True if nobody reads standard output any more, which Windows calls an invalid argument."""
-    return isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL)
 
 
 def _stdout_fails() -> bool:

@@ -9,11 +9,10 @@ import os
 import shutil
 import sys
 import textwrap
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import typer
 
@@ -127,17 +126,70 @@ def brief(reasons: Sequence[str]) -> str:
     return f"{reasons[0]}{more}" if reasons else ""
 
 
-class Progress:
-    """Progress of a run on stderr; a spinner or bar where stderr is a terminal, one line per task where not."""
+class StatusLine:
+    """A line on stderr that is rewritten while work goes on; shown on a terminal alone, and not with `-q`.
+
+    In a ``with`` statement, a user who stops the command reads what is kept.
+    """
+
+    def __init__(self, first: str = "", *, quiet: bool = False) -> None:
+        self._quiet = quiet
+        self._line: Any = None
+        if sys.stderr.isatty() and not quiet:
+            from rich.console import Console
+
+            self._line = Console(stderr=True).status("")
+        if first:
+            self.show(first)
+
+    @property
+    def kept(self) -> str:
+        """What a stopped command leaves; empty where it leaves nothing."""
+        return ""
+
+    def show(self, what: str, share: float | None = None) -> None:
+        """Rewrite the line: what is done, and the share that is done."""
+        if self._line is not None:
+            from rich.text import Text
+
+            done = "" if share is None else f", {prefixed(share, '%', 0)} %"
+            self._line.update(Text(printable(f"{what}{done}")))
+            self._line.start()
+
+    def clear(self) -> None:
+        """Take the line away until it is shown again."""
+        if self._line is not None:
+            self._line.stop()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Restore the terminal; if the user has stopped the command, report what is kept."""
+        self.clear()
+        if isinstance(error, KeyboardInterrupt):
+            error.args = (self.kept,)
+
+
+class Progress(StatusLine):
+    """Progress of a run on stderr; the task and its share where stderr is a terminal, one line per task where not."""
 
     def __init__(self, *, quiet: bool = False) -> None:
-        self._quiet = quiet
-        self._status: Any = None
-        self._bar: Any = None
+        super().__init__(quiet=quiet)
         self._total = 0
         self._at = 0
         self._made = 0
         self._quarter = 0
+
+    @property
+    def kept(self) -> str:
+        """The finished steps."""
+        if not self._made:
+            return "no step was finished yet; the same command starts again"
+        steps = f"{self._made} finished step{'s' if self._made > 1 else ''}"
+        return f"the results of {steps} are kept; the same command goes on from there"
 
     @property
     def _place(self) -> str:
@@ -151,42 +203,24 @@ class Progress:
     def started(self, task: "Task", reasons: list[str]) -> None:
         """Say what is done and why."""
         self._at += 1
-        if self._quiet:
-            return
         line = f"{task.stage} {task.title}{self._place}: {brief(reasons)}"
-        if sys.stderr.isatty():
-            from rich.console import Console
-
-            self._status = Console(stderr=True).status(printable(line))
-            self._status.start()
-        else:
+        self.show(line)
+        if self._line is None and not self._quiet:
             typer.echo(printable(line), err=True)
 
     def progressed(self, task: "Task", what: str, share: float) -> None:
-        """Show a bar with the elapsed time in place of the spinner; without a terminal, a line for each quarter of a
-        task of `debist control`, which may take minutes.
+        """Show the share; without a terminal, in a line for each quarter of a task of `debist control`, which may take
+        minutes.
         """
-        if self._status is None:
-            quarter = int(4.0 * share)
-            if not self._quiet and task.stage == "control" and quarter > self._quarter:
-                typer.echo(printable(f"{task.stage} {task.title}: {what}, {prefixed(share, '%', 0)} %"), err=True)
-            self._quarter = quarter
-            return
-        if self._bar is None:
-            from rich.console import Console
-            from rich.progress import BarColumn, Progress as Bar, TextColumn, TimeElapsedColumn
-
-            self._status.stop()
-            columns = (TextColumn("{task.description}", markup=False), BarColumn(bar_width=20), TimeElapsedColumn())
-            self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
-            self._bar.add_task("", total=1.0)
-            self._bar.start()
-        line = printable(f"{task.stage} {task.title}{self._place}: {what}")
-        self._bar.update(self._bar.task_ids[0], completed=share, description=line)
+        self.show(f"{task.stage} {task.title}{self._place}: {what}", share)
+        quarter = int(4.0 * share)
+        if self._line is None and not self._quiet and task.stage == "control" and quarter > self._quarter:
+            typer.echo(printable(f"{task.stage} {task.title}: {what}, {prefixed(share, '%', 0)} %"), err=True)
+        self._quarter = quarter
 
     def finished(self, task: "Task", seconds: float) -> None:
         """Print how long it took."""
-        self._stop()
+        self.clear()
         self._made += 1
         if not self._quiet:
             typer.echo(printable(f"{task.stage} {task.title}: done in {seconds:.1f} s"), err=True)
@@ -198,39 +232,6 @@ class Progress:
     def skipped(self, task: "Task") -> None:
         """Ignore this task; the summary counts it."""
         self._at += 1
-
-    def __enter__(self) -> "Progress":
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        """Restore the terminal; if the user has stopped the command, report what is kept."""
-        self._stop()
-        if isinstance(error, KeyboardInterrupt):
-            finished = f"the results of {self._made} finished step{'s' if self._made > 1 else ''} are kept"
-            nothing = "no step was finished yet; the same command starts again"
-            error.args = (f"{finished}; the same command goes on from there" if self._made else nothing,)
-
-    def _stop(self) -> None:
-        for shown in (self._bar, self._status):
-            if shown is not None:
-                shown.stop()
-        self._status = self._bar = None
-
-
-@contextmanager
-def progress_report(first: str, *, quiet: bool = False) -> Iterator[Callable[[str, float], None] | None]:
-    """Yield a callable that shows what is done, to begin with `first`, and its share; None without a terminal."""
-    if quiet or not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import Progress
-
-    with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(first, total=1.0)
-        yield lambda text, share: bar.update(task, description=text, completed=share)
 
 
 def run_of(given: Path) -> Path:

@@ -69,7 +69,10 @@ def linearise(
         measured = (
             linear["measured"][side] if point["stable"] and still else {"frequency_Hz": None, "damping_ratio": None}
         )
-        slowest = ", ".join(_pole(pole) for pole in _telling(point["poles_1_s"]))
+        poles = point["poles_1_s"]
+        # The unstable pole, and the slowest pair that rings.
+        telling = [*(pole for pole in poles if pole[0] > 0.0), *[pole for pole in poles if pole[1] > 1.0][:1]]
+        slowest = ", ".join(f"{re:.2f}" if abs(im) < 1e-9 else f"{re:.2f} ± {im:.2f}i" for re, im in telling)
         ringing = (prefixed(point["frequency_Hz"], "", 2), prefixed(measured["frequency_Hz"], "", 2))
         damping = (prefixed(point["damping_ratio"], "", 3), prefixed(measured["damping_ratio"], "", 3))
         rows.append(
@@ -237,13 +240,3 @@ def _settles(seconds: float | None) -> str:
 
 def _ms(seconds: float | None) -> str:
     return "not at all" if seconds is None else f"{prefixed(seconds, 'm', 0)} ms"
-
-
-def _telling(poles: list[list[float]]) -> list[list[float]]:
-    """The unstable pole, and the slowest pair that rings."""
-    unstable = [pole for pole in poles if pole[0] > 0.0]
-    return unstable + [pole for pole in poles if pole[1] > 1.0][:1]
-
-
-def _pole(pole: list[float]) -> str:
-    return f"{pole[0]:.2f}" if abs(pole[1]) < 1e-9 else f"{pole[0]:.2f} ± {pole[1]:.2f}i"

@@ -12,7 +12,6 @@ from ..units.quantity import prefixed, quantity, stamped
 from .console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text, with_units
 
 if TYPE_CHECKING:
-    from ..diagnostics.check import CheckRow
     from ..numerics.arrays import FloatArray, IntArray
     from ..rig_logs.inspection import InspectedChannel, Inspection
     from ..workflow.inspection import LogExcitation
@@ -34,7 +33,7 @@ def emit_design(design: "Design", files: Iterable[Path]) -> None:
         ),
         ("condition number", f"{designed.conditioning.condition:.0f}", f"{plain.conditioning.condition:.0f}"),
         ("cells with 20 samples [%]", prefixed(designed.covered, "%", 0), prefixed(plain.covered, "%", 0)),
-        ("passages between the wells", _counts(designed.crossings), _counts(plain.crossings)),
+        ("passages between the wells", *(" / ".join(map(str, each.crossings)) for each in (designed, plain))),
     ]
     emit_table("The sequence beside alternating full pulses", ("", "designed", "alternating"), rows)
     emit_text(f"relative D-efficiency {design.efficiency:.2f} ({len(design.bursts)} bursts)")
@@ -59,10 +58,6 @@ def emit_visits(title: str, centres: "FloatArray", counts: "IntArray", inputs: S
     """
     rows = [(f"{centre:.2f}", *map(str, row)) for centre, row in zip(centres, counts, strict=True)]
     emit_table(title, (f"q [{unit}]", "samples", *(f"{name} acting" for name in inputs)), rows, numeric_from=0)
-
-
-def _counts(crossings: Sequence[int]) -> str:
-    return " / ".join(map(str, crossings))
 
 
 _OF_TIME_BASES = dict.fromkeys(
@@ -173,7 +168,7 @@ def check(
     Rates in Hz, fields in V/µm. Exit code 3 if the model would be wrong. `debist run` does it first.
     Example: debist check P1.toml
     """
-    from ..diagnostics.check import check_rows
+    from ..diagnostics.check import beside, check_rows
     from ..workflow.inspection import check as check_tool
     from ..workflow.stage_check import assess
 
@@ -183,23 +178,16 @@ def check(
     if as_json:
         emit_json({"prototype": prototype.name, "rows": [asdict(row) for row in rows]})
     else:
-        emit_rows(prototype.name, rows, details=details)
+        header, table = beside(rows)
+        emit_table(f"{prototype.name}: are the logs what the settings say?", header, table, numeric_from=None)
+        for row in rows:
+            if row.state == "note":
+                emit_text(f"note: {row.remark}", indent="  ")
+            elif details and row.more:
+                emit_text(f"{row.log}: {row.what}: {row.found}; {row.more}", indent="  ")
+        if all(row.state in ("ok", "not seen") for row in rows):
+            emit_text("no contradiction; gains, zeros, delays and clocks are measured after the fit")
     assess(findings, prototype)
-
-
-def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
-    """Print the numbers side by side, the logs as columns, and below them in words what is remarkable."""
-    from ..diagnostics.check import beside
-
-    header, table = beside(rows)
-    emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=None)
-    for row in rows:
-        if row.state == "note":
-            emit_text(f"note: {row.remark}", indent="  ")
-        elif details and row.more:
-            emit_text(f"{row.log}: {row.what}: {row.found}; {row.more}", indent="  ")
-    if all(row.state in ("ok", "not seen") for row in rows):
-        emit_text("no contradiction; gains, zeros, delays and clocks are measured after the fit")
 
 
 def init(

@@ -1,18 +1,16 @@
 """Results of a run or a batch: scores, assessment, instruments, states of tasks, and the progress of a batch."""
 
-import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
-from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 import typer
 
 from ..system.names import shell_word
 from ..units.quantity import percent, quantity
-from .console import brief, emit_json, emit_table, emit_text, printable
+from .console import StatusLine, brief, emit_json, emit_table, emit_text, printable
 
 if TYPE_CHECKING:
     from ..workflow.batch import Outcome
@@ -22,37 +20,28 @@ if TYPE_CHECKING:
 
 
 def emit_scores(run: Path, *, as_json: bool, details: bool = False, with_report: bool = False) -> None:
-    """Print the scores: the short table of the scores, or with details both score tables; as records for JSON.
+    """Print the scores: the short table of the scores, or with details every number of every log; as records for JSON.
 
     With a report, the JSON document holds its assessment and its path too.
     """
+    from ..reporting.tables import lines, main_table
     from ..workflow.report_data import load_datasheet, load_scores
-    from ..workflow.stage_validate import shown_scores
+    from ..workflow.stage_validate import score_tables, shown_scores
 
     if as_json:
         page = {"verdict": load_datasheet(run)["verdict"], "report": run / "report.html"} if with_report else {}
         emit_json({"scores": load_scores(run), **page})
     elif details:
-        _emit_details(run)
+        tables = score_tables(run)
+        for table in tables:
+            heading, *rows = lines(table)
+            for log in dict.fromkeys(row[0] for row in rows):
+                emit_table(log, heading[1:], [row[1:] for row in rows if row[0] == log])
+        emit_text("\n".join(table.explanation for table in tables))
     else:
-        from ..reporting.tables import main_table
-
-        table = main_table(shown_scores(run))
-        emit_table(table.where, table.heading, table.rows)
-        emit_text(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
-
-
-def _emit_details(run: Path) -> None:
-    """Print every number of every log, a table for each log, and what they mean."""
-    from ..reporting.tables import lines
-    from ..workflow.stage_validate import score_tables
-
-    tables = score_tables(run)
-    for table in tables:
-        heading, *rows = lines(table)
-        for log in dict.fromkeys(row[0] for row in rows):
-            emit_table(log, heading[1:], [row[1:] for row in rows if row[0] == log])
-    emit_text("\n".join(table.explanation for table in tables))
+        short = main_table(shown_scores(run))
+        emit_table(short.where, short.heading, short.rows)
+        emit_text(f"{short.explanation}\nIntervals, every log, horizons and times: --details")
 
 
 def emit_instruments(run: Path) -> None:
@@ -212,77 +201,45 @@ def emit_status(title: str, states: "Sequence[TaskStatus]", *, as_json: bool) ->
 _MOST_NAMED = 4
 
 
-class BatchProgress:
-    """One line on stderr per finished prototype; on a terminal also a bar with the remaining time below them."""
+class BatchProgress(StatusLine):
+    """One line on stderr per finished prototype; below them, on a terminal, those that run and the share done."""
 
     def __init__(self, total: int, *, quiet: bool = False) -> None:
+        super().__init__(quiet=quiet)
         self._total = total
-        self._quiet = quiet
         self._done = 0
         self._running: list[str] = []
-        self._bar: Any = None
 
-    def __enter__(self) -> "BatchProgress":
-        if sys.stderr.isatty() and not self._quiet:
-            from rich.console import Console
-            from rich.progress import (
-                BarColumn,
-                MofNCompleteColumn,
-                Progress,
-                TextColumn,
-                TimeElapsedColumn,
-                TimeRemainingColumn,
-            )
-
-            self._bar = Progress(
-                BarColumn(),
-                MofNCompleteColumn(),
-                TimeElapsedColumn(),
-                TimeRemainingColumn(),
-                TextColumn("{task.description}", markup=False),
-                console=Console(stderr=True),
-                transient=True,
-            )
-            self._bar.add_task("", total=self._total)
-            self._bar.start()
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._bar is not None:
-            self._bar.stop()
-        if isinstance(error, KeyboardInterrupt):
-            error.args = (
-                f"{self._done} of {self._total} prototypes are done; the same command goes on with the rest, and "
-                "--collect makes tables of what is there",
-            )
+    @property
+    def kept(self) -> str:
+        """The finished prototypes."""
+        return (
+            f"{self._done} of {self._total} prototypes are done; the same command goes on with the rest, and "
+            "--collect makes tables of what is there"
+        )
 
     def started(self, name: str) -> None:
         """Show it among those that run."""
         self._running.append(name)
-        self._show()
+        self._show_running()
 
     def finished(self, outcome: "Outcome") -> None:
         """Say how it went."""
         self._done += 1
         self._running.remove(outcome.name)
-        if self._quiet:
-            return
-        well = "done" if outcome.processor_seconds else "up to date"  # which needs no process
-        state = f"failed: {outcome.reason}" if outcome.failed else well
-        line = printable(f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)")
-        if self._bar is None:  # a cluster's log: each line stands alone
-            typer.echo(f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} {line}", err=True)
-        else:
-            self._bar.console.print(line, markup=False, highlight=False, soft_wrap=True)
-        self._show()
+        if not self._quiet:
+            well = "done" if outcome.processor_seconds else "up to date"  # which needs no process
+            state = f"failed: {outcome.reason}" if outcome.failed else well
+            # In a cluster's log each line stands alone.
+            stamp = f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} " if self._line is None else ""
+            line = f"{stamp}[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"
+            typer.echo(printable(line), err=True)
+        self._show_running()
 
-    def _show(self) -> None:
-        if self._bar is not None:
-            more = f" and {len(self._running) - _MOST_NAMED} more" if len(self._running) > _MOST_NAMED else ""
-            names = printable(", ".join(self._running[:_MOST_NAMED]) + more)
-            self._bar.update(self._bar.task_ids[0], completed=self._done, description=names)
+    def _show_running(self) -> None:
+        more = f" and {len(self._running) - _MOST_NAMED} more" if len(self._running) > _MOST_NAMED else ""
+        names = f": {', '.join(self._running[:_MOST_NAMED])}{more}" if self._running else ""
+        self.show(f"{self._done} of {self._total} prototypes{names}", self._done / self._total)
 
 
 def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool) -> None:

@@ -11,7 +11,7 @@ from ..errors import InputError
 from ..units.quantity import prefixed
 from ..units.units import parse_quantity
 from .boundary import group, with_options
-from .console import Parameters, Quiet, emit_json, emit_table, progress_report, with_units
+from .console import Parameters, Quiet, StatusLine, emit_json, emit_table, with_units
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -272,8 +272,8 @@ def calibrate(
     names = PAPER_NAMES if paper else ASYMMETRIC_NAMES + FRICTION_NAMES
     how = read_options(search, physics.SearchFile)
     joint = joint_parameters(parameters)
-    with progress_report("calibrating", quiet=quiet) as report:
-        fit = physics.calibrate(kinematics, joint, names=names, search=how, report=report)
+    with StatusLine("calibrating", quiet=quiet) as line:
+        fit = physics.calibrate(kinematics, joint, names=names, search=how, report=line.show)
     if output is not None:
         physics.write_parameters(fit, output)
     if as_json:

@@ -1,6 +1,5 @@
 """Uses of runs: `debist diff`, `series`, `fleet learn`, `export`, `paper`, `study` and `verify`."""
 
-from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -28,7 +27,7 @@ from .console import (
 from .outcome import emit_table_2
 
 if TYPE_CHECKING:
-    from ..workflow.studies.diff import Comparison, RunDifferences
+    from ..workflow.studies.diff import RunDifferences
     from ..workflow.studies.fleet import LearntFile
     from ..workflow.studies.study import StudyResult
     from ..workflow.verify import Verified
@@ -76,15 +75,15 @@ def _emit_differences(runs: "RunDifferences") -> None:
                 numeric_from=1 if title in ("NRMSE of free runs", "facts") else len(runs.names) + 1,
             )
     for name, compared in zip(runs.names[1:], runs.artifacts, strict=True):
-        _emit_artifacts(f"artifacts of {name}", [c for c in compared if c.state not in ("equal", "drawn")])
+        differing = [
+            (c.artifact, c.state, "" if c.deviation is None else f"{c.deviation:.1e}", c.column)
+            for c in compared
+            if c.state not in ("equal", "drawn")
+        ]
+        if differing:
+            emit_table(f"artifacts of {name}", ("artifact", "state", "deviation", "in"), differing, numeric_from=2)
     if same := [title for title, _, rows in tables if not rows]:
         emit_text(f"equal: {', '.join(same)}{', artifacts' if runs.equal else ''}")
-
-
-def _emit_artifacts(title: str, compared: "Sequence[Comparison]") -> None:
-    rows = [(c.artifact, c.state, "" if c.deviation is None else f"{c.deviation:.1e}", c.column) for c in compared]
-    if rows:
-        emit_table(title, ("artifact", "state", "deviation", "in"), rows, numeric_from=2)
 
 
 def _text(value: object) -> str:
@@ -205,14 +204,22 @@ def verify(run: Run, as_json: Json = False) -> None:
     from ..workflow import verify as tool
 
     checked = tool.verify_everything(run)
-    _emit(checked, as_json)
-    _fail(run, checked)
-
-
-def _emit(checked: "Verified", as_json: bool) -> None:
     if as_json:
         emit_json(vars(checked))
-        return
+    else:
+        _emit_verified(checked)
+    if checked.problems:
+        raise CorruptArtifactError(
+            "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
+            + "; `debist run` sets aside what is damaged and makes it anew"
+        )
+    if checked.unknown:
+        raise CorruptArtifactError(f"{run}: {len(checked.unknown)} files do not belong to the run; move them elsewhere")
+    if checked.leftover:
+        raise CorruptArtifactError(f"{run}: a run was interrupted; `debist run` completes it and removes what it left")
+
+
+def _emit_verified(checked: "Verified") -> None:
     if checked.intact:
         typer.echo(f"{checked.checked} artifacts checked, all intact")
     for what, names in (
@@ -223,18 +230,6 @@ def _emit(checked: "Verified", as_json: bool) -> None:
             typer.echo(printable(f"{what}: {name}"), err=True)
         if len(names) > _MOST_NAMED:
             typer.echo(f"and {len(names) - _MOST_NAMED} more", err=True)
-
-
-def _fail(run: Path, checked: "Verified") -> None:
-    if checked.problems:
-        raise CorruptArtifactError(
-            "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
-            + "; `debist run` sets aside what is damaged and makes it anew"
-        )
-    if checked.unknown:
-        raise CorruptArtifactError(f"{run}: {len(checked.unknown)} files do not belong to the run; move them elsewhere")
-    if checked.leftover:
-        raise CorruptArtifactError(f"{run}: a run was interrupted; `debist run` completes it and removes what it left")
 
 
 fleet_group = group("A prior for the next joint, from many joints of one drawing.")
@@ -316,12 +311,12 @@ def series(
 
     Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30
     """
-    from ..diagnostics.series import COLUMNS, conclusion, series_rows
+    from ..reporting.tables import SERIES_COLUMNS, series_conclusion, series_rows
     from ..workflow.studies.fleet import series_of
 
     facts = series_of(runs, at)
     if as_json:
         emit_json(asdict(facts))
     else:
-        emit_table(f"{len(facts.names)} runs of one device, ± 95 %", COLUMNS, series_rows(facts))
-        emit_text(conclusion(facts))
+        emit_table(f"{len(facts.names)} runs of one device, ± 95 %", SERIES_COLUMNS, series_rows(facts))
+        emit_text(series_conclusion(facts))

@@ -11,7 +11,7 @@ from ..system.names import shell_word
 from ..units.quantity import prefixed
 from ..units.units import parse_quantity
 from .boundary import group, with_options
-from .console import Json, Parameters, Quiet, emit_json, emit_text, progress_report
+from .console import Json, Parameters, Quiet, StatusLine, emit_json, emit_text
 
 if TYPE_CHECKING:
     from ..rig.fleet import Experiment
@@ -79,7 +79,7 @@ def simulate(
     day = "" if experiment.age_days is None else f"-day{experiment.age_days:g}"
     name = f"{logs.kind}-{seed}{day}"
     count = experiment.training_logs + experiment.validation_logs
-    with progress_report(f"simulating {count} logs of {logs.duration:g} s at {logs.rate:g} Hz", quiet=quiet):
+    with StatusLine(f"simulating {count} logs of {logs.duration:g} s at {logs.rate:g} Hz", quiet=quiet):
         prototype = simulate_prototype(output, name, experiment, seed=seed)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
@@ -147,15 +147,14 @@ def excite(
     from .inspection import emit_design
 
     rare = read_options(within.file, excitation.DesignFile)
-    with progress_report("designing", quiet=quiet) as report:
-        shown = None if report is None else partial(report, "designing")
+    with StatusLine("designing", quiet=quiet) as line:
         design, files = excitation.excite(
             output,
             parameters,
             rare,
             duration=parse_quantity(within.duration, ("s",), "--duration"),
             voltage=parse_quantity(within.max_voltage, ("V",), "--max-voltage"),
-            report=shown,
+            report=partial(line.show, "designing"),
         )
     if as_json:
         emit_json({"files": files, **excitation.description(design)})
@@ -211,7 +210,7 @@ def closed_loop(
 
     seconds = parse_quantity(loop.duration, ("s",), "--duration")
     rare = read_options(loop.scenario, ScenarioFile)
-    with progress_report(f"simulating {loop.duration} at 1 kHz", quiet=quiet):
+    with StatusLine(f"simulating {loop.duration} at 1 kHz", quiet=quiet):
         files, summary = closed_loop_log(
             joint, loop.controller, loop.play, output, target=loop.target, duration=seconds, options=rare
         )

@@ -22,9 +22,9 @@ from .console import (
     Quiet,
     Run,
     Runs,
+    StatusLine,
     emit_json,
     emit_table,
-    progress_report,
 )
 
 if TYPE_CHECKING:
@@ -173,8 +173,8 @@ def warmup(
 
     if not has_kernels():
         typer.echo(f"compiling the kernels, once: about {COST:.0f} s of processor time", err=True)
-    with progress_report("compiling") as report:
-        seconds = warm_up(jobs, None if report is None else partial(report, "compiling"))
+    with StatusLine("compiling") as line:
+        seconds = warm_up(jobs, partial(line.show, "compiling"))
     if as_json:
         emit_json({"compiled_in_s": seconds})
     else:

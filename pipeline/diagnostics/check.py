@@ -16,8 +16,7 @@ from ..signals.noise import is_idle, noise_level
 from ..signals.signal_quality import takes_both_signs, usual_span
 from ..units.units import column_suffix
 from . import log_sentences
-from .log_facts import FIELD, SURE, InputForce, LogFacts, log_facts
-from .weak_form import LogSignals
+from .log_facts import FIELD, SURE, InputForce, LogFacts, LogSignals, log_facts
 
 LATE = 2.5
 """Sample intervals from which on q answers its inputs late. Drives, probes, sensors and the creep of the membranes
@@ -98,36 +97,35 @@ def _noise(fact: LogFacts, i: int, plant: Device) -> Finding:
     )
 
 
-def _late(fact: LogFacts, plant: Device) -> list[Finding]:
+def _late(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """A joint that answers its inputs surely late, or before they change; another device may do so by its nature.
 
     The angle of a joint does too: voltages turn its tip before it moves.
     """
     most = LATE * fact.sample_interval
-    if plant.angle or abs(fact.late) < most:
-        return []
-    numbers = {"late": Number(fact.late, "s"), "most": Number(most, "s")}
-    return [Finding("late_answer", "fair", fact.signals.name, "q", numbers)]
+    if abs(fact.late) >= most and not plant.angle:
+        numbers = {"late": Number(fact.late, "s"), "most": Number(most, "s")}
+        yield Finding("late_answer", "fair", fact.signals.name, "q", numbers)
 
 
-def _scale(fact: LogFacts, plant: Device) -> list[Finding]:
+def _scale(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """Mass and units: what they make of the coupling of a membrane, half the slope of its capacitance over q."""
-    couplings = _couplings(fact)
-    if not couplings:
-        return []
-    mass = NOMINAL.m if plant.known_mass is None else plant.known_mass
-    allowed = UNSTATED_RATIO if plant.known_mass is None else RATIO
-    ratio = max((mass * each / DRAWN_COUPLING for each in couplings), key=lambda r: max(r, 1.0 / r))
-    wrong = max(ratio, 1.0 / ratio) > allowed
-    numbers = {
-        "coupling": Number(ratio * DRAWN_COUPLING, "N/V²"),
-        "ratio": Number(ratio),
-        "most": Number(allowed),
-        "mass": Number(mass, "kg"),
-    }
-    subject = "drawn" if plant.known_mass is None else "stated"
-    severity: Severity = "poor" if wrong else "good"
-    return [Finding("coupling", severity, fact.signals.name, subject, numbers, "scale" if wrong else None)]
+    subject, mass, allowed = (
+        ("drawn", NOMINAL.m, UNSTATED_RATIO) if plant.known_mass is None else ("stated", plant.known_mass, RATIO)
+    )
+    ratios = [mass * each / DRAWN_COUPLING for each in _couplings(fact)]
+    if ratios:
+        ratio = max(ratios, key=lambda r: max(r, 1.0 / r))
+        numbers = {
+            "coupling": Number(ratio * DRAWN_COUPLING, "N/V²"),
+            "ratio": Number(ratio),
+            "most": Number(allowed),
+            "mass": Number(mass, "kg"),
+        }
+        wrong = max(ratio, 1.0 / ratio) > allowed
+        yield Finding(
+            "coupling", "poor" if wrong else "good", fact.signals.name, subject, numbers, "scale" if wrong else None
+        )
 
 
 def _couplings(fact: LogFacts) -> list[float]:
@@ -139,28 +137,25 @@ def _couplings(fact: LogFacts) -> list[float]:
     ]
 
 
-def _sides(fact: LogFacts) -> list[Finding]:
+def _sides(fact: LogFacts) -> Iterator[Finding]:
     """Membranes of one joint couple about as strongly, but for what is not sure of either."""
     couplings = _couplings(fact)
-    if len(couplings) < 2 or not isinstance(fact.wells, Wells):
-        return []
-    ratio = couplings[0] / couplings[1]
-    error = np.linalg.norm([force.error / force.value for force in fact.input_forces if force is not None])
-    alike = abs(np.log(ratio)) <= np.log(SIDES) + SURE * error
-    numbers = {"ratio": Number(ratio), "most": Number(SIDES)}
-    return [Finding("coupling_ratio", "good" if alike else "fair", fact.signals.name, "", numbers)]
+    if len(couplings) > 1 and isinstance(fact.wells, Wells):
+        ratio = couplings[0] / couplings[1]
+        error = np.linalg.norm([force.error / force.value for force in fact.input_forces if force is not None])
+        alike = abs(np.log(ratio)) <= np.log(SIDES) + SURE * error
+        numbers = {"ratio": Number(ratio), "most": Number(SIDES)}
+        yield Finding("coupling_ratio", "good" if alike else "fair", fact.signals.name, "", numbers)
 
 
-def _correlated(fact: LogFacts, plant: Device) -> list[Finding]:
+def _correlated(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """Finding on two inputs that act in proportion, so that their effects cannot be separated."""
-    if None in fact.input_forces or len(fact.input_forces) < 2:
-        return []
-    acting = plant.acting(fact.signals.v)
-    correlation = float(np.asarray(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T))[0, 1])
-    if abs(correlation) < CORRELATED:
-        return []
-    numbers = {"correlation": Number(correlation), "most": Number(CORRELATED)}
-    return [Finding("correlated", "fair", fact.signals.name, "", numbers)]
+    if None not in fact.input_forces and len(fact.input_forces) > 1:
+        acting = plant.acting(fact.signals.v)
+        correlation = float(np.asarray(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T))[0, 1])
+        if abs(correlation) >= CORRELATED:
+            numbers = {"correlation": Number(correlation), "most": Number(CORRELATED)}
+            yield Finding("correlated", "fair", fact.signals.name, "", numbers)
 
 
 def _field(fact: LogFacts, plant: Device) -> Finding:
@@ -168,14 +163,18 @@ def _field(fact: LogFacts, plant: Device) -> Finding:
     largest = max(abs(end) for column in fact.signals.v.T for end in usual_span(column))
     field = largest / plant.film_thickness
     limit = plant.field_limit
+    of_units = not limit / RATIO < field < limit * RATIO and largest > 0.0
     numbers = {
         "field": Number(field, "V/m"),
         "limit": Number(limit, "V/m"),
         "film": Number(plant.film_thickness, "m"),
     }
-    of_units = not limit / RATIO < field < limit * RATIO and largest > 0.0
-    severity: Severity = "fair" if of_units or field > FIELD * limit else "good"
-    return Finding("field_units" if of_units else "field", severity, fact.signals.name, "", numbers)
+    return Finding(
+        "field_units" if of_units else "field",
+        "fair" if of_units or field > FIELD * limit else "good",
+        fact.signals.name,
+        numbers=numbers,
+    )
 
 
 def _rest_levels(fact: LogFacts, plant: Device) -> Iterator[Finding]:
@@ -206,19 +205,20 @@ def rest_level(v: FloatArray) -> float | None:
     return sign * level if high - low <= REST_LEVEL * float(np.max(np.abs(v))) else None
 
 
-def _input_actions(fact: LogFacts, plant: Device) -> list[Finding]:
+def _input_actions(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """Test of the inputs' stated action, squared or linear, by the residuals of the accelerations under both."""
     own = fact.unexplained
     other = fact.under_other_action
-    if own is None or other is None:
-        return []
-    actions = ("squared", "linear") if plant.squared else ("linear", "squared")
-    numbers = {f"left_by_{actions[0]}": Number(own), f"left_by_{actions[1]}": Number(other)}
-    if fact.as_signed_monitor is not None and fact.as_signed_monitor < OTHER_ACTION * min(own, other):
-        numbers["left_by_membranes"] = Number(fact.as_signed_monitor)
-        return [Finding("signed_monitor", "fair", fact.signals.name, actions[1], numbers)]
-    severity: Severity = "good" if other >= OTHER_ACTION * own else "fair"
-    return [Finding("law", severity, fact.signals.name, actions[1], numbers)]
+    signed = fact.as_signed_monitor
+    if own is not None and other is not None:
+        actions = ("squared", "linear") if plant.squared else ("linear", "squared")
+        numbers = {f"left_by_{actions[0]}": Number(own), f"left_by_{actions[1]}": Number(other)}
+        if signed is not None and signed < OTHER_ACTION * min(own, other):
+            numbers["left_by_membranes"] = Number(signed)
+            yield Finding("signed_monitor", "fair", fact.signals.name, actions[1], numbers)
+        else:
+            severity: Severity = "good" if other >= OTHER_ACTION * own else "fair"
+            yield Finding("law", severity, fact.signals.name, actions[1], numbers)
 
 
 ROUNDING = 1e-9
@@ -227,15 +227,22 @@ ROUNDING = 1e-9
 
 def motion_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """The findings on the motion of a log."""
-    rate = {"rate": Number(1.0 / fact.signals.raw_step, "Hz")}
+    name = fact.signals.name
+    unit = plant.displacement.symbol
     yield from (*_ranges(fact, plant), _resolution(fact, plant))
-    yield Finding("sampling_rate", "good", fact.signals.name, "", rate)
-    yield from (*_held(fact), *_wrapped(fact, plant), _rests(fact, plant))
+    yield Finding("sampling_rate", "good", name, numbers={"rate": Number(1.0 / fact.signals.raw_step, "Hz")})
+    if fact.signals.held > 1:  # a sensor or a bus that is slower than the recorder makes a staircase of the motion
+        held = fact.signals.held
+        numbers = {"held": Number(held), "rate": Number(1.0 / (held * fact.signals.raw_step), "Hz")}
+        yield Finding("held", "fair", name, "q", numbers)
+    jumps = _turns(fact, plant)
+    if jumps:
+        numbers = {"jumps": Number(jumps), "turn": Number(fact.span, "rad")}
+        yield Finding("wrapped", "poor", name, "q", numbers, "wrapped")
+    yield _rests(fact, plant)
     if fact.drift is not None:
-        unit = plant.displacement.symbol
-        moved = abs(fact.drift) * float(np.ptp(fact.signals.t))
-        numbers = {"drift": Number(fact.drift, f"{unit}/s"), "moved": Number(moved, unit)}
-        yield Finding("drift", "fair", fact.signals.name, "q", numbers)
+        moved = Number(abs(fact.drift) * float(np.ptp(fact.signals.t)), unit)
+        yield Finding("drift", "fair", name, "q", {"drift": Number(fact.drift, f"{unit}/s"), "moved": moved})
 
 
 def starts(facts: Sequence[LogFacts]) -> list[Finding]:
@@ -281,8 +288,8 @@ def _ranges(fact: LogFacts, plant: Device) -> Iterator[Finding]:
             numbers |= {"least": Number(allowed[0], unit), "most": Number(allowed[1], unit)}
         if times is not None:
             numbers["times"] = Number(times)
-        gate: Gate | None = "scale" if judged else None
-        yield Finding("still" if still else "range", severity, fact.signals.name, name, numbers, gate)
+        code = "still" if still else "range"
+        yield Finding(code, severity, fact.signals.name, name, numbers, "scale" if judged else None)
 
 
 def _resolution(fact: LogFacts, plant: Device) -> Finding:
@@ -296,34 +303,20 @@ def _resolution(fact: LogFacts, plant: Device) -> Finding:
     return Finding("resolution", "good" if log.resolution <= most else "fair", log.name, "q", numbers)
 
 
-def _held(fact: LogFacts) -> list[Finding]:
-    """A sensor or a bus that is slower than the recorder makes a staircase of the motion."""
-    held = fact.signals.held
-    if held < 2:
-        return []
-    numbers = {"held": Number(held), "rate": Number(1.0 / (held * fact.signals.raw_step), "Hz")}
-    return [Finding("held", "fair", fact.signals.name, "q", numbers)]
-
-
-def _wrapped(fact: LogFacts, plant: Device) -> list[Finding]:
-    """An angle that jumps by a turn where it leaves the interval that it is kept in."""
+def _turns(fact: LogFacts, plant: Device) -> int:
+    """Number of jumps of an angle by a turn, where it leaves the interval that it is kept in."""
     if plant.displacement.symbol != "rad" or round(fact.span / (2.0 * np.pi)) != 1:
-        return []
+        return 0
     q = fact.signals.q
-    jumps = int(np.count_nonzero(np.diff((np.abs(q[3:] - q[:-3]) > WRAPPED * fact.span).astype(np.int8)) > 0))
-    if not jumps:
-        return []
-    numbers = {"jumps": Number(jumps), "turn": Number(fact.span, "rad")}
-    return [Finding("wrapped", "poor", fact.signals.name, "q", numbers, "wrapped")]
+    return int(np.count_nonzero(np.diff((np.abs(q[3:] - q[:-3]) > WRAPPED * fact.span).astype(np.int8)) > 0))
 
 
 def _rests(fact: LogFacts, plant: Device) -> Finding:
-    unit = plant.displacement.symbol
     if not isinstance(fact.wells, Wells):
         return Finding("no_rests", "unseen", fact.signals.name, fact.wells.reason.partition(":")[0])
-    numbers = {"left": Number(fact.wells.left, unit), "right": Number(fact.wells.right, unit)}
-    about_zero = not plant.joint or fact.wells.left < 0.0 < fact.wells.right
-    return Finding("rests", "good" if about_zero else "fair", fact.signals.name, "q", numbers)
+    left, right = (Number(place, plant.displacement.symbol) for place in (fact.wells.left, fact.wells.right))
+    about_zero = not plant.joint or left.value < 0.0 < right.value
+    return Finding("rests", "good" if about_zero else "fair", fact.signals.name, "q", {"left": left, "right": right})
 
 
 def check_logs(logs: Sequence[LogSignals], plant: Device, sample_interval: float) -> list[Finding]:

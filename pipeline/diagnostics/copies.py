@@ -11,7 +11,7 @@ import numpy as np
 from ..numerics.arrays import FloatArray
 from ..signals.columns import chunks
 from ..signals.findings import Finding, Number
-from .weak_form import LogSignals
+from .log_facts import LogSignals
 
 _WINDOW = 64
 """Raw samples that are equal in both logs. Half of them differ from the one before, so chance makes no two equal."""

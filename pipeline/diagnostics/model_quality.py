@@ -11,6 +11,7 @@ from ..signals.findings import Finding, Number
 from ..system.names import ROLE_WORDS, log_title
 from .grades import THRESHOLDS, Check, graded, of_finding
 from .run_data import LogData, RunData
+from .sentences import unit_of
 
 BRIEF = 0.1
 """Share of a log that one place lasts at most."""
@@ -52,7 +53,7 @@ def _disagreements(
 
 
 def _instrument(row: Mapping[str, Any], title: str, displacement: str) -> Finding:
-    unit = {"zero_q": displacement, "delay": "s"}.get(row["quantity"], "1")
+    unit = unit_of(row["quantity"], displacement)
     numbers = {
         "estimate": Number(float(row["estimate"]), unit, float(row["standard_error"])),
         "limit": Number(float(row["limit"]), unit),

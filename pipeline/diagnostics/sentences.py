@@ -47,14 +47,14 @@ def sentences(finding: Finding) -> tuple[str, str]:
     finding : Finding
         Its code must be one of `CODES`.
     """
-    shown = CODES[finding.code]
-    if isinstance(shown, tuple):
-        statement, advice = map(finding.filled, shown)
-        return statement, advice
-    return shown(finding)
+    texts = CODES[finding.code]
+    if not isinstance(texts, tuple):
+        return texts(finding)
+    statement, advice = map(finding.filled, texts)
+    return statement, advice
 
 
-def _shown(number: Number) -> str:
+def shown(number: Number) -> str:
     """A number with its unit and its ±; shares in percent."""
     if number.unit == "1":
         return quantity(100.0 * number.value, "%", None if number.error is None else 100.0 * number.error)
@@ -75,7 +75,7 @@ def _exchanged(finding: Finding) -> tuple[str, str]:
 
 def _instrument(finding: Finding) -> tuple[str, str]:
     number = finding.numbers["estimate"]
-    size = _shown(Number(abs(number.value), number.unit, number.error))
+    size = shown(Number(abs(number.value), number.unit, number.error))
     name = finding.subject.removeprefix("gain_")
     of_log, more, less = {
         "zero_q": (f"the zero of q of the {finding.log} is {size} too", "high", "low"),
@@ -83,7 +83,7 @@ def _instrument(finding: Finding) -> tuple[str, str]:
         "clock": (f"the clock of the {finding.log} runs {size}", "fast", "slow"),
     }.get(finding.subject, (f"{name} of the {finding.log} reads {size}", "high", "low"))
     correction = finding.numbers["correction"]
-    line = KEYS[finding.subject].format(correction_text(finding.subject, correction.value, correction.unit))
+    line = KEYS[finding.subject].format(correction_text(correction.value, correction.unit))
     mend = {"zero_q": "set the laser", "delay": "mend the recorder", "clock": "mend the recorder"}
     advice = f"`{line}` at that log in [logs], or {mend.get(finding.subject, 'mend the probe')}"
     return f"{of_log} {more if number.value > 0.0 else less}", f"{advice}, unless the training logs are the wrong ones"
@@ -94,15 +94,19 @@ def _disagreement(finding: Finding) -> tuple[str, str]:
         finding.subject, f"the reading of {finding.subject.removeprefix('gain_')}"
     )
     return (
-        f"{name} differs by {_shown(finding.numbers['estimate'])} between the {finding.log}",
+        f"{name} differs by {shown(finding.numbers['estimate'])} between the {finding.log}",
         "find out which of both logs is right, and correct the other one in [logs]",
     )
 
 
-def correction_text(name: str, value: float, displacement: str) -> str:
-    """A correction as [logs] takes it: a factor, or a number with its unit, which is that of q for its zero."""
-    unit = {"zero_q": displacement, "delay": "s"}.get(name)
-    return f"{value:.5g}" if unit is None else quantity(value, unit).replace("−", "-")
+def unit_of(reading: str, displacement: str) -> str:
+    """SI unit of an error of a reading, and of its correction; `displacement` is that of q."""
+    return {"zero_q": displacement, "delay": "s"}.get(reading, "1")
+
+
+def correction_text(value: float, unit: str) -> str:
+    """A correction as [logs] takes it: a factor, or a number with its unit."""
+    return f"{value:.5g}" if unit == "1" else quantity(value, unit).replace("−", "-")
 
 
 def _switch_accuracy(finding: Finding) -> tuple[str, str]:

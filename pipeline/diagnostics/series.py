@@ -1,29 +1,36 @@
-"""Facts of one device over several runs, each with its standard error, and their changes, also in words."""
+"""Facts of one device over several runs, each with its standard error, and their change: none, a line, or one step.
+
+A change is found by weighted least squares with the standard errors of the measurements, raised where the scatter about
+the better model is larger (Birge 1932, doi:10.1103/PhysRev.40.207). Line and steps each move a constant along one
+direction. The null distribution of the largest gain among them is simulated for the times and errors at hand.
+"""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Literal
 
 import numpy as np
+from scipy.special import stdtrit
 
-from ..fitting.trends import Trend, smoothed, trend
 from ..models.base import DynamicModel, HasCurveDraws, HasCurves
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90, NORMAL_95
 from ..signals.log import Log
-from ..units.quantity import quantity
 from .calibrated import calibrated
 from .instruments import InstrumentTest
-from .sentences import READINGS
+from .sentences import READINGS, unit_of
 
 ALARM = 0.05
 """Probability that any change is claimed in a series of an unchanged device."""
 DRAWS = 64
 PLACES = 121
-COLUMNS = ("fact", "first run", "last run", "from all runs", "change")
-"""Headings of `series_rows`."""
-_WIDE = 10.0
-"""Standard errors by which the facts of one device hardly scatter: three simulated devices scatter by more."""
+FEWEST = 4
+FEWEST_STEP = FEWEST + 2
+"""Measurements from which a line and a step are looked for: three lie near some line by chance."""
+_SIMULATED = 20_000
+_SEED = 2026
+_WALKS = np.concatenate([[0.0], np.geomspace(1e-3, 1e4, 57)])
+"""Variances of the random walk over the whole time, in mean squared errors."""
 _LEFT_OUT = ("asymmetry", "stable")
 """Prefixes of the keys of facts that follow from others, or that another run may number otherwise."""
 _QUANTITIES = {
@@ -36,6 +43,34 @@ _QUANTITIES = {
 
 
 @dataclass(frozen=True)
+class Trend:
+    """Change of a quantity over time.
+
+    Attributes
+    ----------
+    kind : {"unknown", "none", "line", "step"}
+        "unknown" with fewer than `FEWEST` measurements, "none" where chance explains what is seen.
+    slope, slope_error : float or None
+        Of the straight line a unit of time, and half of its 95 % interval; None where unknown.
+    step, step_error : float or None
+        Size of the best step and half of its 95 % interval at that place; None below `FEWEST_STEP` measurements.
+    at : float or None
+        Time of the first measurement after the best step; None likewise.
+    after, before : float or None
+        Times of the measurements between which the step lies with 95 %; None likewise.
+    """
+
+    kind: Literal["unknown", "none", "line", "step"]
+    slope: float | None = None
+    slope_error: float | None = None
+    step: float | None = None
+    step_error: float | None = None
+    at: float | None = None
+    after: float | None = None
+    before: float | None = None
+
+
+@dataclass(frozen=True)
 class SeriesFact:
     """One fact over the runs that have it, in SI.
 
@@ -45,7 +80,7 @@ class SeriesFact:
     at, values, errors : FloatArray, shape (n,)
         Times, values, and standard errors of the single runs.
     smooth, smooth_errors : FloatArray, shape (n,)
-        The same from all runs together, where the device changes little (`pipeline.fitting.trends.smoothed`).
+        The same from all runs together, where the device changes little (`smoothed`).
     trend : Trend
     """
 
@@ -117,8 +152,8 @@ def facts_of(
     for fitted in calibrated(model):
         if fitted.name in _QUANTITIES:
             key = fitted.name.partition(",")[0].replace(" ", "_")
-            error = _error(fitted.low, fitted.high)
-            yield RunFact(key, _QUANTITIES[fitted.name], fitted.unit, fitted.value, error)
+            title = _QUANTITIES[fitted.name]
+            yield RunFact(key, title, fitted.unit, fitted.value, _error(fitted.low, fitted.high))
 
 
 def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
@@ -138,12 +173,11 @@ def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displace
     reading = instruments.of(parts)
     if reading.status != "measured" or reading.exchange != "none":
         return
-    units = {"zero_q": displacement, "delay": "s"}
     for name, value, error in zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True):
         # The force of a joint goes with C v², so that 2 % of capacitance read as 1 % of voltage.
         either = " or of the device" if name.startswith("gain_v") else ""
         title = f"instruments: {READINGS.get(name, name)}{either}, change since the first run"
-        yield RunFact(f"reading_{name}", title, units.get(name, "1"), float(value), float(error))
+        yield RunFact(f"reading_{name}", title, unit_of(name, displacement), float(value), float(error))
 
 
 def common_stroke(sheets: Sequence[Mapping[str, Any]]) -> tuple[float, float] | None:
@@ -183,47 +217,74 @@ def facts_over_time(at: Sequence[float], runs: Sequence[Sequence[RunFact]]) -> t
     )
 
 
-def series_rows(series: Series) -> list[tuple[str, ...]]:
-    """A row of texts for each fact: first and last value, the last one from all runs, and the change."""
-    return [
-        (
-            fact.title,
-            *(_shown(fact, fact.values[i], fact.errors[i]) for i in (0, -1)),
-            _shown(fact, fact.smooth[-1], fact.smooth_errors[-1]),
-            _change(fact, series.unit),
-        )
-        for fact in series.facts
-    ]
+def trend(t: FloatArray, y: FloatArray, errors: FloatArray, alarm: float) -> Trend:
+    """The change that n measurements show.
+
+    Parameters
+    ----------
+    t, y, errors : FloatArray, shape (n,)
+        Times, ascending, values, and their standard errors.
+    alarm : float
+        Probability with which a change may be claimed where there is none.
+    """
+    n = len(t)
+    if n < FEWEST:
+        return Trend("unknown")
+    places = np.arange(2, n - 1) if n >= FEWEST_STEP else np.arange(0)
+    shapes = np.array([t - t[0], *(np.arange(n) >= place for place in places)], dtype=np.float64)
+    constant = 1.0 / errors
+    weighted = shapes / errors
+    constant /= np.linalg.norm(constant)
+    free = weighted - np.outer(weighted @ constant, constant)
+    lengths = np.linalg.norm(free, axis=1)
+    directions = free / lengths[:, None]
+    left = y / errors - (y / errors @ constant) * constant
+    moved = directions @ left
+    misfits = np.maximum(left @ left - moved**2, 0.0)
+    scatter = np.maximum(misfits / (n - 2), 1.0)
+    half = stdtrit(n - 2, 0.975) * np.sqrt(scatter) / lengths
+    chance = _chance(directions, constant, float((moved**2 / scatter).max()))
+    line = Trend("line" if chance < alarm else "none", float(moved[0] / lengths[0]), float(half[0]))
+    if not len(places):
+        return line
+    best = 1 + int(np.argmin(misfits[1:]))
+    near = places[misfits[1:] <= misfits[best] + NORMAL_95**2 * scatter[best]]
+    # The place of a step is one more number to choose (BIC).
+    stepped = chance < alarm and misfits[best] / scatter.min() + np.log(n) < misfits[0] / scatter.min()
+    return replace(
+        line,
+        kind="step" if stepped else line.kind,
+        step=float(moved[best] / lengths[best]),
+        step_error=float(half[best]),
+        at=float(t[places[best - 1]]),
+        after=float(t[near[0] - 1]),
+        before=float(t[near[-1]]),
+    )
 
 
-def _change(fact: SeriesFact, unit: str) -> str:
-    """Trend of a fact in words; `unit` is that of the time."""
-    change = fact.trend
-    if change.kind == "unknown" or change.slope is None:
-        return f"{len(fact.at)} runs: too few"
-    if change.kind == "step":
-        step = quantity(change.step, fact.unit, change.step_error, float(np.abs(fact.values).max()))
-        return f"step of {step} between {unit}s {change.after:g} and {change.before:g}"
-    slope = quantity(change.slope, fact.unit, change.slope_error)
-    return f"{slope} a {unit}" if change.kind == "line" else f"none shown ({slope} a {unit})"
+def _chance(directions: FloatArray, constant: FloatArray, gain: float) -> float:
+    """Share of simulated measurements without a change whose largest gain is at least this one."""
+    noise = np.random.default_rng(_SEED).standard_normal((_SIMULATED, len(constant)))
+    noise -= np.outer(noise @ constant, constant)
+    squares = (noise @ directions.T) ** 2
+    left = np.sum(noise**2, axis=1)[:, None] - squares
+    largest = np.max(squares / np.maximum(left, np.finfo(float).tiny), axis=1) * (len(constant) - 2)
+    return float((1 + np.count_nonzero(largest >= gain)) / (1 + _SIMULATED))
 
 
-def conclusion(series: Series) -> str:
-    """A sentence on the whole series."""
-    if series.facts and all(fact.trend.kind == "unknown" for fact in series.facts):
-        return f"{len(series.names)} runs: too few to show a drift; it takes four, a step six"
-    changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
-    scattered = [fact.title for fact in series.facts if fact.title not in changed and _scatter(fact) > _WIDE]
-    text = f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
-    doubt = f"; scattered by over {_WIDE:g} times their errors: {', '.join(scattered)}; are these runs of one device?"
-    return text + (doubt if scattered else "")
+def smoothed(t: FloatArray, y: FloatArray, errors: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Values of a device that changes little, from all measurements together, and their standard errors.
 
-
-def _scatter(fact: SeriesFact) -> float:
-    """RMS deviation from the weighted mean over the standard errors."""
-    deviations = fact.values - np.average(fact.values, weights=fact.errors**-2.0)
-    return float(np.sqrt(np.mean((deviations / fact.errors) ** 2)))
-
-
-def _shown(fact: SeriesFact, value: float, error: float) -> str:
-    return quantity(float(value), fact.unit, NORMAL_95 * float(error))
+    The prior is a random walk from anywhere, whose speed is the one with the largest likelihood; both results have
+    shape (n,). It is the Rauch–Tung–Striebel smoother, written with covariances.
+    """
+    size = float(np.mean(errors**2))
+    walk = np.minimum.outer(t - t[0], t - t[0]) / max(float(t[-1] - t[0]), np.finfo(float).tiny)
+    moved = (y - y.mean()) / np.sqrt(size)
+    noise = np.diag(errors**2 / size)
+    priors = [speed * walk + 1e6 for speed in _WALKS]  # nearly the same variance anywhere
+    unlikely = [moved @ np.linalg.solve(p + noise, moved) + np.linalg.slogdet(p + noise)[1] for p in priors]
+    prior = priors[int(np.argmin(unlikely))]
+    gain = np.linalg.solve(prior + noise, prior).T
+    variances = np.maximum(np.diag(gain @ noise), 0.0)  # (P − P (P + N)⁻¹ P) = P (P + N)⁻¹ N
+    return y.mean() + np.sqrt(size) * (gain @ moved), np.sqrt(size * variances)

@@ -1,7 +1,6 @@
 """The designed controller as C99 with the interface that test benches call, as a MATLAB function and as an FMU."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -34,33 +33,56 @@ ESTIMATES = (
 """Outputs of the estimator, in this order (`pipeline.control.estimator.known_state`)."""
 
 
-@dataclass(frozen=True)
-class ControllerSubject:
-    """A controller with its description.
+def write_controller(
+    folder: Path,
+    law: Law,
+    lags: Sequence[float],
+    places: tuple[float, float, float],
+    *,
+    prototype: str,
+    model: str,
+    origin: str,
+) -> Exported:
+    """Write ``controller.h``, ``.c``, ``.m`` and ``.fmu``.
 
-    Attributes
+    Parameters
     ----------
-    prototype, model, origin : str
-        Names of prototype and model, content hash of the artifact that holds the model.
+    folder : Path
+        Folder of the files.
     law : Law
         The controller's constants.
-    lags : tuple of float
+    lags : sequence of float
         Time constants of the left and the right converter [s] that it was designed for.
     places : (float, float, float)
         Readings [m] of the left well, the unstable equilibrium and the right well.
+    prototype, model, origin : str
+        Names of prototype and model, content hash of the artifact that holds the model.
     """
-
-    prototype: str
-    model: str
-    origin: str
-    law: Law
-    lags: tuple[float, float]
-    places: tuple[float, float, float]
-
-
-def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
-    """Write ``controller.h``, ``.c``, ``.m`` and ``.fmu``."""
-    fields = _fields(subject)
+    left, saddle, right = places
+    low, high = (q + law.number("offset") for q in law.places)
+    highest = law.number("highest")
+    fields = {
+        "version": program_version(),
+        "prototype": prototype,
+        "model": model,
+        "origin": origin,
+        "highest": highest,
+        "lags": lags,
+        "low": low,
+        "high": high,
+        "left": left,
+        "saddle": saddle,
+        "right": right,
+        "start": float(left),
+        "ramp_ms": round(1e3 * PERIOD * max(RAMP, highest / law.number("slew"))),
+        "slew": law.number("slew") / PERIOD if law.number("slew") < highest else None,
+        "average": law.number("allowed") if law.number("allowed") < highest else None,
+        "name": NAME,
+        "tables": {"e": law.numbers} | {table: getattr(law, table).ravel() for table in TABLES},
+        "size": CONTROLLER_STATE,
+        "estimates": ESTIMATES,
+        "period": constant(PERIOD),
+    }
     whole = fields | _functions("law_", c_function, c_sequence)
     sources = {f"{NAME}.h": render("controller.h.j2", whole), f"{NAME}.c": render("controller.c.j2", whole)}
     script = render("controller.m.j2", fields | _functions("c.", matlab_function, matlab_sequence))
@@ -70,9 +92,9 @@ def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
         for estimate in ESTIMATES
     ]
     more = {
-        "guid": identity(subject.prototype, subject.model, subject.origin, sources[f"{NAME}.c"]),
+        "guid": identity(prototype, model, origin, sources[f"{NAME}.c"]),
         "variables": [*_VARIABLES, *estimated],
-        "title": f"Controller of the joint {subject.prototype}",
+        "title": f"Controller of the joint {prototype}",
     }
     files = {name: asset(name) for name in ("fmi2.h", "fmu_common.h")}
     files["fmu.c"] = render("controller_fmu.c.j2", fields | more)
@@ -93,32 +115,4 @@ def _functions(
             *(of_graph(name, graph, frozenset()) for name, graph in GRAPHS.items()),
             *(of_sequence(name, sequence) for name, sequence in sequences.items()),
         ],
-    }
-
-
-def _fields(subject: ControllerSubject) -> dict[str, Any]:
-    law = subject.law
-    left, saddle, right = subject.places
-    low, high = (q + law.number("offset") for q in law.places)
-    return {
-        "version": program_version(),
-        "prototype": subject.prototype,
-        "model": subject.model,
-        "origin": subject.origin,
-        "highest": law.number("highest"),
-        "lags": subject.lags,
-        "low": low,
-        "high": high,
-        "left": left,
-        "saddle": saddle,
-        "right": right,
-        "start": float(left),
-        "ramp_ms": round(1e3 * PERIOD * max(RAMP, law.number("highest") / law.number("slew"))),
-        "slew": law.number("slew") / PERIOD if law.number("slew") < law.number("highest") else None,
-        "average": law.number("allowed") if law.number("allowed") < law.number("highest") else None,
-        "name": NAME,
-        "tables": {"e": law.numbers} | {table: getattr(law, table).ravel() for table in TABLES},
-        "size": CONTROLLER_STATE,
-        "estimates": ESTIMATES,
-        "period": constant(PERIOD),
     }

@@ -65,8 +65,14 @@ def write_crate(
     with tempfile.TemporaryDirectory(prefix="debist-") as place:
         texts = {f"{name}.toml": settings, NAME: environment_text(run.manifest.versions), **more}
         objects, results = _files(crate, run, texts, inputs, Path(place))
+        software = {
+            name: _entity(crate, f"#{name}", "SoftwareApplication", name, softwareVersion=number)
+            for name, number in run.manifest.versions.items()
+        }
+        program = software.pop("debist")
+        program["softwareRequirements"] = list(software.values())  # the packages that move digits
         action = crate.add_action(
-            _software(crate, run.manifest.versions),
+            program,
             identifier="#run",
             object=objects,
             result=results,
@@ -88,17 +94,6 @@ def _entity(crate: Any, key: str, kind: str, name: str, **properties: str) -> An
     from rocrate.model.contextentity import ContextEntity
 
     return crate.add(ContextEntity(crate, key, {"@type": kind, "name": name, **properties}))
-
-
-def _software(crate: Any, versions: Mapping[str, str]) -> Any:
-    """The program, with the packages that move digits as its requirements."""
-    software = {
-        name: _entity(crate, f"#{name}", "SoftwareApplication", name, softwareVersion=number)
-        for name, number in versions.items()
-    }
-    debist = software.pop("debist")
-    debist["softwareRequirements"] = list(software.values())
-    return debist
 
 
 def _files(

@@ -1,6 +1,5 @@
 """Models from data alone for export: the data-driven joint, the paper's of § 4.2, and SINDy's polynomial equations."""
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -9,12 +8,11 @@ from ..codegen.graph import Graph, apply, choose, function, trace
 from ..generated.terms import BENT, DAHL_RATE, LAG, PAST_ZONE
 from ..models.paper.model import RbfPaperModel, lagged_rates
 from ..models.polynomial_dynamics import FIRST_INPUT, QDOT, polynomial_rates, steps_between_samples
-from ..models.rbf.dynamics import Coefficients, free_rates, no_sensitivities, resting_elements, slide
+from ..models.rbf.dynamics import free_rates, no_sensitivities, resting_elements, slide
 from ..models.rbf.model import RbfModel
 from ..models.rbf.observed_run import WALL
 from ..models.rbf.problem import steps_per_sample as rbf_steps
 from ..models.sindy.model import SindyModel
-from ..numerics.arrays import FloatArray
 from ..numerics.fixed_step import escape_bounds, steps_per_sample
 from .subject import Realisation, Variable, lagged_nodes
 
@@ -24,7 +22,7 @@ Outputs = dict[str, Values]
 
 def realise_rbf(model: RbfModel, interval: float, unit: str = "m") -> Realisation:
     """The model for export, at the sample interval [s] of its run."""
-    joint = _joint(model)
+    joint = _Joint(model)
     hold = model.parameters.structure.hold
     log_delay = model.theta[model.parameters.slices["input_delay"]]
     return Realisation(
@@ -50,7 +48,6 @@ def realise_rbf(model: RbfModel, interval: float, unit: str = "m") -> Realisatio
     )
 
 
-@dataclass(frozen=True)
 class _Joint:
     """Motion of the joint in scaled variables; its state is x, p, elements, friction states, lagged inputs.
 
@@ -72,35 +69,32 @@ class _Joint:
         Bend of the inputs' effect, and their dead zone.
     rested : bool
         True if it is at rest under the first inputs before the run, not without any.
+    inputs, slips : int
+        Number of inputs, and of slip elements of the friction.
+    first : int
+        Place of the friction states; lagged inputs are behind them.
     """
 
-    c: Coefficients
-    middle: float
-    half: float
-    volts: float
-    squared: bool
-    offset: FloatArray
-    lagged: bool
-    lag: float
-    effect_lags: bool
-    bend: float | None
-    zone: float | None
-    rested: bool
-
-    @property
-    def inputs(self) -> int:
-        """Number of inputs."""
-        return len(self.offset)
-
-    @property
-    def slips(self) -> int:
-        """Number of slip elements of the friction."""
-        return len(self.c.slip_force)
-
-    @property
-    def first(self) -> int:
-        """Place of the friction states; lagged inputs are behind them."""
-        return 2 + len(self.c.rates)
+    def __init__(self, model: RbfModel) -> None:
+        p = model.parameters
+        theta = model.theta
+        offset = theta[p.slices["input_offset"]]
+        log_lag = theta[p.slices["input_lag"]]
+        self.c = p.coefficients(theta)
+        self.middle = float(p.scales.middle)
+        self.half = float(p.scales.half)
+        self.volts = float(p.scales.volts)
+        self.squared = p.law == "squared"
+        self.offset = offset if len(offset) else np.zeros(len(p.signs))
+        self.lagged = p.structure.input_lag
+        self.lag = float(np.exp(log_lag[0])) if len(log_lag) else 0.0
+        self.effect_lags = p.structure.effect_lags
+        self.bend = float(theta[p.slices["input_bend"]][0]) if p.structure.bent_input else None
+        self.zone = float(np.exp(theta[p.slices["input_zone"]][0])) if p.structure.dead_zone else None
+        self.rested = not p.structure.rest_at_zero
+        self.inputs = len(self.offset)
+        self.slips = len(self.c.slip_force)
+        self.first = 2 + len(self.c.rates)
 
     def functions(self) -> dict[str, Graph]:
         """Graphs by name, see `Realisation`."""
@@ -204,28 +198,6 @@ class _Joint:
     def _moved(self, x: Values, slip: Values, f: Values) -> Values:
         """Rates of the displacement, its velocity and the relaxing elements under the inputs f of the motion."""
         return free_rates(self.c, x[: self.first], slip, f)
-
-
-def _joint(model: RbfModel) -> _Joint:
-    p = model.parameters
-    s = model.parameters.scales
-    theta = model.theta
-    offset = theta[p.slices["input_offset"]]
-    log_lag = theta[p.slices["input_lag"]]
-    return _Joint(
-        c=p.coefficients(theta),
-        middle=float(s.middle),
-        half=float(s.half),
-        volts=float(s.volts),
-        squared=p.law == "squared",
-        offset=offset if len(offset) else np.zeros(len(p.signs)),
-        lagged=p.structure.input_lag,
-        lag=float(np.exp(log_lag[0])) if len(log_lag) else 0.0,
-        effect_lags=p.structure.effect_lags,
-        bend=float(theta[p.slices["input_bend"]][0]) if p.structure.bent_input else None,
-        zone=float(np.exp(theta[p.slices["input_zone"]][0])) if p.structure.dead_zone else None,
-        rested=not p.structure.rest_at_zero,
-    )
 
 
 def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Realisation:

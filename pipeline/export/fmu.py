@@ -180,16 +180,17 @@ class FmuVariable:
 def facts(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     """Validity bounds, sample interval, step and delay: constants of the FMU, in this order."""
     v = subject.validity
-    declared = [
-        _constant("q_min", v.q[0], v.q_unit, "least displacement of the training logs"),
-        _constant("q_max", v.q[1], v.q_unit, "largest displacement of the training logs"),
+    spans = [("q", "displacement of", v.q, v.q_unit)]
+    spans += [
+        (f"v{i}", f"value of input {i} in", *of) for i, of in enumerate(zip(v.v, v.v_units, strict=True), start=1)
     ]
-    for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1):
-        declared.append(_constant(f"v{i}_min", low, unit, f"least value of input {i} in the training logs"))
-        declared.append(_constant(f"v{i}_max", high, unit, f"largest value of input {i} in the training logs"))
     samples = "interval of the samples on which the model was identified"
     return [
-        *declared,
+        *(
+            _constant(f"{name}_{end}", bound, unit, f"{word} {meaning} the training logs")
+            for name, meaning, span, unit in spans
+            for end, word, bound in zip(("min", "max"), ("least", "largest"), span, strict=True)
+        ),
         _constant("sample_interval", v.sample_interval, "s", samples),
         _constant("longest_step", realisation.step, "s", "longest internal step of co-simulation"),
         _constant("delay", realisation.delay, "s", "outputs belong to a time this much later than the voltages"),
@@ -215,14 +216,14 @@ def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
         _parameter("q_start", unit, "displacement at the start, after a long rest there", subject.start[0]),
         _parameter("qdot_start", f"{unit}/s", "velocity at the start", subject.start[1]),
     ]
-    first = len(declared) + 1
     states = [
         FmuVariable(x.name, x.unit, x.meaning, "local", "continuous", "calculated", nominal=x.nominal)
         for x in realisation.states
     ]
+    units = [x.unit.replace("/s", "/s2") if "/s" in x.unit else f"{x.unit}/s" for x in realisation.states]
     rates = [
-        FmuVariable(f"der({x.name})", rate_unit(x.unit), "", "local", "continuous", "calculated", derivative=first + i)
-        for i, x in enumerate(realisation.states)
+        FmuVariable(f"der({x.name})", unit, "", "local", "continuous", "calculated", derivative=derivative)
+        for derivative, (x, unit) in enumerate(zip(realisation.states, units, strict=True), start=len(declared) + 1)
     ]
     return [*declared, *states, *rates, *facts(subject, realisation)]
 
@@ -244,11 +245,6 @@ def description(subject: Subject, realisation: Realisation, guid: str) -> str:
         "initial": sorted([*outputs, *(places[x.name] for x in realisation.states), *derivatives]),
     }
     return render("modelDescription.xml.j2", fields)
-
-
-def rate_unit(unit: str) -> str:
-    """The unit of a time derivative."""
-    return {"1": "1/s", "1/s": "1/s2", "m/s": "m/s2", "rad/s": "rad/s2", "V/s": "V/s2"}.get(unit, f"{unit}/s")
 
 
 def _parameter(name: str, unit: str, meaning: str, start: float) -> FmuVariable:

@@ -1,7 +1,7 @@
 """The exported model with its bounds and curves, and its realisation: states, constants, equations of motion."""
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
@@ -118,7 +118,14 @@ class Subject:
         return f"{text[: MATLAB_NAME - len(digest) - 1]}_{digest}"
 
     def realisation(self) -> "Realisation":
-        """States, constants and kernels of the model, see `realise`."""
+        """States, constants and kernels of the model at the sample interval of its run.
+
+        Raises
+        ------
+        InputError
+            A model of this type has no equations to write down elsewhere.
+        """
+        realise: Callable[[DynamicModel, float, str], Realisation] = equations_of(self.model.name)
         return realise(self.model, self.validity.sample_interval, self.validity.q_unit)
 
 
@@ -220,18 +227,6 @@ class Realisation:
     between: Literal["linear", "cubic", "zero"]
     structure: str
     held: tuple[int, int] | None = None
-
-
-def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisation:
-    """States, constants and kernels of a model at the sample interval [s] of its run; `unit` is that of q, m or rad.
-
-    Raises
-    ------
-    InputError
-        A model of this type has no equations to write down elsewhere.
-    """
-    realisation: Realisation = equations_of(model.name)(model, interval, unit)
-    return realisation
 
 
 Values = list[Any]

@@ -15,6 +15,6 @@ free run.
 - `posterior`: whiteness of the residual, covariance of θ, repeatable draws, and the bands of the curves.
 - `regression`: radial basis functions and regressor of the paper (eqs. 34 to 40), least squares by pseudo-inverse.
 - `information`: of a motion on the weights, visits per basis centre, and the share of another log outside the data.
-- `excitation`: what a log excites, and findings for the report. `trends`: a quantity over time.
+- `excitation`: what a log excites, and findings for the report.
 - `population`: normal distribution of a parameter vector over many devices.
 """

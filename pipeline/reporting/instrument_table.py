@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics.sentences import READINGS, correction_text
+from ..diagnostics.sentences import READINGS, correction_text, shown, unit_of
 from ..settings.logs import LogPart
+from ..signals.findings import Number
 from ..system.names import log_title
-from ..units.quantity import quantity
 from .figure import Figure, Points, error_bars, rows_panel
 
 Row = Mapping[str, Any]
@@ -107,15 +107,13 @@ def _log_lines(rows: Sequence[Row], title: str, displacement: str) -> list[tuple
 
 
 def _shown(row: Row, key: str, displacement: str, error: float | None = None) -> str:
-    unit = {"zero_q": displacement, "delay": "s"}.get(row["quantity"])
-    factor = 100.0 if unit is None else 1.0
-    return quantity(factor * row[key], unit or "%", None if error is None else factor * error)
+    return shown(Number(row[key], unit_of(row["quantity"], displacement), error))
 
 
 def entry(part: LogPart, rows: Sequence[Row], displacement: str) -> str:
     """Corrected entry of the log for [logs]: the present one, with the corrections of instruments beyond limits."""
     texts = {
-        row["quantity"]: correction_text(row["quantity"], row["correction"], displacement)
+        row["quantity"]: correction_text(row["correction"], unit_of(row["quantity"], displacement))
         for row in rows
         if row["beyond"]
     }

@@ -1,17 +1,21 @@
-"""Tables of scores as records and as text; nothing is ranked inside its own noise."""
+"""Tables of scores and of a series of runs, as records and as text; nothing is ranked inside its own noise."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..numerics.metrics import NORMAL_95
 from ..scoring.intervals import BLOCK, FEWEST_BLOCKS, MEMORIES
 from ..scoring.scores import SHORTEST_HORIZON
 from ..store.columns import SCORE_COLUMNS, TIME_COLUMNS, Column
 from ..system.names import log_title
-from ..units.quantity import moment, prefixed
+from ..units.quantity import moment, prefixed, quantity
 from ..units.units import ALPHA_UNIT, HORIZONS, SIGNALS
+
+if TYPE_CHECKING:
+    from ..diagnostics.series import Series, SeriesFact
 
 ScoreRow = Mapping[str, Any]
 
@@ -351,3 +355,55 @@ def _online_conclusion(columns: Mapping[str, Any]) -> tuple[dict[str, Any], str]
         error = f"{100.0 * best['curve error']:.2g} % off at the end"
         texts.append(f"{case}, λ = {best['forgetting']:g} follows the curve best: {error}")
     return {title: tuple(row[title] for row in rows) for title in rows[0]}, "; ".join(texts)
+
+
+SERIES_COLUMNS = ("fact", "first run", "last run", "from all runs", "change")
+"""Headings of `series_rows`."""
+_WIDE = 10.0
+"""Standard errors by which the facts of one device hardly scatter: three simulated devices scatter by more."""
+
+
+def series_rows(series: "Series") -> list[tuple[str, ...]]:
+    """A row of texts for each fact: first and last value, the last one from all runs, and the change."""
+    return [
+        (
+            fact.title,
+            *(_with_95(fact, fact.values[i], fact.errors[i]) for i in (0, -1)),
+            _with_95(fact, fact.smooth[-1], fact.smooth_errors[-1]),
+            _trend_text(fact, series.unit),
+        )
+        for fact in series.facts
+    ]
+
+
+def _trend_text(fact: "SeriesFact", unit: str) -> str:
+    """Trend of a fact in words; `unit` is that of the time."""
+    change = fact.trend
+    if change.kind == "unknown" or change.slope is None:
+        return f"{len(fact.at)} runs: too few"
+    if change.kind == "step":
+        step = quantity(change.step, fact.unit, change.step_error, float(np.abs(fact.values).max()))
+        return f"step of {step} between {unit}s {change.after:g} and {change.before:g}"
+    slope = quantity(change.slope, fact.unit, change.slope_error)
+    return f"{slope} a {unit}" if change.kind == "line" else f"none shown ({slope} a {unit})"
+
+
+def series_conclusion(series: "Series") -> str:
+    """A sentence on the whole series."""
+    if series.facts and all(fact.trend.kind == "unknown" for fact in series.facts):
+        return f"{len(series.names)} runs: too few to show a drift; it takes four, a step six"
+    changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
+    scattered = [fact.title for fact in series.facts if fact.title not in changed and _scatter(fact) > _WIDE]
+    text = f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
+    doubt = f"; scattered by over {_WIDE:g} times their errors: {', '.join(scattered)}; are these runs of one device?"
+    return text + (doubt if scattered else "")
+
+
+def _scatter(fact: "SeriesFact") -> float:
+    """RMS deviation from the weighted mean over the standard errors."""
+    deviations = fact.values - np.average(fact.values, weights=fact.errors**-2.0)
+    return float(np.sqrt(np.mean((deviations / fact.errors) ** 2)))
+
+
+def _with_95(fact: "SeriesFact", value: float, error: float) -> str:
+    return quantity(float(value), fact.unit, NORMAL_95 * float(error))

@@ -116,19 +116,19 @@ def write_model(target: str, subject: Subject, folder: Path) -> Exported:
 
 def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> Exported:
     from ..control.law import Law
-    from ..export.controller import ControllerSubject, write_controller
+    from ..export.controller import write_controller
 
     document = load_design(run)
     places = document["places_m"]
-    subject = ControllerSubject(
+    return write_controller(
+        folder,
+        Law.from_json(document["law"]),
+        document["lags_s"],
+        (places["left"], places["saddle"], places["right"]),
         prototype=prototype.name,
         model=document["model"],
         origin=document["origin"],
-        law=Law.from_json(document["law"]),
-        lags=tuple(document["lags_s"]),
-        places=(places["left"], places["saddle"], places["right"]),
     )
-    return write_controller(subject, folder)
 
 
 def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> Exported:

@@ -8,9 +8,9 @@ from typing import Any, get_args
 from ..device.device import device
 from ..diagnostics.check import check_logs, check_rows, refusing, remarks
 from ..diagnostics.copies import shared_findings, shared_recordings
+from ..diagnostics.log_facts import LogSignals
 from ..diagnostics.log_sentences import shared_spans
 from ..diagnostics.sentences import accepted_settings, judge
-from ..diagnostics.weak_form import LogSignals
 from ..errors import InputError
 from ..settings.prototype import CheckGate, Prototype
 from ..signals.findings import Finding

@@ -113,7 +113,7 @@ def test_scores_of_a_run_that_diverged_are_not_numbers(model, log, monkeypatch):
         gone = {name: np.full(len(log.t), np.nan) for name in ("q", "qdot", "qddot")}
         return dataclasses.replace(free_run(log, core), status="diverged", diverged_at_s=0.0, **gone)
 
-    monkeypatch.setattr("pipeline.api.in_memory.free_run", lost)
+    monkeypatch.setattr("pipeline.api.model.free_run", lost)
     scores = model.score(log)
     assert scores.nrmse.dtype == scores.fit_percent.dtype == np.float64
     assert scores.nrmse.isna().all()

@@ -20,7 +20,7 @@ from pipeline.control.estimator import ESTIMATED, MEMORY, STATUS
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
 from pipeline.control.plant import plant_of, wells_and_saddle
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
+from pipeline.export.controller import ESTIMATES, write_controller
 from pipeline.models.hybrid.log_reading import Similarity
 from pipeline.models.hybrid.parameters import NAMES
 from pipeline.numerics.arrays import FloatArray
@@ -117,8 +117,9 @@ def test_limits_on_rate_and_mean_leave_snaps_and_end_what_takes_voltage_for_long
 def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) -> None:
     plant, law = designed()
     places = tuple(each.q for each in wells_and_saddle(plant))
-    subject = ControllerSubject("P*/1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (places[0], places[1], places[2]))
-    header, source = write_controller(subject, tmp_path).written[:2]
+    names = {"prototype": "P*/1", "model": "hybrid", "origin": "0" * 64}
+    at = (places[0], places[1], places[2])
+    header, source = write_controller(tmp_path, law, (3e-3, 3e-3), at, **names).written[:2]
     library = tmp_path / "controller.so"
     subprocess.run([*GCC, str(source), "-o", str(library), "-lm"], check=True)
     text = source.read_text(encoding="utf-8")
@@ -165,8 +166,9 @@ def test_single_precision_controls_as_double_does(tmp_path: Path) -> None:
     """Snaps both ways and the unstable equilibrium, on the joint of the model; limits kept whatever is read."""
     plant, law = designed()
     left, saddle, right = (each.q for each in wells_and_saddle(plant))
-    subject = ControllerSubject("P1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (left, saddle, right))
-    source, library = write_controller(subject, tmp_path).written[1], tmp_path / "single.so"
+    names = {"prototype": "P1", "model": "hybrid", "origin": "0" * 64}
+    source = write_controller(tmp_path, law, (3e-3, 3e-3), (left, saddle, right), **names).written[1]
+    library = tmp_path / "single.so"
     subprocess.run([*GCC, "-DDEBIST_CONTROLLER_SINGLE", str(source), "-o", str(library), "-lm"], check=True)
     loaded, highest = ctypes.CDLL(str(library)), law.number("highest")
     loaded.debist_controller_size.restype = ctypes.c_size_t

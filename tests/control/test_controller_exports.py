@@ -13,7 +13,7 @@ from scipy.io import loadmat, savemat
 from pipeline.control.controller import PERIOD, closed_on_model, estimate, observe
 from pipeline.control.law import Law
 from pipeline.control.plant import wells_and_saddle
-from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
+from pipeline.export.controller import ESTIMATES, write_controller
 from pipeline.numerics.arrays import FloatArray
 
 OCTAVE = shutil.which("octave-cli")
@@ -24,7 +24,8 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
     plant, law = designed()
     left, saddle, right = (each.q for each in wells_and_saddle(plant))
     folder = tmp_path_factory.mktemp("controller")
-    write_controller(ControllerSubject("P1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (left, saddle, right)), folder)
+    names = {"prototype": "P1", "model": "hybrid", "origin": "0" * 64}
+    write_controller(folder, law, (3e-3, 3e-3), (left, saddle, right), **names)
     return folder
 
 
@@ -105,8 +106,9 @@ def test_the_matlab_function_is_the_controller(exported: Path) -> None:
 @pytest.mark.usefixtures("without_binaries")
 def test_no_name_leaves_the_comments(text: str, tmp_path: Path) -> None:
     plant, law = designed()
-    places = tuple(each.q for each in wells_and_saddle(plant))
-    write_controller(ControllerSubject(text, text, text, law, (3e-3, 3e-3), places), tmp_path)
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
+    names = {"prototype": text, "model": text, "origin": text}
+    write_controller(tmp_path, law, (3e-3, 3e-3), (left, saddle, right), **names)
     for ending in ("h", "c"):
         source = (tmp_path / f"controller.{ending}").read_text(encoding="ascii")
         assert "INJECTED" not in re.sub(r"/\*.*?\*/", " ", source, flags=re.DOTALL) and "??" not in source
@@ -149,8 +151,8 @@ def test_an_absurd_controller_does_nothing_undefined_and_keeps_its_limits(seed: 
         if name not in fixed and random.random() < 0.2:
             document["numbers"][name] = value * 10.0 ** int(random.integers(-6, 7))
     absurd = Law.from_json(document)
-    subject = ControllerSubject("P1", "hybrid", "0" * 64, absurd, (3e-3, 3e-3), (left, saddle, right))
-    write_controller(subject, tmp_path)
+    names = {"prototype": "P1", "model": "hybrid", "origin": "0" * 64}
+    write_controller(tmp_path, absurd, (3e-3, 3e-3), (left, saddle, right), **names)
     highest = absurd.number("highest")
     (tmp_path / "main.c").write_text(HARNESS % (len(ESTIMATES), highest, highest), encoding="utf-8")
     sanitised = ("-g", "-O1", "-std=c99", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")

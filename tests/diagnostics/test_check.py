@@ -10,8 +10,8 @@ import pytest
 from pipeline.device import device as joint
 from pipeline.device.device import Device
 from pipeline.diagnostics.check import CheckRow, beside, check_logs, check_rows, refusing
+from pipeline.diagnostics.log_facts import LogSignals
 from pipeline.diagnostics.sentences import sentences
-from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.joint import simulate
 from pipeline.rig.parameters import nominal

@@ -8,7 +8,7 @@ import pytest
 from pipeline.device import device as joint
 from pipeline.diagnostics.check import check_logs
 from pipeline.diagnostics.copies import shared_recordings, sketch
-from pipeline.diagnostics.weak_form import LogSignals
+from pipeline.diagnostics.log_facts import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.signals.findings import Finding, remarks_on, saturation

@@ -7,7 +7,6 @@ from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 
 from pipeline.export.fmu import write_fmu
-from pipeline.export.subject import realise
 from tests.export.joints import half_steps
 
 POINTER = ctypes.POINTER(ctypes.c_double)
@@ -18,7 +17,7 @@ class Opened:
     """An exported FMU, instantiated through fmpy."""
 
     def __init__(self, what, folder, kind):
-        self.subject, self.realisation = what, realise(what.model, what.validity.sample_interval)
+        self.subject, self.realisation = what, what.realisation()
         path = write_fmu(what, folder).written[0]
         described = read_model_description(path)
         self.places = {v.name: v.valueReference for v in described.modelVariables}

@@ -13,7 +13,7 @@ from scipy.interpolate import CubicSpline
 from pipeline.device.device import JOINT
 from pipeline.device.parameters import NOMINAL
 from pipeline.export.sources import c_sources
-from pipeline.export.subject import Subject, Validity, realise
+from pipeline.export.subject import Subject, Validity
 from pipeline.models.base import DynamicModel
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS
@@ -203,7 +203,7 @@ class CompiledModel:
     """An exported model, compiled to a shared library and called step by step."""
 
     def __init__(self, what: Subject, folder: Path, *, single: bool = False, flags: tuple[str, ...] = ()) -> None:
-        self.subject, self.realisation = what, realise(what.model, what.validity.sample_interval)
+        self.subject, self.realisation = what, what.realisation()
         for name, text in c_sources(what, self.realisation).items():
             (folder / name).write_text(text, encoding="utf-8")
         # A name of its own: a process loads each path only once.
@@ -253,7 +253,7 @@ def half_steps(what: Subject, parts: int = 1) -> FloatArray:
 
     With `parts`, on the half steps of so many parts of its steps.
     """
-    r = realise(what.model, what.validity.sample_interval)
+    r = what.realisation()
     t = what.t - what.t[0]
     steps = parts * round(what.validity.sample_interval / r.step)
     fine = np.linspace(0.0, t[-1], 2 * steps * (len(t) - 1) + 1)

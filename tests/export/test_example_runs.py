@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.export.sources import write_json, write_matlab
-from pipeline.export.subject import Subject, realise
+from pipeline.export.subject import Subject
 from pipeline.settings.prototype import parse_prototype
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.run_contents import subject
@@ -49,7 +49,7 @@ def what(run: RunFolder, request: pytest.FixtureRequest) -> Subject:
     """A model of the run with the beginning of its validation log."""
     whole = subject(run, parse_prototype(run.manifest.prototype, "run"), request.param)
     interval = whole.validity.sample_interval
-    count = round(STEPS * realise(whole.model, interval).step / interval)
+    count = round(STEPS * whole.realisation().step / interval)
     return replace(whole, t=whole.t[:count], v=whole.v[:count])
 
 
@@ -72,7 +72,7 @@ def test_the_fmu_is_valid_and_runs_like_the_model(what: Subject, tmp_path: Path)
     assert deviation(co_simulated(what, tmp_path)[:, 0], what) < TOLERANCE
     (fmu,) = tmp_path.glob("*.fmu")
     assert validate_fmu(str(fmu)) == []
-    functions = realise(what.model, what.validity.sample_interval).functions
+    functions = what.realisation().functions
     if "flow" not in functions:  # Dahl's friction is a differential equation there, and no longer debist's step
         assert deviation(exchanged(what, tmp_path), what) < TOLERANCE
 

@@ -10,7 +10,7 @@ import pytest
 
 from pipeline.export import fmu, sources as texts
 from pipeline.export.crate import environment_text
-from pipeline.export.subject import Subject, Variable, realise
+from pipeline.export.subject import Subject, Variable
 from pipeline.reporting.tables import disarmed
 from tests.export.joints import COMPILER, STRICT, sindy, subject
 
@@ -41,7 +41,7 @@ def without_comments(source: str) -> str:
 
 
 def realised(what: Subject, text: str):
-    made = realise(what.model, what.validity.sample_interval, what.validity.q_unit)
+    made = what.realisation()
     states = tuple(replace(state, unit=text, meaning=text) for state in made.states)
     return replace(made, structure=text, states=states, hysteresis_states=(Variable("h_0", text, text),))
 

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from pipeline.export.sources import write_json
-from pipeline.export.subject import realise
 from tests.export.joints import data_driven, hybrid, paper, sindy, subject
 
 
@@ -15,7 +14,7 @@ def test_the_document_is_strict_json_with_units_range_and_a_run(model, tmp_path)
     what = subject(model)
     held = json.loads(write_json(what, tmp_path).written[0].read_text(encoding="utf-8"), parse_constant=pytest.fail)
     assert (held["prototype"], held["validity"]["q"]) == ("demo-1", [-0.02, 0.02])
-    made = realise(model, 0.01)
+    made = what.realisation()
     assert [each["name"] for each in held["equations"]["states"]] == [each.name for each in made.states]
     assert all(each["unit"] and each["meaning"] for each in held["equations"]["states"])
     check = held["check"]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.fitting.trends import smoothed, trend
+from pipeline.diagnostics.series import smoothed, trend
 
 T = np.array([0.0, 2.0, 3.0, 7.0, 12.0, 13.0, 20.0, 30.0])
 ERRORS = np.array([1.0, 0.5, 2.0, 1.0, 1.0, 5.0, 1.0, 0.7])
