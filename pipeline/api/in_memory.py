@@ -32,7 +32,7 @@ from ..workflow.si_log import on_uniform_clocks, with_displacement
 from ..workflow.stage_check import log_signals
 from ..workflow.steps.differentiate import kinematics
 from ..workflow.steps.identify import identified, training
-from ..workflow.steps.ingest import examined, record_columns, resamplings
+from ..workflow.steps.ingest import examined, record_columns
 
 OF_RUN = "debist_log"
 """Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""
@@ -209,13 +209,11 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
         log = with_displacement(log, device(prototype), parameter_set(prototype, _in_this_folder()))
     measured = log.q[1][np.isfinite(log.q[1])]
     refuse_other_units({"q": float(np.ptp(measured)) if measured.size else 0.0}, prototype)
-    checked = examined(log, prototype, where)
-    fine, coarse = (
-        record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(checked, prototype.ingest)
-    )
+    resamplings, noticed = examined(log, prototype, where)
+    fine, coarse = (record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings)
     moved, _ = kinematics(coarse, fine, prototype)
-    notes = {**checked.notes, "raw_step": checked.raw_step}
-    remarks = tuple(f"{where}: {text}" for text in checked.notes["warnings"])
+    notes = {**noticed, "raw_step": resamplings[0].report.raw_step}
+    remarks = tuple(f"{where}: {text}" for text in noticed["warnings"])
     return motion(moved, fine, prototype, notes.get(UNKNOWN, ())), log_signals(where, fine, notes), remarks
 
 

@@ -302,7 +302,6 @@ def _override(text: str) -> tuple[str, float]:
 
 
 def _in_si(name: str, text: str, where: str) -> float:
-
     return parse_quantity(text, (quantity_of(name).unit,), where)
 
 

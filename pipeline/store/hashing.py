@@ -89,7 +89,6 @@ def flatten(tree: Mapping[str, Any], prefix: str = "", separator: str = "/") -> 
         if isinstance(value, Mapping):
             yield from flatten(value, f"{prefix}{key}{separator}", separator)
         elif isinstance(value, list | tuple) and any(isinstance(entry, Mapping) for entry in value):
-            entries = {str(position): entry for position, entry in enumerate(value)}
-            yield from flatten(entries, f"{prefix}{key}{separator}", separator)
+            yield from flatten({str(k): entry for k, entry in enumerate(value)}, f"{prefix}{key}{separator}", separator)
         else:
             yield f"{prefix}{key}", value

@@ -10,7 +10,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..errors import DebistError, InputError
 from ..store import layout
@@ -78,7 +78,7 @@ def _member(output: Path, name: str) -> MemberState:
     if _is_file(run / HOLDER) and is_held(run):  # the lock itself is tried only where a note names its holder
         return MemberState(name, "running", since=_time(run / HOLDER))
     if (failed := failure(output, name)) is not None:
-        return MemberState(name, "failed", failed.reason, failed.time)
+        return MemberState(name, "failed", *failed[1:])
     if not _is_file(run / MANIFEST):
         return MemberState(name, "stopped")
     try:
@@ -94,14 +94,6 @@ def _time(path: Path) -> datetime | None:
         return datetime.fromtimestamp(path.stat().st_mtime, UTC)
     except OSError:
         return None
-
-
-class Failure(NamedTuple):
-    """Failure of a prototype: exit code, reason in one line, and time."""
-
-    exit_code: int
-    reason: str
-    time: datetime
 
 
 def failure_file(output: Path, name: str) -> Path:
@@ -135,8 +127,11 @@ def forget_failure(output: Path, name: str) -> None:
         failure_file(output, name).unlink(missing_ok=True)
 
 
-def failure(output: Path, name: str) -> Failure | None:
-    """Last failure of a prototype; None where there is none, or where something was written into its run since."""
+def failure(output: Path, name: str) -> tuple[int, str, datetime] | None:
+    """Exit code, reason in one line and time of the last failure of a prototype.
+
+    None where there is none, or where something was written into its run since.
+    """
     path = failure_file(output, name)
     changed = _time(output / name / MANIFEST)
     time = _time(path)
@@ -146,7 +141,7 @@ def failure(output: Path, name: str) -> Failure | None:
         return None
     if head is None or time is None or (changed is not None and changed > time):
         return None
-    return Failure(int(head[1]), head[2], time)
+    return int(head[1]), head[2], time
 
 
 def failed_names(output: Path) -> list[str]:

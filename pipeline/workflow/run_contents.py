@@ -262,7 +262,7 @@ def subject_on(
         prototype=prototype.name,
         name=name,
         model=model,
-        validity=validity_of(logs, prototype),
+        validity=_validity_of(logs, prototype),
         origin=origin,
         t=t - t[0],
         v=check.v,
@@ -271,7 +271,7 @@ def subject_on(
     )
 
 
-def validity_of(logs: Sequence[Log], prototype: Prototype) -> Validity:
+def _validity_of(logs: Sequence[Log], prototype: Prototype) -> Validity:
     """Ranges of the training logs."""
     plant = device(prototype)
 

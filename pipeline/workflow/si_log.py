@@ -136,9 +136,9 @@ def on_uniform_clocks(log: RawLog) -> RawLog:
             names = ", ".join(name for name, (time, _) in signals.items() if id(time) == key)
             of = "" if len(clocks) == 1 else f" of {names}"
             notes.append(f"the time stamps{of} are {clock.described}")
-    made = [
+    made = (
         (time if (clock := clocks[id(time)]) is None else clock.time, samples) for time, samples in signals.values()
-    ]
+    )
     return _raw_log(made, len(log.inputs), notes)
 
 

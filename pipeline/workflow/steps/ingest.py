@@ -1,7 +1,7 @@
 """Ingest: a raw log corrected, examined, masked and brought to uniform records."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -57,17 +57,16 @@ def corrected_log(log: RawLog, by: Corrections) -> RawLog:
     return RawLog(q, tuple(inputs), velocity, log.notes)
 
 
-@dataclass(frozen=True)
-class Examined:
-    """A raw log that was not refused: its usable segments, its nominal step [s], and what was noticed."""
-
-    usable: Survey
-    raw_step: float
-    notes: dict[str, Any]
-
-
-def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
+def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[Resampling, Resampling], dict[str, Any]]:
     """Examine a raw log in SI units and mask what cannot be trusted.
+
+    Returns
+    -------
+    (Resampling, Resampling)
+        The log brought to two uniform grids: that of the fine record, and that of the signals. The interval of the fine
+        record is a whole fraction of the sample interval, and never finer than the log.
+    dict
+        What was noticed.
 
     Raises
     ------
@@ -93,7 +92,10 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
     left_out = _left_out(trusted, warnings, prototype)
     _refuse_no_record(where, usable.span, settings.sample_interval, usable.rows.keep.size * raw_step)
     _refuse_other_clock(where, clock := examine(signals.q[0]), quality, prototype)
-    masked = Resampling(usable, settings.sample_interval).report
+    finest = max(settings.record_interval, raw_step * (1.0 - 1e-3))
+    fine = settings.sample_interval / max(1, int(settings.sample_interval / finest + 1e-9))
+    resamplings = (Resampling(usable, fine), Resampling(usable, settings.sample_interval))
+    masked = resamplings[1].report
     lacking, findings = _lacking(signals, settings.sample_interval)
     unknown = inputs_unknown(usable, LONGEST_BRIDGE * settings.sample_interval)
     warnings += [
@@ -116,7 +118,7 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
     # An interval around each place where rows are missing belongs to what is not known of the inputs.
     around = [(a - settings.sample_interval, b + settings.sample_interval) for a, b in trusted.dropouts.cuts.tolist()]
     notes |= left_out | {"cut_off_s": ends, UNKNOWN: sorted([*unknown, *around])}
-    return Examined(usable, raw_step, notes | _sensor(signals, quality))
+    return resamplings, notes | _sensor(signals, quality)
 
 
 def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
@@ -302,13 +304,3 @@ def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> list[s
                 f"{name} spans {largest - smallest:.3g} {unit.symbol} and looks {size}: check its unit in [channels]"
             )
     return warnings
-
-
-def resamplings(examined_log: Examined, settings: Ingest) -> tuple[Resampling, Resampling]:
-    """A log brought to two uniform grids: that of the fine record, and that of the signals.
-
-    The interval of the fine record is a whole fraction of the sample interval, and never finer than the log.
-    """
-    finest = max(settings.record_interval, examined_log.raw_step * (1.0 - 1e-3))
-    fine = settings.sample_interval / max(1, int(settings.sample_interval / finest + 1e-9))
-    return Resampling(examined_log.usable, fine), Resampling(examined_log.usable, settings.sample_interval)

@@ -96,8 +96,6 @@ class Requirements:
         Bursts drawn for each place.
     basis_functions : int
         M of every curve.
-    smoothing : float
-        σ_n of the bells.
     """
 
     duration: float = 37.5
@@ -106,7 +104,6 @@ class Requirements:
     kinds: tuple[BurstKind, ...] = BURSTS
     candidates: int = 24
     basis_functions: int = CENTRES
-    smoothing: float = SMOOTHING
 
     def __post_init__(self) -> None:
         if not self.rest + 4.0 <= self.duration <= 3600.0:
@@ -475,7 +472,7 @@ def _weights(simulate: Simulator, plain: list[Burst], wanted: Requirements) -> S
     if q.size < wanted.duration / INTERVAL - 1:
         raise InputError("the simulator follows no full pulse; take another parameter set or a lower voltage")
     return ScaledRegressor.over(
-        q, qdot, np.full(2, wanted.voltage), basis_functions=wanted.basis_functions, smoothing=wanted.smoothing
+        q, qdot, np.full(2, wanted.voltage), basis_functions=wanted.basis_functions, smoothing=SMOOTHING
     )
 
 
