@@ -21,7 +21,7 @@ from scipy.integrate import solve_ivp  # noqa: E402
 
 from pipeline.numerics.tvregdiff import Order  # noqa: E402
 from pipeline.signals.differentiate import alpha_study, differentiate  # noqa: E402
-from pipeline.signals.resampling import decimate  # noqa: E402
+from pipeline.signals.resampling import decimated  # noqa: E402
 
 FIGURES = ROOT / "docs" / "figures"
 NOISE = 0.003
@@ -91,7 +91,7 @@ def rates() -> None:
     for j, interval in enumerate(intervals):
         steps = round(interval / fine.dt)
         grid = interval * np.arange(fine.value.size // steps)
-        record = samples if steps == 1 else decimate(t, [samples], grid, interval)[0]
+        record = samples if steps == 1 else np.concatenate(list(decimated(t, [samples], grid, interval)), axis=1)[0]
         read = slice(None, None, round(0.01 / interval))
         for order in ORDERS:
             k = differentiate(record, interval, order=order)
@@ -139,7 +139,8 @@ def drives() -> None:
         t, q, v, a = joint(time_constant)
         grid = 1e-3 * np.arange(float(t.size // 30))
         for noise in (0.0003, 0.003, 0.01):
-            record = decimate(t, [q + noise * np.random.default_rng(3).standard_normal(q.size)], grid, 1e-3)[0]
+            noisy = q + noise * np.random.default_rng(3).standard_normal(q.size)
+            record = np.concatenate(list(decimated(t, [noisy], grid, 1e-3)), axis=1)[0]
             columns = []
             for order in ORDERS[1:]:
                 k = differentiate(record, 1e-3, order=order)

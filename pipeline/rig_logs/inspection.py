@@ -9,7 +9,7 @@ import numpy as np
 from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import FloatArray
 from ..signals.columns import CHUNK, Signal, code_remarks, codes_in, masked, sparse
-from ..signals.findings import MOST_REPEATED, Clock, Context, counted, remarks_on
+from ..signals.findings import MOST_REPEATED, Clock, counted, remarks_on
 from ..signals.outliers import NONE, Dropouts, dropout_remarks, dropouts
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import SignalQuality, examine_signal
@@ -141,9 +141,9 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     for channel, position, quality, own_clock in examined:
         alike = [seen.span for other, _, seen, _ in examined if other.unit == channel.unit and other is not channel]
         driven = channel.name in (*driving["v1"], *driving["v2"])
-        context = Context(own_clock, driven, max(alike, default=np.nan))
         own = codes.get(channel.name, {})
-        remarks = (*code_remarks(own), *remarks_on(quality, context))
+        usual = remarks_on(quality, own_clock, driven=driven, alike=max(alike, default=np.nan))
+        remarks = (*code_remarks(own), *usual)
         time = column if channel.time is None else channel.time
         if position is not None and time is not None and channel.name in driving["q"]:
             lost, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)

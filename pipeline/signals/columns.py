@@ -208,23 +208,14 @@ def missing(q: Signal, beside: Mapping[str, Signal]) -> dict[str, Missing]:
 def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
     """First and last stamp of a finite sample, the number of samples that are not finite, and their first stamp."""
     time, samples = signal
-    low = np.inf
-    high = -np.inf
-    count = 0
-    bad = np.nan
-    for rows in chunks(samples.size):
-        stamps = time[rows]
-        finite = np.isfinite(samples[rows])
-        timed = stamps[finite & np.isfinite(stamps)]
-        if timed.size:
-            low = min(low, float(timed.min()))
-            high = max(high, float(timed.max()))
-        if not finite.all():
-            count += int(np.count_nonzero(~finite))
-            bad = bad if np.isfinite(bad) else float(stamps[np.argmin(finite)])
-    if not low <= high:
+    usable = finite(samples)
+    timed = select(time, usable)
+    timed = select(timed, finite(timed))
+    if not timed.size:
         raise DataRefusedError(f"{name}: no sample is finite where the time is known")
-    return low, high, count, bad
+    gone = select(time, ~usable)
+    located = gone[np.isfinite(gone)]
+    return float(timed.min()), float(timed.max()), gone.size, float(located[0]) if located.size else np.nan
 
 
 _NINES = [10.0**digits - 1.0 for digits in range(3, 7)]

@@ -317,10 +317,12 @@ def differentiate(
         parameter = smoothing_parameter(samples, dt, order, reweighted=order > 1)
     else:
         parameter = SmoothingParameter(alpha, epsilon, noise_std(samples), settled=True)
-    return _tvregdiff_twice(samples, dt, parameter) if order == 1 else _tvregdiff(samples, dt, parameter, order)
-
-
-def _tvregdiff(samples: FloatArray, dt: float, parameter: SmoothingParameter, order: Order) -> Kinematics:
+    if order == 1:
+        velocity = tvregdiff(samples, dt, alpha=parameter.alpha, epsilon=parameter.epsilon)
+        acceleration = tvregdiff(velocity.derivative, dt, alpha=parameter.alpha, epsilon=parameter.epsilon)
+        return _kinematics(
+            parameter, velocity.integral, velocity.derivative, acceleration.derivative, velocity, acceleration
+        )
     fit = tvregdiff(
         samples,
         dt,
@@ -331,16 +333,7 @@ def _tvregdiff(samples: FloatArray, dt: float, parameter: SmoothingParameter, or
         weights=parameter.weights,
     )
     difference = finite_difference if parameter.weights is None else finite_difference_at_jumps
-    x = fit.integral
-    return _kinematics(parameter, x, difference(x, dt, 1), difference(x, dt, 2), fit)
-
-
-def _tvregdiff_twice(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
-    velocity = tvregdiff(samples, dt, alpha=parameter.alpha, epsilon=parameter.epsilon)
-    acceleration = tvregdiff(velocity.derivative, dt, alpha=parameter.alpha, epsilon=parameter.epsilon)
-    return _kinematics(
-        parameter, velocity.integral, velocity.derivative, acceleration.derivative, velocity, acceleration
-    )
+    return _kinematics(parameter, fit.integral, difference(fit.integral, dt, 1), difference(fit.integral, dt, 2), fit)
 
 
 def _kinematics(

@@ -305,12 +305,15 @@ Clock = Literal["s", "samples", ""]
 """Units of places in a log: seconds, numbers of samples, or a time of which the log states no unit."""
 
 
-@dataclass(frozen=True)
-class Context:
-    """Knowledge of a channel beside its samples.
+def remarks_on(
+    quality: SignalQuality, clock: Clock = "s", *, driven: bool = False, alike: float = np.nan
+) -> tuple[str, ...]:
+    """Remarks on a channel for the user.
 
-    Attributes
+    Parameters
     ----------
+    quality : SignalQuality
+        Of the channel.
     clock : {"s", "samples", ""}
         Unit of its places.
     driven : bool
@@ -318,15 +321,6 @@ class Context:
     alike : float
         Largest range of another channel of its unit; NaN where there is none.
     """
-
-    clock: Clock = "s"
-    driven: bool = False
-    alike: float = np.nan
-
-
-def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[str, ...]:
-    """Remarks on a channel for the user."""
-    clock = context.clock
     remarks = []
     if quality.not_finite:
         remarks.append(f"{counted(quality.not_finite, 'sample')} not finite{_first(quality.not_finite_at, clock)}")
@@ -336,9 +330,9 @@ def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[st
         values = [f"{value:.6g}" for value in quality.levels]
         return (*remarks, f"takes {len(values)} values only: {', '.join(values[:-1])} and {values[-1]}")
     if quality.idle:
-        undriven = not context.driven or context.alike > _MUCH * quality.span
+        undriven = not driven or alike > _MUCH * quality.span
         remarks.append("nothing but noise: no excitation" if undriven else "white noise, or nothing but noise")
-    if not (context.driven and (quality.stepped or quality.ramped)):
+    if not (driven and (quality.stepped or quality.ramped)):
         remarks += _stays(quality, clock)
     if quality.spikes:
         remarks.append(f"{counted(quality.spikes, 'single-sample spike')}{_first(quality.spikes_at, clock)}")

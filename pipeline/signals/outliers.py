@@ -12,6 +12,7 @@ import numpy as np
 
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from .columns import BLOCK, Signal, chunks, column, finite, select
+from .findings import counted
 from .noise import CHANCE, REACH, SELDOM, noise_level
 from .signal_quality import (
     BESIDE_SPIKE,
@@ -198,25 +199,19 @@ def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list
     if len(lost.bursts):
         levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in lost.levels[:2])
         more = f" and {len(lost.levels) - 2} more levels" if len(lost.levels) > 2 else ""
-        remarks.append(
-            f"{_several(lost.bursts, 'burst')} at {levels}{more}, which no motion reaches, the first at "
-            f"{lost.first[0]:.6g} s"
-        )
+        bursts = f"{counted(len(lost.bursts), 'burst')} of {int(np.diff(lost.bursts).sum())} samples"
+        remarks.append(f"{bursts} at {levels}{more}, which no motion reaches, the first at {lost.first[0]:.6g} s")
     if len(lost.held):
         remarks.append(
-            f"{_several(lost.held, 'segment')} in which the last value was held, the first at {lost.first[1]:.6g} s"
+            f"{counted(len(lost.held), 'segment')} of {int(np.diff(lost.held).sum())} samples in which the last value "
+            f"was held, the first at {lost.first[1]:.6g} s"
         )
     if count := len(lost.cuts):
         remarks.append(
-            f"{count} jump{'s' * (count > 1)} from one sample to the next, the first at {lost.cuts[0, 1]:.6g} s: rows "
+            f"{counted(count, 'jump')} from one sample to the next, the first at {lost.cuts[0, 1]:.6g} s: rows "
             "are missing though time goes on (a buffer was lost?)"
         )
     return remarks
-
-
-def _several(spans: IntArray, noun: str) -> str:
-    """Count of spans and samples, as text."""
-    return f"{len(spans)} {noun}{'s' * (len(spans) != 1)} of {int(np.diff(spans).sum())} samples"
 
 
 def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:

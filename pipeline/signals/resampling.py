@@ -30,7 +30,7 @@ A sharper filter would ring: a steep cut at 0.5/T overshoots a voltage step by a
 steps, ringing is worse than the little noise that folds over.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -83,7 +83,7 @@ def _weights(ratio: int) -> FloatArray:
 
 
 def sharpened(samples: FloatArray, usable: BoolArray) -> FloatArray:
-    """Smooth signal before `decimate`, restored from its samples, shape (N,).
+    """Smooth signal before `decimated`, restored from its samples, shape (N,).
 
     The kernel's response is 1 + m2/2 D² + m4/24 D⁴ + … in derivatives D per sample interval, m2 and m4 being its
     moments; the inverse is taken to fourth order, in differences of five samples. Where one of them is not `usable` a
@@ -93,44 +93,35 @@ def sharpened(samples: FloatArray, usable: BoolArray) -> FloatArray:
     if len(samples) < 5:
         return sharp
     second = np.diff(samples, 2)
-    by_second, by_fourth = _SHARPENING
+    by_second, by_fourth = _sharpening()
     inside = np.lib.stride_tricks.sliding_window_view(usable, 5).all(axis=1)
     sharp[2:-2] += np.where(inside, by_second * second[1:-1] + by_fourth * np.diff(second, 2), 0.0)
     return sharp
 
 
-def kernel(x: FloatArray) -> FloatArray:
-    """The decimation kernel K(x), unnormalised, for |x| ≤ 2 in output intervals; any shape."""
+def kernel(x: FloatArray, coefficients: Sequence[float] = _COEFFICIENTS) -> FloatArray:
+    """The decimation kernel K(x), unnormalised, for |x| ≤ 2 in output intervals; any shape.
+
+    With the one coefficient 1 it is the positive window (1 − y)² of the local slope.
+    """
     y = np.square(x * (1.0 / REACH))
-    value = np.full_like(y, _COEFFICIENTS[-1])
-    for coefficient in _COEFFICIENTS[-2::-1]:
+    value = np.full_like(y, coefficients[-1])
+    for coefficient in coefficients[-2::-1]:
         value *= y
         value += coefficient
-    return _times_window(value, y)
-
-
-def slope_window(x: FloatArray) -> FloatArray:
-    """The positive window (1 − y)² of the local slope."""
-    y = np.square(x * (1.0 / REACH))
-    return _times_window(np.ones_like(y), y)
-
-
-def _times_window(value: FloatArray, y: FloatArray) -> FloatArray:
     np.subtract(1.0, y, out=y)
     value *= y
     value *= y
     return value
 
 
+@cache
 def _sharpening() -> tuple[float, float]:
     """Factors of second and fourth differences in `sharpened`: D² = δ² − δ⁴/12."""
     fine = np.linspace(-REACH, REACH, 4001)
     weights = kernel(fine)
     m2, m4 = (float(np.sum(weights * fine**power) / np.sum(weights)) for power in (2, 4))
     return -m2 / 2.0, m2 / 24.0 + (m2 / 2.0) ** 2 - m4 / 24.0
-
-
-_SHARPENING = _sharpening()
 
 
 LEAST_RATIO = 1.5
@@ -146,42 +137,21 @@ def uniform_grid(start: float, stop: float, interval: float) -> FloatArray:
     return column(size, parts, np.float64)
 
 
-def decimate(time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float) -> FloatArray:
-    """Low-pass and sample one gap-free segment on a uniform grid.
+def decimated(
+    time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float
+) -> Iterator[FloatArray]:
+    """Low-pass and sample one gap-free segment on a uniform grid; shape (k, m), piece after piece.
 
     Parameters
     ----------
     time : FloatArray, shape (N,)
         Strictly increasing time stamps [s], not necessarily uniform, without gaps.
     columns : sequence of k FloatArray, shape (N,) each
-        Finite samples.
+        Finite samples, of any length.
     t_out : FloatArray, shape (M,)
         Uniform grid [s] of step `interval`, inside ``[time[0], time[-1]]``.
     interval : float
         Output interval T [s], at least `LEAST_RATIO` raw steps.
-
-    Returns
-    -------
-    FloatArray, shape (k, M)
-    """
-    return np.concatenate(list(decimated(time, columns, t_out, interval)), axis=1)
-
-
-def decimated(
-    time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float
-) -> Iterator[FloatArray]:
-    """The same as `decimate` of columns of any length, shape (k, m), piece after piece.
-
-    Parameters
-    ----------
-    time : FloatArray, shape (N,)
-        Time stamps [s].
-    columns : sequence of FloatArray, each of shape (N,)
-        Samples of k signals.
-    t_out : FloatArray, shape (m,)
-        Uniform times [s].
-    interval : float
-        Their interval [s].
 
     Notes
     -----
@@ -194,7 +164,7 @@ def decimated(
         return
     slopes = _Slopes(time, columns, t_out, interval)
     apart = _BLOCK * t_out.size // time.size
-    for first, moments, sums in _moments(time, columns, t_out, interval, kernel, (2, 1)):
+    for first, moments, sums in _moments(time, columns, t_out, interval, _COEFFICIENTS, (2, 1)):
         values: FloatArray = sums[0] / moments[0]
         shift = moments[1] / moments[0]
         uneven = np.abs(shift) > ROUNDING
@@ -241,7 +211,7 @@ class _Slopes:
 
     def _pieces(self, points: FloatArray) -> Iterator[FloatArray]:
         time, columns, interval = self._segment
-        for _, moments, sums in _moments(time, columns, points, interval, slope_window, (3, 2)):
+        for _, moments, sums in _moments(time, columns, points, interval, (1.0,), (3, 2)):
             centre = moments[1] / moments[0]
             spread = moments[2] - centre * moments[1]
             flat = spread <= 1e-12 * moments[0]  # a segment of one sample or two stamps almost equal
@@ -253,10 +223,10 @@ def _moments(
     columns: Sequence[FloatArray],
     t_out: FloatArray,
     interval: float,
-    weight: Callable[[FloatArray], FloatArray],
+    coefficients: Sequence[float],
     powers: tuple[int, int],
 ) -> Iterator[tuple[int, FloatArray, FloatArray]]:
-    """Sums of ``w x^p`` and ``w x^p y`` around each grid point, w the weight times the share of the time axis.
+    """Sums of ``w x^p`` and ``w x^p y`` around each grid point, w the kernel times the share of the time axis.
 
     Yields
     ------
@@ -274,7 +244,7 @@ def _moments(
         moments = np.concatenate((moments, np.zeros((powers[0], width))), axis=1)
         sums = np.concatenate((sums, np.zeros((powers[1], len(columns), width))), axis=2)
         if bins.starts[-1] > 0:
-            _add_block(bins, columns, origin, interval, weight, moments, sums)
+            _add_block(bins, columns, origin, interval, coefficients, moments, sums)
         skip = max(0, 3 - bins.first)
         yield bins.first + skip - 3, moments[:, skip:width], sums[:, :, skip:width]
         moments, sums = moments[:, width:], sums[:, :, width:]
@@ -285,7 +255,7 @@ def _add_block(
     columns: Sequence[FloatArray],
     origin: float,
     interval: float,
-    weight: Callable[[FloatArray], FloatArray],
+    coefficients: Sequence[float],
     moments: FloatArray,
     sums: FloatArray,
 ) -> None:
@@ -298,7 +268,7 @@ def _add_block(
     samples = [column[bins.low : bins.low + position.size] for column in columns]
     for shift in range(1 - int(REACH), 1 + int(REACH)):
         x = position - shift
-        w = weight(x)
+        w = kernel(x, coefficients)
         w *= share
         target = filled + (shift + 1)
         for power in range(max(len(moments), len(sums))):

@@ -9,7 +9,6 @@ keeps farthest from these limits is taken: a linear programme over the stamps th
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
@@ -18,7 +17,7 @@ from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..units.quantity import quantity
 from .columns import ROUNDING, chunks, column, finite, select
 from .noise import CHANCE
-from .timebase import ONE_LOST, default_gap_limit, nominal_step
+from .timebase import ONE_LOST, default_gap_limit, nominal_step, segments
 
 _BLOCK = 256
 """Stamps over which the lattice is taken as constant."""
@@ -70,7 +69,7 @@ def uniform_clock(time: FloatArray) -> UniformClock | None:
         return None
     for lossy, (half, fuzz) in _resolutions(stamps, limit).items():
         count = _counts(stamps, limit) if lossy else _rows(usable)
-        lines = _lines(stamps, count, half, fuzz, _parts(stamps, limit))
+        lines = _lines(stamps, count, half, fuzz, segments(stamps, limit))
         if lines:
             longest = max(lines, key=lambda line: line.rows.stop - line.rows.start)
             return UniformClock(_on_lines(time, usable, count, lines), longest.slope, 2.0 * float(half.max()))
@@ -162,16 +161,6 @@ def _counts(stamps: FloatArray, limit: float) -> IntArray:
     return column(stamps.size, parts(), np.int64)
 
 
-def _parts(stamps: FloatArray, limit: float) -> list[slice]:
-    """The rows between gaps and steps back."""
-    cuts = [np.zeros(1, dtype=np.int64)]
-    for rows in chunks(stamps.size, overlap=1):
-        steps = np.diff(stamps[rows])
-        cuts.append(rows.start + 1 + np.flatnonzero((steps < 0.0) | (steps > limit)))
-    edges = np.append(np.concatenate(cuts), stamps.size).tolist()
-    return [slice(first, end) for first, end in pairwise(edges)]
-
-
 @dataclass(frozen=True)
 class _Line:
     """The clock of consecutive rows: stamp k is ``start + slope · (k − first)`` [s]."""
@@ -182,11 +171,11 @@ class _Line:
     slope: float
 
 
-def _lines(stamps: FloatArray, count: IntArray, half: FloatArray, fuzz: float, parts: list[slice]) -> list[_Line]:
+def _lines(stamps: FloatArray, count: IntArray, half: FloatArray, fuzz: float, parts: IntArray) -> list[_Line]:
     """A line for each part; none at all where one of them has none within the resolution."""
     lines = []
-    for part in parts:
-        line = _line(stamps, count, half, fuzz, part)
+    for first, end in parts.tolist():
+        line = _line(stamps, count, half, fuzz, slice(first, end))
         if line is None:
             return []
         lines.append(line)

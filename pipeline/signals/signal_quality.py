@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from itertools import chain, islice
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..numerics.metrics import NORMAL_MEDIAN
@@ -116,12 +117,8 @@ def runs_between(values: FloatArray, low: float, high: float) -> IntArray:
 
 def in_a_row(inside: BoolArray) -> BoolArray:
     """Mask of the samples inside that lie in a run of three or more of them."""
-    edges = np.flatnonzero(np.diff(inside.astype(np.int8), prepend=0, append=0)).reshape(-1, 2)
-    long = edges[edges[:, 1] - edges[:, 0] >= IN_A_ROW]
-    steps = np.zeros(inside.size + 1, dtype=np.int8)
-    steps[long[:, 0]] += 1
-    steps[long[:, 1]] -= 1
-    return np.asarray(np.cumsum(steps[:-1]) > 0)
+    begun = sliding_window_view(np.pad(inside, IN_A_ROW - 1), IN_A_ROW).all(axis=1)
+    return np.asarray(sliding_window_view(begun, IN_A_ROW).any(axis=1))
 
 
 def _is_exact(

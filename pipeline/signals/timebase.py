@@ -17,6 +17,7 @@ ONE_LOST = 1.5
 """Nominal steps from which on a step shows a lost sample."""
 LOCATED = 20
 """Most gaps, repetitions or reversals that are located; all are counted."""
+NO_CUTS: FloatArray = np.empty(0)
 _UNIFORM = 1e-3
 """Share of a step by which the steps of a uniform time base may differ, and rounding."""
 
@@ -221,21 +222,26 @@ def unwrapped(time: FloatArray) -> FloatArray:
     return column(time.size, parts(), np.float64)
 
 
-def segments(time: FloatArray, gap_limit: float) -> IntArray:
-    """Gap-free segments of an advancing time base.
+def segments(time: FloatArray, gap_limit: float, ends: FloatArray = NO_CUTS) -> IntArray:
+    """Parts of a time base between gaps and steps back.
 
     Parameters
     ----------
     time : FloatArray, shape (N,)
-        Strictly increasing stamps [s], N ≥ 1.
+        Finite stamps [s], N ≥ 1; strictly increasing where there are `ends`.
     gap_limit : float
         Longest step [s] within a segment.
+    ends : FloatArray
+        Stamps [s] behind which a segment ends too, even if the hole is small.
 
     Returns
     -------
     IntArray, shape (S, 2)
         First index and end index (exclusive) of each segment, in order.
     """
-    breaks = [rows.start + 1 + np.flatnonzero(np.diff(time[rows]) > gap_limit) for rows in chunks(time.size, overlap=1)]
-    edges = np.concatenate(([0], *breaks, [time.size])).astype(np.int64)
+    cuts = [np.searchsorted(time, ends, side="right")]
+    for rows in chunks(time.size, overlap=1):
+        steps = np.diff(time[rows])
+        cuts.append(rows.start + 1 + np.flatnonzero((steps < 0.0) | (steps > gap_limit)))
+    edges = np.unique(np.concatenate(([0], *cuts, [time.size])).astype(np.int64))
     return np.stack((edges[:-1], edges[1:]), axis=1)

@@ -3,9 +3,14 @@
 import numpy as np
 import pytest
 
-from pipeline.signals.resampling import REACH, decimate, filtered_samples, interpolate, kernel, sharpened, uniform_grid
+from pipeline.signals.resampling import REACH, decimated, filtered_samples, interpolate, kernel, sharpened, uniform_grid
 
 T = 0.01
+
+
+def decimate(time, columns, t_out, interval):
+    """The columns on the grid, shape (k, M)."""
+    return np.concatenate(list(decimated(time, columns, t_out, interval)), axis=1)
 
 
 def _response(frequencies):

@@ -192,7 +192,6 @@ def test_the_result_does_not_depend_on_how_the_log_is_read(monkeypatch, interval
     whole = uniform_record(t, q, v, interval, v_time=raster, time_reversal="split")
     monkeypatch.setattr("pipeline.signals.columns.CHUNK", chunk)
     monkeypatch.setattr("pipeline.signals.uniform_record.CHUNK", chunk // 2)
-    monkeypatch.setattr("pipeline.signals.segments.CHUNK", chunk // 3)
     monkeypatch.setattr("pipeline.signals.resampling.CHUNK", chunk // 4)
     again = uniform_record(t, q, v, interval, v_time=raster, time_reversal="split")
     for one, other in zip(
