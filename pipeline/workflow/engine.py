@@ -314,7 +314,7 @@ class _Schedule:
 
     def goes_on(self) -> bool:
         """True if a task waits or runs, after the plan was read as far as it is known."""
-        while self.failed is None and not self._must_wait():
+        while self.failed is None and not (self._mark and self._mark.artifact in self._unfinished(self._read)):
             if (entry := next(self._plan, None)) is None:
                 break
             if isinstance(entry, After):
@@ -323,11 +323,6 @@ class _Schedule:
                 self._waiting[self._read] = entry
                 self._read += 1
         return bool(self._waiting) or any(self.failed is None or number < self.failed[0] for number in self._running)
-
-    def _must_wait(self) -> bool:
-        """True if the plan is not known beyond this place, or this process alone does the tasks read so far."""
-        alone = self._processes.jobs == 1 and bool(self._waiting)
-        return alone or (self._mark is not None and self._mark.artifact in self._unfinished(self._read))
 
     def _unfinished(self, before: int) -> set[str]:
         """The artifacts that tasks before a place of the plan have still to write."""

@@ -102,8 +102,8 @@ def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:
     units = {column.key: column.unit for column in schemas.schema_of(schemas.STUDIES[name], plant).columns}
     if name == "alpha":
         symbol, factor = ALPHA_UNIT[plant.displacement.symbol]
-        order = run.record(layout.study(name)).notes["order"]
-        columns["alpha"], units["alpha"] = columns["alpha"] / factor, f"{symbol}·s^{order}"
+        columns["alpha"] = columns["alpha"] / factor
+        units["alpha"] = f"{symbol}·s^{run.record(layout.study(name)).notes['order']}"
     return Study(name, columns, units)
 
 
