@@ -14,7 +14,7 @@ from pydantic.fields import FieldInfo
 
 from ..errors import InputError, SeveralMistakesError
 from ..system.names import shell_word
-from ..system.plain_files import LARGEST_SETTINGS, read_plain, read_toml
+from ..system.plain_files import read_plain, read_toml
 
 STRUCTURE = ("friction", "force", "damping", "drag", "stops", "gain", "drive", "effect", "hold")
 """Keys of `[identify]` that became the table `[identify.structure]`."""
@@ -168,7 +168,7 @@ def _advice(path: Path, error: str) -> str:
         return "; write paths with / or between single quotes"
     if (place := re.search(r"at line (\d+)", error)) is None:
         return ""
-    line = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
+    line = read_plain(path).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
     return next((f"; {advice}" for slip, advice in _SLIPS if slip.search(line)), "")
 
 

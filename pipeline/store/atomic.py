@@ -204,7 +204,6 @@ LOCK = ".lock"
 _NOTE = "-holder.json"
 HOLDER = LOCK + _NOTE
 _NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP)
-_LONGEST_NOTE = 4096
 _LONGEST_HOST = 100
 
 
@@ -273,7 +272,7 @@ def _not_locked(root: Path, error: OSError) -> InputError:
 
 def _holder(path: Path) -> str:
     try:
-        note = json.loads(read_plain(path, _LONGEST_NOTE))
+        note = json.loads(read_plain(path))
         host, since = (str(note[key])[:_LONGEST_HOST] for key in ("host", "since"))
         return f"process {int(note['pid'])} on {host} since {since}"
     except (OSError, ValueError, KeyError, TypeError, RecursionError):

@@ -180,8 +180,10 @@ def seen(task: Task) -> dict[Path, Seen]:
     for path in (task.sources or {}).values():
         with suppress(OSError):  # `recipe_of` says what is wrong with it
             stat = path.stat()
-            identity = (stat.st_dev, stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns)
-            states[path] = Seen(identity, time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK)
+            states[path] = Seen(
+                identity=(stat.st_dev, stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns),
+                recent=time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK,
+            )
     return states
 
 

@@ -112,8 +112,10 @@ def _largest(excitation: Excitation, names: Sequence[str], plant: Device) -> Ite
         if excitation.largest[k] == 0.0:
             yield Shortfall(f"{name} never acts", f"pulses of {name}")
         elif plant.joint and excitation.largest[k] < LEAST_LARGEST * top:
-            finding = f"{name} reaches {100 * excitation.largest[k] / top:.0f} % of the other input only"
-            yield Shortfall(finding, f"pulses of {name} up to the same limit")
+            yield Shortfall(
+                f"{name} reaches {100 * excitation.largest[k] / top:.0f} % of the other input only",
+                f"pulses of {name} up to the same limit",
+            )
 
 
 def _places(excitation: Excitation, rows: slice, factor: float, unit: str) -> str:

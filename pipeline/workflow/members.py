@@ -19,7 +19,7 @@ from ..settings.prototype import load_prototype, parse_prototype
 from ..store import layout
 from ..store.atomic import write_text
 from ..system.names import slug
-from ..system.plain_files import LARGEST_SETTINGS, read_plain
+from ..system.plain_files import read_plain
 from .prior_knowledge import read_siblings
 
 _ENDINGS = (".csv", ".tsv", ".xlsx")
@@ -184,7 +184,7 @@ def write_settings(folder: Path, stem: str, document: Mapping[str, Any]) -> Path
     path = folder / f"{stem}.toml"
     text = toml_text(document)
     with suppress(OSError):
-        if read_plain(path, LARGEST_SETTINGS) == text.encode():  # its time stamp means a change to workflow engines
+        if read_plain(path) == text.encode():  # its time stamp means a change to workflow engines
             return path
     write_text(path, text, within=folder.parent)
     return path

@@ -24,7 +24,7 @@ from ..store.columns import Column
 from ..store.run_folder import RunFolder, Written
 from ..store.schemas import Schema
 from ..store.trees import read_tree
-from ..system.plain_files import LARGEST_SETTINGS, read_plain
+from ..system.plain_files import read_plain
 from ..units.units import to_si
 from .engine import Task
 from .steps.identify import PriorKnowledge
@@ -81,7 +81,7 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
         The file cannot be read, a column or unit is unknown, or a cell is no number.
     """
     try:
-        lines = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").splitlines()
+        lines = read_plain(path).decode("utf-8-sig").splitlines()
         heading, *rows = list(csv.reader(line for line in lines if line.strip() and line[0] != "#")) or [[]]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{path}: cannot be read as text: {error}; correct its name in the settings") from error

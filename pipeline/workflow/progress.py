@@ -19,7 +19,6 @@ from ..store.manifest import MANIFEST, load_manifest
 from ..system.plain_files import read_plain
 from .members import FAILED
 
-_LARGEST = 1 << 20
 _HEAD = re.compile(r"exit code (-?\d{1,10}): ([^\n]*)")
 State = Literal["done", "running", "failed", "stopped"]
 STATES: dict[State, str] = {
@@ -136,7 +135,7 @@ def failure(output: Path, name: str) -> tuple[int, str, datetime] | None:
     changed = _time(output / name / MANIFEST)
     time = _time(path)
     try:
-        head = _HEAD.match(read_plain(path, _LARGEST).decode("utf-8", "replace"))
+        head = _HEAD.match(read_plain(path).decode("utf-8", "replace"))
     except OSError:
         return None
     if head is None or time is None or (changed is not None and changed > time):

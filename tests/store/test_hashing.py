@@ -13,12 +13,13 @@ import pytest
 from hypothesis import given, strategies as st
 from hypothesis.extra.numpy import arrays
 
+from pipeline.device.device import JOINT
 from pipeline.errors import CorruptArtifactError
 from pipeline.store import tables
 from pipeline.store.hashing import ColumnDigest, table_hash, tree_hash
-from pipeline.store.schemas import SIGNALS, Schema, resolve
+from pipeline.store.schemas import SIGNALS, Schema, schema_of
 
-SCHEMA = resolve(SIGNALS, displacement="m", inputs=("V", "V"))
+SCHEMA = schema_of(SIGNALS, JOINT)
 
 
 def _signals(n: int = 5000) -> dict[str, np.ndarray]:

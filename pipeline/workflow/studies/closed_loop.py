@@ -123,6 +123,14 @@ def designed(law: Law) -> Controller:
     return python_controller(made)
 
 
+def _controller(run: Path | None, play: Path | None) -> Controller:
+    if run is not None:
+        return designed(Law.from_json(load_design(RunFolder.open(run))["law"]))
+    assert play is not None  # noqa: S101
+    loaded = load_sequence(play)
+    return played(loaded.t, loaded.u)
+
+
 def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
     """Write a run as a raw log with the reference, and the settings with which debist reads it, beside one another.
 
@@ -305,12 +313,7 @@ def closed_loop_log(
     summary : dict
         Metrics of every step of the target, from the joint's true motion (SI).
     """
-    if controller is not None and play is None:
-        acting = designed(Law.from_json(load_design(RunFolder.open(controller))["law"]))
-    elif play is not None and controller is None:
-        sequence = load_sequence(play)
-        acting = played(sequence.t, sequence.u)
-    else:
+    if (controller is None) == (play is None):
         raise InputError("give either --controller or --play")
     joint = virtual_joint(where)
     scenario = options.scenario(joint, target, duration)
@@ -318,7 +321,7 @@ def closed_loop_log(
     path = output if output.suffix == suffix else output.with_name(output.name + suffix)
     names = (path.name, path.with_suffix(".toml").name)
     with new_outputs(path.parent, "rig closed-loop", force=None, names=names) as staged:
-        run = run_loop(joint.parameters, joint.bench, scenario, acting)
+        run = run_loop(joint.parameters, joint.bench, scenario, _controller(controller, play))
         written = write_log(staged / path.name, options.format, run, path.stem)
     places = joint.places
     steps = step_metrics(run.t, run.true_q, run.target, places["right"] - places["left"])

@@ -143,8 +143,9 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
             ],
         }
 
-    what_matters = {"lag": settings.lag, "draws": DRAWS, "highest": control_run(root).limit}
-    return kept_document(root, "map", what_matters, observer, work)
+    return kept_document(
+        root, "map", {"lag": settings.lag, "draws": DRAWS, "highest": control_run(root).limit}, observer, work
+    )
 
 
 def _one_map(joint_run: ControlRun, converters: Converters, to: Well, on_progress: OnProgress) -> dict[str, Any]:
@@ -211,8 +212,13 @@ def pulse(
             "predicted": {"t_s": INTERVAL * np.arange(snap.q.shape[1]), "q_m": snap.q[0], "low_m": low, "high_m": high},
         }
 
-    what_matters = {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS}
-    return kept_document(root, f"pulse-to-{to}", what_matters, observer, work)
+    return kept_document(
+        root,
+        f"pulse-to-{to}",
+        {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS},
+        observer,
+        work,
+    )
 
 
 def with_draws(model: HybridModel, converters: Converters, places: tuple[float, float, float], to: Well) -> Ensemble:

@@ -151,7 +151,6 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
     assert parameters is not None  # noqa: S101 - `paper_settings` names a set
     models = (*prototype.identify.models, *prototype.baselines)
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
-    names = [name for name in FIGURES if name != "fig-15" or prototype.logs.validation]
     return Task(
         stage="paper",
         title="figures and page",
@@ -165,7 +164,15 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
             *(layout.kinematics(role, log) for role, log in logs),
             *(layout.predictions(role, log, model) for role, log in logs for model in models),
         ),
-        outputs=(layout.PAPER, *(layout.paper_figure(name, ending) for name in names for ending in ENDINGS)),
+        outputs=(
+            layout.PAPER,
+            *(
+                layout.paper_figure(name, ending)
+                for name in FIGURES
+                if name != "fig-15" or prototype.logs.validation
+                for ending in ENDINGS
+            ),
+        ),
         work=lambda run: _work(run, prototype, parameters),
     )
 

@@ -197,10 +197,11 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device) -> tuple[Columns,
     rng = np.random.default_rng(0)
     low, high = operating_range(data)
     amounts = sorted({max(50, round(share * total)) for share in SHARES})
-    by_amount = amount_study(data, held_out, identify, amounts, repeats=REPEATS, rng=rng)
     levels = [(high - low) * share for share in NOISES]
-    by_noise = noise_study(data, held_out, identify, smooth, levels, repeats=REPEATS, rng=rng)
-    points = [(p.level, 0.0, p) for p in by_amount] + [(float(total), p.level, p) for p in by_noise]
+    points = [
+        *((p.level, 0.0, p) for p in amount_study(data, held_out, identify, amounts, repeats=REPEATS, rng=rng)),
+        *((total, p.level, p) for p in noise_study(data, held_out, identify, smooth, levels, repeats=REPEATS, rng=rng)),
+    ]
     rows = np.array([(samples, noise, *_summary(point.errors)) for samples, noise, point in points])
     columns = dict(zip(("samples", "noise", "nrmse", "nrmse_low", "nrmse_high"), rows.T, strict=True))
     return columns, {"model": "rbf-paper", "repeats": REPEATS, "refused": sum(p.refused for _, _, p in points)}
