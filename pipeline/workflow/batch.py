@@ -131,6 +131,8 @@ def _run(send: Send, program: Program, command: list[str]) -> None:
         program(command)
     except SystemExit as end:
         code = end.code if isinstance(end.code, int) else int(end.code is not None)
+        if isinstance(end.code, str):
+            sys.stderr.write(end.code + "\n")
     sys.stderr.flush()
     send({"exit_code": code, "processor_seconds": time.process_time(), "memory_bytes": largest_memory()})
 
