@@ -148,8 +148,13 @@ def log_in(table: Any) -> Log | None:
     """
     if not hasattr(table, "columns") or "segment" not in table:
         return None
-    motion_names = {column_name(name, unit): name for unit in ("m", "rad") for name in ("q", "qdot", "qddot")}
-    names = {"t_s": "t", "v1_V": "v1", "v2_V": "v2", "segment": "segment", **motion_names}
+    names = {
+        "t_s": "t",
+        "v1_V": "v1",
+        "v2_V": "v2",
+        "segment": "segment",
+        **{column_name(name, unit): name for unit in ("m", "rad") for name in ("q", "qdot", "qddot")},
+    }
     columns = {names[name]: np.asarray(table[name]) for name in table.columns if name in names}
     if not {"t", "q", "qdot", "qddot", "v1"} <= columns.keys():
         return None
@@ -203,8 +208,13 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
     q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
-    of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts))
-    log = on_uniform_clocks(RawLog(q, tuple(inputs), notes=of_codes))
+    log = on_uniform_clocks(
+        RawLog(
+            q,
+            tuple(inputs),
+            notes=tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts)),
+        )
+    )
     if signals.unit != "m":
         log = with_displacement(log, device(prototype), parameter_set(prototype, _in_this_folder()))
     measured = log.q[1][np.isfinite(log.q[1])]
@@ -293,8 +303,7 @@ def free_run_frame(
         Further columns by name.
     """
     inputs = {f"v{k}": column for k, column in enumerate(v.T, start=1)}
-    motion = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
-    table = frame({**motion, **tubes, **inputs, **more}, *units)
+    table = frame({**{"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}, **tubes, **inputs, **more}, *units)
     table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
     return table
 
@@ -320,8 +329,10 @@ def signals_of(table: pd.DataFrame) -> Signals:
         )
     if other := [name for name in table.columns if "v2_V" not in table and f"{name}".lower().startswith("v2")]:
         raise InputError(f"the DataFrame has the column {other[0]}; call it v2_V and give it in V, or leave it out")
-    voltages = [table[name] for name in ("v1_V", "v2_V") if name in table]
-    return replace(arrays_of(table["t_s"], table[displacement], *voltages), unit=displacement.removeprefix("q_"))
+    return replace(
+        arrays_of(table["t_s"], table[displacement], *([table[name] for name in ("v1_V", "v2_V") if name in table])),
+        unit=displacement.removeprefix("q_"),
+    )
 
 
 def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:

@@ -5,7 +5,6 @@ SI units. A file of a saved model also has its settings and what travels along.
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from functools import cached_property, partial
 from numbers import Real
 from pathlib import Path
@@ -151,8 +150,11 @@ class Model:
             "inputs": np.array(bounds.v),
         }
         files: dict[str, type[Any]] = {_CHECK: _File, subject.name: type(subject.model)}
-        tree = {_CHECK: beside, subject.name: subject.model.to_tree()}
-        write_tree(Path(path), tree, columns_of(device(self._prototype), files))
+        write_tree(
+            Path(path),
+            {_CHECK: beside, subject.name: subject.model.to_tree()},
+            columns_of(device(self._prototype), files),
+        )
         return Path(path)
 
     @classmethod
@@ -188,26 +190,29 @@ class Model:
             ) from error
         core = model_from_tree(held.name, model_tree)
         plant = device(prototype)
-        bounds = Validity(
-            q=tuple(held.q),
-            qdot=tuple(held.qdot),
-            v=tuple(tuple(row) for row in held.inputs),
-            sample_interval=prototype.ingest.sample_interval,
-            q_unit=plant.displacement.symbol,
-            v_units=tuple(unit.symbol for unit in plant.inputs),
+        return cls(
+            core,
+            prototype,
+            subject=partial(
+                Subject,
+                prototype=prototype.name,
+                name=held.name,
+                model=core,
+                validity=Validity(
+                    q=tuple(held.q),
+                    qdot=tuple(held.qdot),
+                    v=tuple(tuple(row) for row in held.inputs),
+                    sample_interval=prototype.ingest.sample_interval,
+                    q_unit=plant.displacement.symbol,
+                    v_units=tuple(unit.symbol for unit in plant.inputs),
+                ),
+                origin=tree_hash(model_tree),
+                t=held.t,
+                v=held.v,
+                start=(float(held.start[0]), float(held.start[1])),
+                curve_units=plant.curve_units,
+            ),
         )
-        subject = Subject(
-            prototype=prototype.name,
-            name=held.name,
-            model=core,
-            validity=bounds,
-            origin=tree_hash(model_tree),
-            t=held.t,
-            v=held.v,
-            start=(float(held.start[0]), float(held.start[1])),
-            curve_units=plant.curve_units,
-        )
-        return cls(core, prototype, subject=partial(replace, subject))
 
     def export(self, target: Literal["c", "fmu", "json", "matlab"], output: str | Path) -> list[Path]:
         """Write the model for another tool into a folder and return the files; see `debist export`.
@@ -316,10 +321,11 @@ class Model:
         run = free_run(log, self.core)
         pairs = {name: (getattr(log, name), getattr(run, name)) for name in ("q", "qdot", "qddot")}
         wells = believed_wells(wells_of([log], plant=plant), self.name, stable_rests(self.core, [log.q]), plant=plant)
-        compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
         rows = [
             {"signal": row["signal"], "fit_percent": fit_percent(*pairs[row["signal"]]), "unit": row["unit"]} | row
-            for row in score_rows(plant, log, compared, wells)
+            for row in score_rows(
+                plant, log, ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s}), wells
+            )
         ]
         # NaN in place of a number that is not defined, as after a divergence.
         return pd.DataFrame([{key: np.nan if value is None else value for key, value in row.items()} for row in rows])
@@ -362,8 +368,7 @@ class Model:
         if ahead not in range(1, len(log.t)):
             raise InputError(f"ahead is {ahead}; give 1 to {len(log.t) - 1} samples")
         path, predict = measured_path(log, self.core)
-        columns = {"t": log.t, "q": predicted(predict, path, int(ahead)), "q_measured": log.q}
-        return frame(columns, *self._units)
+        return frame({"t": log.t, "q": predicted(predict, path, int(ahead)), "q_measured": log.q}, *self._units)
 
     def plot(
         self,
@@ -414,11 +419,15 @@ class Model:
             raise InputError(f"q has the shape {places.shape}; give one column of displacements, shape (n,)")
         refuse_other_units({"q": float(abs(places).max(initial=0.0))}, self._prototype)
         units = device(self._prototype).curve_units
-        columns = {
-            f"{name}_{column_suffix(units[name.split('_')[0].rstrip('12')])}": curve
-            for name, curve in self.core.curves(places).items()
-        }
-        return pd.DataFrame({f"q_{self._units[0]}": places, **columns})
+        return pd.DataFrame(
+            {
+                f"q_{self._units[0]}": places,
+                **{
+                    f"{name}_{column_suffix(units[name.split('_')[0].rstrip('12')])}": curve
+                    for name, curve in self.core.curves(places).items()
+                },
+            }
+        )
 
     def describe(self) -> dict[str, Any]:
         """Structure, parameters and diagnostics, with units in the keys."""

@@ -20,7 +20,7 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
-from ..errors import WARNING, DebistError, InputError, interrupted, memory_failure
+from ..errors import WARNING, DebistError, InputError, SeveralMistakesError, interrupted, memory_failure
 from .console import emit_json, printable, printed
 
 _FOLDS = "`debist batch` with a settings file for each fold, whose logs have `start` and `stop`"
@@ -298,13 +298,13 @@ class ErrorBoundary(WholeLines):
                 raise _interruption() from error
             if memory_failure(error):
                 raise MemoryError from error  # what the error says is only what came of it
-            code = getattr(error, "exit_code", InputError.exit_code)
+            code = error.exit_code if isinstance(error, DebistError) else InputError.exit_code
             text = str(error) if isinstance(error, DebistError) else _remedy(error)
             if text is None:
                 traceback.print_exc(file=sys.stderr)
                 code = 1
                 text = "this is a bug in debist; please report the lines above"
-            first, *more = getattr(error, "lines", (text,))
+            first, *more = error.lines if isinstance(error, SeveralMistakesError) else (text,)
             typer.echo(f"debist: {printable(first)}", err=True)
             for line in more:
                 typer.echo(f"  {printable(line)}", err=True)

@@ -78,8 +78,12 @@ def linearise(
         rows.append(
             (prefixed(point["q_m"], "m", 3), "stable" if point["stable"] else "unstable", *ringing, *damping, slowest)
         )
-    header = ("q [mm]", "", "f [Hz]", "measured", "damping", "measured", "poles [1/s]")
-    emit_table(f"{run}: equilibria at {v1}, {v2}", header, rows, numeric_from=2)
+    emit_table(
+        f"{run}: equilibria at {v1}, {v2}",
+        ("q [mm]", "", "f [Hz]", "measured", "damping", "measured", "poles [1/s]"),
+        rows,
+        numeric_from=2,
+    )
     typer.echo("\n".join(map(str, files)))
 
 
@@ -100,12 +104,14 @@ def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json
     for drawn in document["maps"]:
         durations = drawn["durations"]
         columns = range(0, len(durations), 8)
-        rows = [
-            (prefixed(drawn["voltages"][i], "k", 2), *(f"{drawn['probability'][i][j]:.2f}" for j in columns))
-            for i in range(0, len(drawn["voltages"]), 4)
-        ]
-        header = ("kV", *(f"{durations[j]:.3f} s" for j in columns))
-        emit_table(f"{run}: probability of switching to the {drawn['to']}", header, rows)
+        emit_table(
+            f"{run}: probability of switching to the {drawn['to']}",
+            ("kV", *(f"{durations[j]:.3f} s" for j in columns)),
+            [
+                (prefixed(drawn["voltages"][i], "k", 2), *(f"{drawn['probability'][i][j]:.2f}" for j in columns))
+                for i in range(0, len(drawn["voltages"]), 4)
+            ],
+        )
         for pulse in drawn["lowest"]:
             volts, low, high = (1e-3 * pulse[name] for name in ("voltage", "low", "high"))
             band = f"{low:.3f} to {high:.3f} kV with 90 %"
@@ -176,12 +182,15 @@ def design(
     from ..workflow.studies import control
 
     with Progress(quiet=quiet) as progress:
-        settings = replace(
-            _settings(max_voltage, lag),
-            slew=_limit(slew, "V/s", "--slew"),
-            average=_limit(average_voltage, "V", "--average-voltage"),
+        document = control.design(
+            run,
+            replace(
+                _settings(max_voltage, lag),
+                slew=_limit(slew, "V/s", "--slew"),
+                average=_limit(average_voltage, "V", "--average-voltage"),
+            ),
+            progress,
         )
-        document = control.design(run, settings, progress)
     if as_json:
         emit_json(document)
         return
@@ -189,21 +198,25 @@ def design(
     predicted = document["predicted"]["steps"]
     left, saddle, right = (prefixed(places[name], "m", 2) for name in ("left", "saddle", "right"))
     lags = " and ".join(prefixed(lag, "m", 1) for lag in document["lags_s"])
-    targets = ("to the right", "to the left", "to the unstable equilibrium")
-    lines = (
-        f"model {document['model']}: wells at {left} and {right} mm, unstable equilibrium at {saddle} mm; at most "
-        f"{prefixed(document['largest_voltage_V'], 'k', 2)} kV",
-        f"the converters' lags: {lags} ms, {document['lags_known']}",
-        *(
-            f"on the model, {target}: {_settles(step['settling_s'])}, overshoot "
-            f"{prefixed(step['overshoot_m'], 'm', 2)} mm, RMS {prefixed(step['rms_m'], 'm', 3)} mm then"
-            for target, step in zip(targets, predicted, strict=True)
-        ),
-        _margins(document["margins"]),
-        *(f"warning: {warning}" for warning in document["warnings"]),
-        f"next: debist export {shell_word(run)} --to controller",
+    emit_text(
+        "\n".join(
+            (
+                f"model {document['model']}: wells at {left} and {right} mm, unstable equilibrium at {saddle} mm; at "
+                f"most {prefixed(document['largest_voltage_V'], 'k', 2)} kV",
+                f"the converters' lags: {lags} ms, {document['lags_known']}",
+                *(
+                    f"on the model, {target}: {_settles(step['settling_s'])}, overshoot "
+                    f"{prefixed(step['overshoot_m'], 'm', 2)} mm, RMS {prefixed(step['rms_m'], 'm', 3)} mm then"
+                    for target, step in zip(
+                        ("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True
+                    )
+                ),
+                _margins(document["margins"]),
+                *(f"warning: {warning}" for warning in document["warnings"]),
+                f"next: debist export {shell_word(run)} --to controller",
+            )
+        )
     )
-    emit_text("\n".join(lines))
 
 
 def _margins(margins: Any) -> str:

@@ -22,20 +22,28 @@ def emit_design(design: "Design", files: Iterable[Path]) -> None:
     """Print the visits per centre, the criteria beside those of plain pulses, and the files."""
     designed = design.designed
     plain = design.plain
-    title = "Simulated samples per basis centre, one every 10 ms"
-    emit_visits(title, 1e3 * design.weights.centres, designed.visits.table, ("left", "right"), "mm")
-    rows = [
-        ("information per weight [nats]", f"{designed.log_information:.2f}", f"{plain.log_information:.2f}"),
-        (
-            "log det on unit-norm columns, per weight",
-            f"{designed.conditioning.log_det:.2f}",
-            f"{plain.conditioning.log_det:.2f}",
-        ),
-        ("condition number", f"{designed.conditioning.condition:.0f}", f"{plain.conditioning.condition:.0f}"),
-        ("cells with 20 samples [%]", prefixed(designed.covered, "%", 0), prefixed(plain.covered, "%", 0)),
-        ("passages between the wells", *(" / ".join(map(str, each.crossings)) for each in (designed, plain))),
-    ]
-    emit_table("The sequence beside alternating full pulses", ("", "designed", "alternating"), rows)
+    emit_visits(
+        "Simulated samples per basis centre, one every 10 ms",
+        1e3 * design.weights.centres,
+        designed.visits.table,
+        ("left", "right"),
+        "mm",
+    )
+    emit_table(
+        "The sequence beside alternating full pulses",
+        ("", "designed", "alternating"),
+        [
+            ("information per weight [nats]", f"{designed.log_information:.2f}", f"{plain.log_information:.2f}"),
+            (
+                "log det on unit-norm columns, per weight",
+                f"{designed.conditioning.log_det:.2f}",
+                f"{plain.conditioning.log_det:.2f}",
+            ),
+            ("condition number", f"{designed.conditioning.condition:.0f}", f"{plain.conditioning.condition:.0f}"),
+            ("cells with 20 samples [%]", prefixed(designed.covered, "%", 0), prefixed(plain.covered, "%", 0)),
+            ("passages between the wells", *(" / ".join(map(str, each.crossings)) for each in (designed, plain))),
+        ],
+    )
     emit_text(f"relative D-efficiency {design.efficiency:.2f} ({len(design.bursts)} bursts)")
     typer.echo("\n".join(map(str, files)))
 
@@ -56,8 +64,12 @@ def emit_visits(title: str, centres: "FloatArray", counts: "IntArray", inputs: S
     unit : str
         Unit of q.
     """
-    rows = [(f"{centre:.2f}", *map(str, row)) for centre, row in zip(centres, counts, strict=True)]
-    emit_table(title, (f"q [{unit}]", "samples", *(f"{name} acting" for name in inputs)), rows, numeric_from=0)
+    emit_table(
+        title,
+        (f"q [{unit}]", "samples", *(f"{name} acting" for name in inputs)),
+        [(f"{centre:.2f}", *map(str, row)) for centre, row in zip(centres, counts, strict=True)],
+        numeric_from=0,
+    )
 
 
 _OF_TIME_BASES = dict.fromkeys(
@@ -72,10 +84,11 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
     """Everything for `--json`: the log in its own units, the excitation in SI; without one, the reason."""
     from ..store.manifest import to_json
 
-    if isinstance(excitation, str):
-        coverage: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
-    else:
-        coverage = {"excitation": _excitation_document(excitation)}
+    coverage = (
+        {"excitation": None, "excitation_reason": excitation}
+        if isinstance(excitation, str)
+        else {"excitation": _excitation_document(excitation)}
+    )
     document = asdict(inspection)
     document["time_bases"] = [with_units(base, _OF_TIME_BASES) for base in document["time_bases"]]
     for channel in document["channels"]:
@@ -93,8 +106,7 @@ def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
     q, v = excitation.plant.displacement.symbol, excitation.plant.inputs[0].symbol
     facts = asdict(excitation.excitation)
     facts["wells"] = with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q))
-    units = {"centres": q, "largest": v}
-    return {"excitation": with_units(facts, units)} | with_units(shown, {"interval": "s"})
+    return {"excitation": with_units(facts, {"centres": q, "largest": v})} | with_units(shown, {"interval": "s"})
 
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
@@ -125,8 +137,13 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
 
 def _emit_excitation(coverage: "LogExcitation") -> None:
     shown = coverage.excitation
-    title = f"Samples per basis centre, one every {1e3 * coverage.interval:g} ms"
-    emit_visits(title, coverage.factor * shown.centres, shown.visits.table, coverage.inputs, coverage.unit)
+    emit_visits(
+        f"Samples per basis centre, one every {1e3 * coverage.interval:g} ms",
+        coverage.factor * shown.centres,
+        shown.visits.table,
+        coverage.inputs,
+        coverage.unit,
+    )
     if coverage.rests is not None:
         left, right = coverage.rests
         emit_text(

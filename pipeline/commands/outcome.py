@@ -82,8 +82,12 @@ def emit_table_2(table: Iterable[Mapping[str, Any]]) -> None:
         (row["log"], row["model"], *(f"{value} ({printed})" if printed else value for value, printed in row["cells"]))
         for row in map(table_2_row, table)
     ]
-    title = "Table 2 of the paper: NRMSE in %, in brackets as printed"
-    emit_table(title, ("log", "model", "q", "φ", "q̇", "q̈")[: len(rows[0])], rows, numeric_from=2)
+    emit_table(
+        "Table 2 of the paper: NRMSE in %, in brackets as printed",
+        ("log", "model", "q", "φ", "q̇", "q̈")[: len(rows[0])],
+        rows,
+        numeric_from=2,
+    )
 
 
 def emit_stale_exports(run: Path) -> None:
@@ -103,20 +107,27 @@ def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *,
     from ..workflow.engine import FIRST_TIME
 
     if as_json:
-        runs = [
-            {"run": root, "stale": list(dict.fromkeys(r.stage for r in results if not r.up_to_date)), "error": error}
-            for root, results, error in states
-        ]
-        emit_json({"runs": runs})
+        emit_json(
+            {
+                "runs": [
+                    {
+                        "run": root,
+                        "stale": list(dict.fromkeys(r.stage for r in results if not r.up_to_date)),
+                        "error": error,
+                    }
+                    for root, results, error in states
+                ]
+            }
+        )
         return
     rows = []
     for root, results, error in states:
         stale = [result for result in results if not result.up_to_date]
         if stale and all(result.stage == "report" and result.reasons == [FIRST_TIME] for result in stale):
             rows.append((str(root), "up to date", f"without a report; `debist report {shell_word(root)}` makes it"))
-            continue
-        state = "unreadable" if error else "stale" if stale else "up to date"
-        rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))
+        else:
+            state = "unreadable" if error else "stale" if stale else "up to date"
+            rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))
     emit_table("runs", ("run", "state", "why"), rows, numeric_from=None)
 
 
@@ -126,12 +137,23 @@ def emit_fleet_progress(folder: Path, members: "Sequence[MemberState]", *, as_js
 
     counts = {state: sum(member.state == state for member in members) for state in STATES}
     if as_json:
-        prototypes = [vars(member) | {"since": member.since and member.since.isoformat()} for member in members]
-        emit_json({"folder": folder, "counts": counts, "prototypes": prototypes})
+        emit_json(
+            {
+                "folder": folder,
+                "counts": counts,
+                "prototypes": [
+                    vars(member) | {"since": member.since and member.since.isoformat()} for member in members
+                ],
+            }
+        )
     else:
         stamps = [member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "" for member in members]
-        rows = [(m.name, m.state, since, m.reason) for m, since in zip(members, stamps, strict=True)]
-        emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=None)
+        emit_table(
+            str(folder),
+            ("prototype", "state", "since", "reason"),
+            [(m.name, m.state, since, m.reason) for m, since in zip(members, stamps, strict=True)],
+            numeric_from=None,
+        )
         counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)
         emit_text(f"{len(members)} prototypes: {counted}")
 
@@ -141,12 +163,15 @@ def emit_members(members: "Sequence[Member]", *, as_json: bool) -> None:
     if as_json:
         emit_json({"prototypes": [asdict(member) for member in members]})
     else:
-        rows = [
-            (member.name, str(member.settings), member.error or ", ".join(log.name for log in member.logs))
-            for member in members
-        ]
-        heading = ("prototype", "settings", "logs, or the mistake")
-        emit_table(f"{len(members)} prototypes", heading, rows, numeric_from=None)
+        emit_table(
+            f"{len(members)} prototypes",
+            ("prototype", "settings", "logs, or the mistake"),
+            [
+                (member.name, str(member.settings), member.error or ", ".join(log.name for log in member.logs))
+                for member in members
+            ],
+            numeric_from=None,
+        )
 
 
 def summary(results: "Sequence[TaskStatus]") -> str:
@@ -162,8 +187,10 @@ def emit_tasks(
 ) -> None:
     """Print what a stage came to, a line for each log or model, and how many tasks were done; for JSON all of it."""
     if as_json:
-        tasks = [{**vars(task), "up_to_date": task.up_to_date} for task in done]
-        emit_json({"tasks": tasks} | ({} if results is None else {"results": results}))
+        emit_json(
+            {"tasks": [{**vars(task), "up_to_date": task.up_to_date} for task in done]}
+            | ({} if results is None else {"results": results})
+        )
     else:
         emit_text("\n".join(map(result_line, results or ())), indent="  ")
         typer.echo(summary(done))
@@ -194,8 +221,12 @@ def emit_status(title: str, states: "Sequence[TaskStatus]", *, as_json: bool) ->
     if as_json:
         emit_tasks(states, as_json=True)
     else:
-        rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in states]
-        emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=None)
+        emit_table(
+            title,
+            ("stage", "task", "state", "why"),
+            [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in states],
+            numeric_from=None,
+        )
 
 
 _MOST_NAMED = 4
@@ -232,8 +263,10 @@ class BatchProgress(StatusLine):
             state = f"failed: {outcome.reason}" if outcome.failed else well
             # In a cluster's log each line stands alone.
             stamp = f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} " if self._line is None else ""
-            line = f"{stamp}[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"
-            typer.echo(printable(line), err=True)
+            typer.echo(
+                printable(f"{stamp}[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"),
+                err=True,
+            )
         self._show_running()
 
     def _show_running(self) -> None:
@@ -247,15 +280,19 @@ def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool)
     if as_json:
         emit_json({"output": output, "prototypes": [asdict(outcome) for outcome in outcomes]})
         return
-    rows = [
-        (
-            outcome.name,
-            "not started" if outcome.exit_code is None else "failed" if outcome.failed else "ok",
-            outcome.reason or _summary(output / outcome.name),
-        )
-        for outcome in outcomes
-    ]
-    emit_table(f"{output}", ("prototype", "state", "validation NRMSE of q, or the reason"), rows, numeric_from=None)
+    emit_table(
+        f"{output}",
+        ("prototype", "state", "validation NRMSE of q, or the reason"),
+        [
+            (
+                outcome.name,
+                "not started" if outcome.exit_code is None else "failed" if outcome.failed else "ok",
+                outcome.reason or _summary(output / outcome.name),
+            )
+            for outcome in outcomes
+        ],
+        numeric_from=None,
+    )
     if cost := sum(outcome.processor_seconds for outcome in outcomes):
         memory = max(outcome.memory_bytes for outcome in outcomes)
         counted = f"; at most {memory / 1e6:.0f} MB of memory in a process" if memory else ""

@@ -11,7 +11,7 @@ from ..errors import InputError
 from ..units.quantity import prefixed
 from ..units.units import parse_quantity
 from .boundary import group, with_options
-from .console import Parameters, Quiet, StatusLine, emit_json, emit_table, with_units
+from .console import Parameters, Quiet, StatusLine, emit_json, emit_table
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -41,10 +41,6 @@ Figure = Annotated[
     typer.Option("--figure", metavar="FILE", callback=_free_place, help="Write a figure: .svg, .pdf or .png."),
 ]
 Voltage = Annotated[str, typer.Option("--voltage", help="Driving voltage with its unit.")]
-Signals = Annotated[
-    Path | None,
-    typer.Option("--signals", metavar="FILE", help="signals.parquet of a run, for its voltages [default: pulses]."),
-]
 
 
 @dataclass(frozen=True)
@@ -65,14 +61,15 @@ class JointSet:
 
 
 def _draw(place: Path | None, name: str, *drawn: Any) -> None:
-    """Draw a figure of `joint_figures` into a file, if one is wanted."""
+    """Draw a figure of `paper_figures` into a file, if one is wanted."""
     if place is not None:
-        from ..reporting import joint_figures
-        from ..reporting.plotted import save
+        from ..reporting import paper_figures
+        from ..reporting.plotted import form_of, paper_figure
         from ..store.outputs import new_outputs
 
+        figure = getattr(paper_figures, name)(*drawn)
         with new_outputs(place.parent, _FIGURE, force=None) as staged:
-            save(getattr(joint_figures, name)(*drawn), staged / place.name, joint_figures.COLOURED)
+            (staged / place.name).write_bytes(paper_figure(figure, paper_figures.COLOURED, form_of(place))[0])
 
 
 @app.command()
@@ -106,20 +103,25 @@ def equilibria(
     if figure is not None:
         _draw(figure, "equilibria_figure", joint, held, physics.energy_over_q(joint, v1=left, v2=right, force=pull))
     if as_json:
-        rests = [{"q_m": e.q, "phi_rad": e.phi, "stable": e.stable, "energy_J": e.energy} for e in held]
-        emit_json({"equilibria": rests})
+        emit_json(
+            {"equilibria": [{"q_m": e.q, "phi_rad": e.phi, "stable": e.stable, "energy_J": e.energy} for e in held]}
+        )
         return
     lowest = min((e.energy for e in held), default=0.0)
-    rows = [
-        (
-            prefixed(e.q, "m", 3),
-            f"{degrees(e.phi):z.2f}",
-            prefixed(e.energy - lowest, "µ", 1),
-            "yes" if e.stable else "no",
-        )
-        for e in held
-    ]
-    emit_table("Equilibria", ("q [mm]", "φ [deg]", "energy [µJ]", "stable"), rows, numeric_from=0)
+    emit_table(
+        "Equilibria",
+        ("q [mm]", "φ [deg]", "energy [µJ]", "stable"),
+        [
+            (
+                prefixed(e.q, "m", 3),
+                f"{degrees(e.phi):z.2f}",
+                prefixed(e.energy - lowest, "µ", 1),
+                "yes" if e.stable else "no",
+            )
+            for e in held
+        ],
+        numeric_from=0,
+    )
 
 
 @app.command()
@@ -135,28 +137,41 @@ def curves(parameters: JointSet, voltage: Voltage = "3 kV", figure: Figure = Non
     path = result.paths["off"]
     _draw(figure, "characteristics_figure", result)
     if as_json:
-        limits = {"z_b_min_m": result.z_b_min, "z_b_max_m": result.z_b_max}
-        document = limits | {"switching_voltage_V": result.switching.both_ways}
-        capacitances = {f"C{k}_F": column for k, column in enumerate(path.capacitance.T, start=1)}
-        emit_json(document | {"q_m": path.q, "force_N": path.force} | capacitances)
-        return
-    numbers = [
-        ("bistable from z_b [mm]", prefixed(result.z_b_min, "m", 3, "none")),
-        (f"switchable by {voltage} up to z_b [mm]", prefixed(result.z_b_max, "m", 3, "none")),
-        ("switching voltage, left to right [kV]", prefixed(result.switching.left, "k", 3, "none")),
-        ("switching voltage, right to left [kV]", prefixed(result.switching.right, "k", 3, "none")),
-        ("energy barrier [µJ]", prefixed(result.barrier, "µ", 1, "none")),
-    ]
-    emit_table("The joint", ("quantity", "value"), numbers)
-    rows = [
-        (
-            prefixed(path.q[i], "m", 1),
-            prefixed(path.force[i], "m", 2),
-            *(prefixed(c, "p", 1) for c in path.capacitance[i]),
+        emit_json(
+            {
+                "z_b_min_m": result.z_b_min,
+                "z_b_max_m": result.z_b_max,
+                "switching_voltage_V": result.switching.both_ways,
+                "q_m": path.q,
+                "force_N": path.force,
+                **{f"C{k}_F": column for k, column in enumerate(path.capacitance.T, start=1)},
+            }
         )
-        for i in range(0, path.q.size, 16)
-    ]
-    emit_table("Without voltage", ("q [mm]", "F [mN]", "C1 [pF]", "C2 [pF]"), rows, numeric_from=0)
+        return
+    emit_table(
+        "The joint",
+        ("quantity", "value"),
+        [
+            ("bistable from z_b [mm]", prefixed(result.z_b_min, "m", 3, "none")),
+            (f"switchable by {voltage} up to z_b [mm]", prefixed(result.z_b_max, "m", 3, "none")),
+            ("switching voltage, left to right [kV]", prefixed(result.switching.left, "k", 3, "none")),
+            ("switching voltage, right to left [kV]", prefixed(result.switching.right, "k", 3, "none")),
+            ("energy barrier [µJ]", prefixed(result.barrier, "µ", 1, "none")),
+        ],
+    )
+    emit_table(
+        "Without voltage",
+        ("q [mm]", "F [mN]", "C1 [pF]", "C2 [pF]"),
+        [
+            (
+                prefixed(path.q[i], "m", 1),
+                prefixed(path.force[i], "m", 2),
+                *(prefixed(c, "p", 1) for c in path.capacitance[i]),
+            )
+            for i in range(0, path.q.size, 16)
+        ],
+        numeric_from=0,
+    )
 
 
 def _command_on_motions(show: "Callable[[JointParameters, Motions, Path | None, bool], None]") -> None:
@@ -164,7 +179,12 @@ def _command_on_motions(show: "Callable[[JointParameters, Motions, Path | None, 
 
     def command(
         parameters: JointSet,
-        signals: Signals = None,
+        signals: Annotated[
+            Path | None,
+            typer.Option(
+                "--signals", metavar="FILE", help="signals.parquet of a run, for its voltages [default: pulses]."
+            ),
+        ] = None,
         voltage: Voltage = "3 kV",
         figure: Figure = None,
         as_json: Json = False,
@@ -189,20 +209,29 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
     stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
     q = motion.q[:stop]
     if as_json:
-        values = {"t": motion.t, "q": motion.q, "qdot": motion.q_dot, "qddot": motion.q_ddot, "phi": motion.phi}
-        units = {"t": "s", "q": "m", "qdot": "m/s", "qddot": "m/s²", "phi": "rad"}
-        columns = with_units({name: column[:stop] for name, column in values.items()}, units)
-        emit_json({"diverged_at_s": motion.diverged_at} | columns)
+        emit_json(
+            {
+                "diverged_at_s": motion.diverged_at,
+                "t_s": motion.t[:stop],
+                "q_m": q,
+                "qdot_m_per_s": motion.q_dot[:stop],
+                "qddot_m_per_s2": motion.q_ddot[:stop],
+                "phi_rad": motion.phi[:stop],
+            }
+        )
         return
-    rows = [
-        ("duration [s]", f"{motion.t[-1] - motion.t[0]:.2f}"),
-        ("q from, to [mm]", f"{prefixed(q[0], 'm', 2)}, {prefixed(q[-1], 'm', 2)}"),
-        ("smallest, largest q [mm]", f"{prefixed(q.min(), 'm', 2)}, {prefixed(q.max(), 'm', 2)}"),
-        ("steps, rejected", f"{motion.accepted}, {motion.rejected}"),
-        ("processor time [s]", f"{motions.full_seconds:.3f}"),
-        ("diverged at [s]", prefixed(motion.diverged_at, "", 2, "none")),
-    ]
-    emit_table("Full-order simulation", ("quantity", "value"), rows)
+    emit_table(
+        "Full-order simulation",
+        ("quantity", "value"),
+        [
+            ("duration [s]", f"{motion.t[-1] - motion.t[0]:.2f}"),
+            ("q from, to [mm]", f"{prefixed(q[0], 'm', 2)}, {prefixed(q[-1], 'm', 2)}"),
+            ("smallest, largest q [mm]", f"{prefixed(q.min(), 'm', 2)}, {prefixed(q.max(), 'm', 2)}"),
+            ("steps, rejected", f"{motion.accepted}, {motion.rejected}"),
+            ("processor time [s]", f"{motions.full_seconds:.3f}"),
+            ("diverged at [s]", prefixed(motion.diverged_at, "", 2, "none")),
+        ],
+    )
 
 
 @_command_on_motions
@@ -219,12 +248,21 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
     _draw(figure, "modes_figure", joint, result, motions.full.t)
     peaks = abs(result.amplitudes).max(axis=0)
     if as_json:
-        shares = {"energy_share": result.energy_share, "largest_amplitude_m": peaks}
-        emit_json(shares | {"x_m": result.x, "shapes": result.shapes})
+        emit_json(
+            {
+                "energy_share": result.energy_share,
+                "largest_amplitude_m": peaks,
+                "x_m": result.x,
+                "shapes": result.shapes,
+            }
+        )
     else:
         pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
-        rows = [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs]
-        emit_table("Modes of the beam", ("mode", "energy share [%]", "largest amplitude [mm]"), rows)
+        emit_table(
+            "Modes of the beam",
+            ("mode", "energy share [%]", "largest amplitude [mm]"),
+            [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs],
+        )
 
 
 @_command_on_motions
@@ -235,15 +273,22 @@ def reduce(joint: "JointParameters", motions: "Motions", figure: Path | None, as
     """
     _draw(figure, "motion_figure", motions)
     if as_json:
-        seconds = {"full": motions.full_seconds, "reduced": motions.reduced_seconds}
-        emit_json({"nrmse": motions.nrmse, "processor_time_s": seconds})
+        emit_json(
+            {
+                "nrmse": motions.nrmse,
+                "processor_time_s": {"full": motions.full_seconds, "reduced": motions.reduced_seconds},
+            }
+        )
     else:
-        rows = [
-            *((f"NRMSE of {name} [%]", prefixed(value, "%", 2, "none")) for name, value in motions.nrmse.items()),
-            ("processor time, full [s]", f"{motions.full_seconds:.3f}"),
-            ("processor time, reduced [s]", f"{motions.reduced_seconds:.4f}"),
-        ]
-        emit_table("Reduced against full model", ("quantity", "value"), rows)
+        emit_table(
+            "Reduced against full model",
+            ("quantity", "value"),
+            [
+                *((f"NRMSE of {name} [%]", prefixed(value, "%", 2, "none")) for name, value in motions.nrmse.items()),
+                ("processor time, full [s]", f"{motions.full_seconds:.3f}"),
+                ("processor time, reduced [s]", f"{motions.reduced_seconds:.4f}"),
+            ],
+        )
 
 
 @app.command()
@@ -280,5 +325,8 @@ def calibrate(
         emit_json(physics.calibration_document(fit))
         return
     entries = zip(fit.names, fit.values, fit.standard_errors, strict=True)
-    rows = [(name, f"{value:.5g}", f"{error:.2g}", QUANTITIES[name].unit) for name, value, error in entries]
-    emit_table(f"Calibrated; error of q {prefixed(fit.rmse, 'm', 3)} mm", ("parameter", "value", "±", "unit"), rows)
+    emit_table(
+        f"Calibrated; error of q {prefixed(fit.rmse, 'm', 3)} mm",
+        ("parameter", "value", "±", "unit"),
+        [(name, f"{value:.5g}", f"{error:.2g}", QUANTITIES[name].unit) for name, value, error in entries],
+    )

@@ -2,7 +2,7 @@
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -29,7 +29,6 @@ from .outcome import emit_table_2
 if TYPE_CHECKING:
     from ..workflow.studies.diff import RunDifferences
     from ..workflow.studies.fleet import LearntFile
-    from ..workflow.studies.study import StudyResult
     from ..workflow.verify import Verified
 
 
@@ -170,27 +169,24 @@ def study(
     Example: debist study alpha runs/P1
     """
     from ..reporting.tables import study_conclusion
+    from ..store.manifest import to_json
     from ..workflow.studies.study import run_study
 
     with Progress(quiet=quiet or as_json) as progress:
         result = run_study(run, kind, progress, jobs=jobs)
     if as_json:
-        emit_json(_study_document(result))
+        of_notes = {"automatic_alpha": result.units.get("alpha", ""), "noise_std": result.units.get("misfit", "")}
+        columns = with_units(result.columns, result.units)
+        emit_json(to_json({"columns": columns, "figure": result.figure, "notes": with_units(result.notes, of_notes)}))
     else:
         columns, conclusion = study_conclusion(kind, result.columns, result.units, result.notes)
-        rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
-        emit_table(f"Study of {kind}", list(columns), rows, numeric_from=0)
+        emit_table(
+            f"Study of {kind}",
+            list(columns),
+            [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)],
+            numeric_from=0,
+        )
         emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")
-
-
-def _study_document(result: "StudyResult") -> Any:
-    """A study for `--json`, with units in the keys."""
-    from ..store.manifest import to_json
-
-    units = result.units
-    of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
-    notes = with_units(result.notes, of_notes)
-    return to_json({"columns": with_units(result.columns, units), "figure": result.figure, "notes": notes})
 
 
 _MOST_NAMED = 20
@@ -236,11 +232,6 @@ fleet_group = group("A prior for the next joint, from many joints of one drawing
 _QUANTITIES_SHOWN = 15
 
 
-@fleet_group.callback()
-def fleet() -> None:
-    """A prior for the next joint, from many joints of one drawing."""
-
-
 @fleet_group.command()
 def learn(
     runs: Annotated[
@@ -280,12 +271,14 @@ def learn(
 def _emit_learnt(siblings: "LearntFile") -> None:
     quantities = siblings.learnt.quantities
     gains = sorted(siblings.learnt.gains.values())
-    rows = [
-        (quantity.name, f"{quantity.mean:.3g}", f"{quantity.spread:.2g}", quantity.unit, f"{quantity.share:.2f}")
-        for quantity in quantities[:_QUANTITIES_SHOWN]
-    ]
-    heading = ("quantity", "mean deviation", "spread", "unit", "spread over the prior's")
-    emit_table(f"{len(siblings.siblings)} joints, the best known quantities", heading, rows)
+    emit_table(
+        f"{len(siblings.siblings)} joints, the best known quantities",
+        ("quantity", "mean deviation", "spread", "unit", "spread over the prior's"),
+        [
+            (quantity.name, f"{quantity.mean:.3g}", f"{quantity.spread:.2g}", quantity.unit, f"{quantity.share:.2f}")
+            for quantity in quantities[:_QUANTITIES_SHOWN]
+        ],
+    )
     halved = sum(quantity.share < 0.5 for quantity in quantities)
     emit_text(
         f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other joints as "

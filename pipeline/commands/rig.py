@@ -114,22 +114,14 @@ def fleet(
         typer.echo(f"{count} simulated prototypes in {output}; next: debist batch {shell_word(output)} -o runs")
 
 
-@dataclass(frozen=True)
-class DesignLimits:
-    """Limits of a designed sequence."""
-
-    max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV"
-    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s"
+@app.command()
+def excite(
+    max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV",
+    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s",
     file: Annotated[
         Path | None,
         typer.Option("--design", metavar="FILE", help="TOML file with kinds of bursts, rate, rest, field, joints."),
-    ] = None
-
-
-@app.command()
-@with_options
-def excite(
-    within: DesignLimits,
+    ] = None,
     parameters: Parameters = "nominal",
     output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Sequence to write: .csv or .mat.")] = Path(
         "excitation.csv"
@@ -146,14 +138,14 @@ def excite(
     from ..workflow.studies import excitation
     from .inspection import emit_design
 
-    rare = read_options(within.file, excitation.DesignFile)
+    rare = read_options(file, excitation.DesignFile)
     with StatusLine("designing", quiet=quiet) as line:
         design, files = excitation.excite(
             output,
             parameters,
             rare,
-            duration=parse_quantity(within.duration, ("s",), "--duration"),
-            voltage=parse_quantity(within.max_voltage, ("V",), "--max-voltage"),
+            duration=parse_quantity(duration, ("s",), "--duration"),
+            voltage=parse_quantity(max_voltage, ("V",), "--max-voltage"),
             report=partial(line.show, "designing"),
         )
     if as_json:

@@ -37,25 +37,18 @@ def show(run: Run, as_json: Json = False) -> None:
 
     Lengths in mm, voltages in kV; SI in the JSON. Example: debist show runs/P1
     """
-    from ..reporting.datasheet_rows import show_datasheet
+    from ..reporting.datasheet_rows import datasheet_tables
     from ..workflow.report_data import load_datasheet
 
     document = load_datasheet(run)
     if as_json:
         emit_json(document)
-        return
-    shown = show_datasheet(document)
-    wells = ("quantity", "left well, or the device", "right well")
-    emit_table(f"{shown.title}; ± half of the central 90 %, ring-downs of small motion", wells, shown.facts)
-    if shown.seen:
-        emit_table("measured in the logs, and in the model's free runs", wells, shown.seen)
-    if shown.elements:
-        heading = ("element", "RMS force", "of the restoring force")
-        emit_table("what acts along the training logs", heading, shown.elements)
-    outcome.emit_instruments(run)
-    emit_table(
-        f"assessment: {shown.assessment}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=None
-    )
+    else:
+        facts, *more, assessment = datasheet_tables(document)
+        for table in (facts, *(table for table in more if table[-1])):
+            emit_table(*table)
+        outcome.emit_instruments(run)
+        emit_table(*assessment, numeric_from=None)
 
 
 @dataclass(frozen=True)

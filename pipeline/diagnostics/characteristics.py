@@ -68,8 +68,8 @@ class CurveEquilibrium:
 def curves_from(named: Mapping[str, FloatArray], q: FloatArray) -> Curves:
     """Curves from a model's own names: ``F``, ``d``, and ``dC1_dq`` … [F/m] or ``g1`` … [N/V]."""
     shares = {"dC1_dq": 0.5, "dC2_dq": 0.5, "g1": 1.0, "g2": 1.0}
-    gains = np.array([np.asarray(named[key]) * share for key, share in shares.items() if key in named])
-    return Curves(q, np.asarray(named["F"]), named.get("d"), gains.reshape(-1, q.size))
+    gains = np.array([named[key] * share for key, share in shares.items() if key in named]).reshape(-1, q.size)
+    return Curves(q, np.asarray(named["F"]), named.get("d"), gains)
 
 
 def model_curves(data: RunData) -> tuple[dict[str, Curves], dict[str, list[Curves]]]:
@@ -131,8 +131,8 @@ def believed_wells(wells: Wells | NoWells, model: str, rests: int | None, plant:
     """
     if plant.joint or rests is None or rests == 2 or isinstance(wells, NoWells):
         return wells
-    states = {0: "no two wells", 1: "a single rest"}.get(rests, f"{rests} stable states")
-    return NoWells(f"{model} has {states}", rests == 1)
+    states = {0: "no two wells", 1: "a single rest"}
+    return NoWells(f"{model} has {states.get(rests, f'{rests} stable states')}", rests == 1)
 
 
 def _drawn_curves(
@@ -233,8 +233,7 @@ def device_facts(curves: Curves, plant: Device) -> dict[str, float | None]:
         return {"rest": stable[0].q, "stiffness": stable[0].stiffness} if stable else {}
     if len(stable) > 2 and not plant.joint:
         return {f"{STABLE}{number}": e.q for number, e in enumerate(stable, start=1)}
-    left = stable[0]
-    right = stable[-1]
+    left, *_, right = stable
     facts: dict[str, float | None] = {
         "well_left": left.q,
         "well_right": right.q,
@@ -272,14 +271,16 @@ def intervals(
     for key in sorted({key for draw in draws for key in draw}):
         drawn = [value for draw in draws if (value := draw.get(key)) is not None]
         if len(drawn) >= COVERAGE * len(draws):
-            low, high = np.quantile(drawn, [(1.0 - COVERAGE) / 2.0, (1.0 + COVERAGE) / 2.0])
-            own = values.get(key)
-            ends = [float(low), float(high)] if own is None else [float(low), float(high), own]
+            middle = np.quantile(drawn, [(1.0 - COVERAGE) / 2.0, (1.0 + COVERAGE) / 2.0]).tolist()
+            ends = [end for end in (*middle, values.get(key)) if end is not None]
             limits[key] = (min(ends), max(ends))
     return limits
 
 
 def shares(values: Mapping[str, float | None], draws: Sequence[Mapping[str, float | None]]) -> dict[str, float]:
     """Share of the model's curve draws that have each fact which its own curves have; empty without draws."""
-    existing = [key for key, value in values.items() if value is not None]
-    return {key: sum(draw.get(key) is not None for draw in draws) / len(draws) for key in existing if draws}
+    return {
+        key: sum(draw.get(key) is not None for draw in draws) / len(draws)
+        for key, value in values.items()
+        if value is not None and draws
+    }

@@ -25,38 +25,41 @@ DEALT_WITH = re.compile(
 
 def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     """The measurement: gaps, noise, rails, excitation, and whether validation stays inside the training range."""
+    spans, noises, rails = zip(*(_numbers_of_log(data, log) for log in data.logs), strict=True)
     advice = "judge every number with that in mind, or record again without it"
-    span, noise, rails = _signal_numbers(data)
     checks = [
         *(Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted),
         *_remark_checks(data),
         _masked_check(data),
-        _noise_check(data, span, noise),
+        _noise_check(data, max(spans) or 1.0, max(noises)),
     ]
-    if data.prototype.ingest.rails == "keep" and rails > 0.0:  # the user has said what they are
-        checks.append(of_finding("data", Finding("rails", "good", subject="kept", numbers={"value": Number(rails)})))
+    if data.prototype.ingest.rails == "keep" and max(rails) > 0.0:  # the user has said what they are
+        kept = {"value": Number(max(rails))}
+        checks.append(of_finding("data", Finding("rails", "good", subject="kept", numbers=kept)))
     else:
-        checks.append(graded("data", "rails", rails))
-    if isinstance(wells, NoWells):
-        if data.device.joint:  # another device need not have two
-            checks.append(of_finding("data", Finding("no_wells", "fair", subject=wells.reason)))
-    else:
+        checks.append(graded("data", "rails", max(rails)))
+    kind = "joint" if data.device.joint else ""
+    if isinstance(wells, Wells):
         count = sum(len(snaps(log.motion.q, wells)) for log in data.role("train"))
-        checks.append(graded("data", "switches", count, subject="joint" if data.device.joint else ""))
-    checks += _coverage_checks(data)
+        checks.append(graded("data", "switches", count, subject=kind))
+    elif data.device.joint:  # another device need not have two
+        checks.append(of_finding("data", Finding("no_wells", "fair", subject=wells.reason)))
+    inner = centre_visits(data)[1][1:-1]  # the outermost two centres lie at the ends of the range
+    if inner.size:
+        centres = {"centres": Number(inner.size)}
+        checks.append(graded("data", "coverage", float(inner.min()), subject=kind, numbers=centres))
     return checks + _extrapolation_checks(data)
 
 
 def _remark_checks(data: RunData) -> list[Check]:
     """Every remark on a log, and every (!) of the checks; what was masked or split is graded by its share."""
     advice = "see to it, or judge every number with that in mind"
-    remarks = [
+    return [
         Check("data", "remark", "good" if DEALT_WITH.search(text) else "fair", f"{log.title}: {text}", advice)
         for log in data.logs
         for text in map(str, log.record_notes.get("warnings", ()))
         if text not in (*log.record_notes.get("accepted", ()), *data.accepted)  # which have a row of their own
-    ]
-    return remarks + [
+    ] + [
         Check("data", "check", "fair", f"{row['log']}: {row['what']}: {row['found']}", row["advice"])
         for row in data.log_checks
         if row["state"] == "note"
@@ -69,8 +72,7 @@ def _masked_check(data: RunData) -> Check:
     rows = sum(len(log.motion.t) for log in data.logs) + cut
     masked = (sum(int(np.count_nonzero(~log.motion.valid)) for log in data.logs) + cut) / rows
     counts = {cause: sum(int(log.record_notes.get(cause, 0)) for log in data.logs) for cause in MASKS}
-    numbers = {cause: Number(count) for cause, count in counts.items() if count}
-    return graded("data", "masked", masked, numbers=numbers)
+    return graded("data", "masked", masked, numbers={cause: Number(count) for cause, count in counts.items() if count})
 
 
 def _extrapolation_checks(data: RunData) -> list[Check]:
@@ -88,22 +90,14 @@ def _extrapolation_checks(data: RunData) -> list[Check]:
     return [graded("data", "extrapolation", float(np.mean(beyond)))] if rows.size else []
 
 
-def _coverage_checks(data: RunData) -> list[Check]:
-    """Samples at the centres between the outermost two, which lie at the ends of the range."""
-    inner = centre_visits(data)[1][1:-1]
-    if inner.size == 0:
-        return []
-    subject = "joint" if data.device.joint else ""
-    return [graded("data", "coverage", float(inner.min()), subject=subject, numbers={"centres": Number(inner.size)})]
-
-
 def _noise_check(data: RunData, span: float, noise: float) -> Check:
     """Noise over the range of q [both m or rad], or where the sensor's steps hide it, what these round off."""
+    unit = data.device.displacement.symbol
     steps = max(log.record_notes.get("resolution") or 0.0 for log in data.logs)
     if below_resolution(noise, steps):
-        sizes = {"steps": Number(steps, data.device.displacement.symbol), "share": Number(steps / span)}
-        return graded("data", "noise", rounding(steps) / span, subject="steps", numbers=sizes)
-    return graded("data", "noise", noise / span, numbers={"noise": Number(noise, data.device.displacement.symbol)})
+        numbers = {"steps": Number(steps, unit), "share": Number(steps / span)}
+        return graded("data", "noise", rounding(steps) / span, subject="steps", numbers=numbers)
+    return graded("data", "noise", noise / span, numbers={"noise": Number(noise, unit)})
 
 
 def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
@@ -116,12 +110,6 @@ def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:
     return places, coverage(places, [q], [np.zeros((q.size, 0))]).visits.astype(np.float64)
 
 
-def _signal_numbers(data: RunData) -> tuple[float, float, float]:
-    """Largest range of q, noise of q and share of rail samples over the logs."""
-    spans, noises, rails = zip(*(_numbers_of_log(data, log) for log in data.logs), strict=True)
-    return max(spans) or 1.0, max(noises), max(rails)
-
-
 def _numbers_of_log(data: RunData, log: LogData) -> tuple[float, float, float]:
     """Range of q, noise of q and share of rail samples of one log."""
     t = log.record["t"]
@@ -129,7 +117,7 @@ def _numbers_of_log(data: RunData, log: LogData) -> tuple[float, float, float]:
     # The differentiator works on the noise at the log's own rate; the record has what the filter left of it.
     notes = log.kinematics_notes
     of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
-    stated = [s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std")]
+    stated = (s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std"))
     noise = min(max(stated, default=quality.noise), _noise_of_residual(data, log))
     return quality.largest - quality.smallest, noise, quality.low_rail + quality.high_rail
 

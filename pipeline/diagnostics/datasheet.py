@@ -9,7 +9,7 @@ import numpy as np
 from ..device.device import Device
 from ..models.base import DynamicModel, HasOutcomeDraws
 from ..numerics.arrays import FloatArray
-from ..numerics.metrics import NORMAL_90
+from ..numerics.metrics import NORMAL_90, signal_range
 from ..scoring.wells import NoWells, Wells
 from ..signals.findings import SEVERITIES, Finding, Number, Severity
 from ..store.columns import FACT_COLUMNS, STABLE
@@ -38,7 +38,9 @@ RESTS = {"_left": "well_left", "_right": "well_right", "": "rest"}
 """Key of the place of rest by the suffix of the other facts there, as of ``stiffness_left``."""
 
 SCATTERED = 0.1
-"""Share of the range of q: rests whose standard deviation is larger are several places."""
+"""Share of the range of q: rests whose standard deviation is larger are several places, as of a drive that stays
+anywhere, or of a log without rests.
+"""
 LEAST_EVENTS = 3
 """Fewest events for a spread."""
 LEAST_SPREAD = 0.05
@@ -97,43 +99,36 @@ def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
     damping depends on the size of the motion, and a rest on the time since the joint came there. Without a free run
     they are compared with the model's own value.
     """
-    distances = [(fact, apart) for fact in facts if (apart := distance(fact)) is not None]
-    if not distances:
-        return []
+    compared = [(fact.title, *both) for fact in facts if (both := comparison(fact)) is not None]
     off = [
-        graded("model", "measured_facts", apart, subject=fact.title, numbers=_compared(fact))
-        for fact, apart in distances
+        graded("model", "measured_facts", apart, subject=title, numbers=numbers)
+        for title, apart, numbers in compared
         if THRESHOLDS["measured_facts"].grade(apart) != "good"
     ]
-    if off:
+    if off or not compared:
         return off
-    largest = max(0.1, np.ceil(10.0 * max(apart for _, apart in distances)) / 10.0)  # "within" is rounded up
-    numbers = {"value": Number(float(largest)), "count": Number(len(distances))}
+    largest = max(0.1, np.ceil(10.0 * max(apart for _, apart, _ in compared)) / 10.0)  # "within" is rounded up
+    numbers = {"value": Number(float(largest)), "count": Number(len(compared))}
     return [of_finding("model", Finding("measured_facts", "good", numbers=numbers))]
 
 
-def _compared(fact: DatasheetFact) -> dict[str, Number]:
-    """Compared numbers of a fact: measured, and of the free run or the model."""
-    assert fact.measured is not None  # noqa: S101 - as it has a distance
-    numbers = {"measured": Number(fact.measured, fact.unit, fact.measured_spread), "events": Number(fact.events)}
-    if fact.free_run is not None:
-        return numbers | {"free_run": Number(fact.free_run, fact.unit)}
-    assert fact.value is not None  # noqa: S101
-    return numbers | {"model": Number(fact.value, fact.unit, fact.half_width)}
-
-
-def distance(fact: DatasheetFact) -> float | None:
-    """Distance of model and measurement in standard deviations; None where there is nothing to compare.
+def comparison(fact: DatasheetFact) -> tuple[float, dict[str, Number]] | None:
+    """Distance of model and measurement in standard deviations, and what is compared; None where there is nothing.
 
     They are those of the measured events, and of the model where its own value is compared.
     """
-    if fact.measured is None or fact.measured_spread is None or fact.events < LEAST_EVENTS:
+    free = fact.free_run is not None
+    modelled = fact.free_run if free else fact.value
+    half = None if free else fact.half_width
+    if modelled is None or fact.measured is None or fact.measured_spread is None or fact.events < LEAST_EVENTS:
         return None
     spread = max(fact.measured_spread, LEAST_SPREAD * abs(fact.measured))
-    if fact.free_run is not None:
-        return abs(fact.free_run - fact.measured) / spread
-    together = float(np.hypot(spread, (fact.half_width or 0.0) / NORMAL_90))
-    return None if fact.value is None else abs(fact.value - fact.measured) / together
+    apart = abs(modelled - fact.measured) / float(np.hypot(spread, (half or 0.0) / NORMAL_90))
+    return apart, {
+        "measured": Number(fact.measured, fact.unit, fact.measured_spread),
+        "events": Number(fact.events),
+        "free_run" if free else "model": Number(modelled, fact.unit, half),
+    }
 
 
 @dataclass(frozen=True)
@@ -156,7 +151,6 @@ class Datasheet:
     facts: tuple[DatasheetFact, ...]
     checks: tuple[Check, ...]
     wells: Wells | NoWells
-    rests: RestFacts
     curves: Mapping[str, Curves]
     draws: Mapping[str, list[Curves]]
 
@@ -180,9 +174,13 @@ class Datasheet:
         """
         forces: Mapping[str, float] = data.descriptions.get(self.main_model, {}).get("elements", {})
         whole = forces.get("restoring force")
-        unit = data.device.curve_units["F"]
         return [
-            {"name": name, "force_rms": force, "unit": unit, "share": force / whole if whole else None}
+            {
+                "name": name,
+                "force_rms": force,
+                "unit": data.device.curve_units["F"],
+                "share": force / whole if whole else None,
+            }
             for name, force in sorted(forces.items(), key=lambda item: -item[1])
         ]
 
@@ -228,20 +226,19 @@ def make_datasheet(data: RunData) -> Datasheet:
     rests = rest_facts(records, wells, hum, plant=data.device)
     events = _in_free_run(data, source, wells)
     facts = tuple(_facts(data, modelled, rests, wells, events))
+    rest_errors = _rest_errors(events, modelled.values, rests, wells)
     main_model = data.model_names[0]
-    checks = (
-        *data_checks(data, wells),
-        *model_checks(data, main_model, _rest_errors(events, modelled.values, rests, wells), wells),
-        *fact_checks(facts),
-    )
     return Datasheet(
         name=data.prototype.name,
         model=source,
         main_model=main_model,
         facts=facts,
-        checks=checks,
+        checks=(
+            *data_checks(data, wells),
+            *model_checks(data, main_model, rest_errors, wells),
+            *fact_checks(facts),
+        ),
         wells=wells,
-        rests=rests,
         curves=curves,
         draws=draws,
     )
@@ -262,12 +259,10 @@ def _by_model(data: RunData, curves: Curves, draws: list[Curves]) -> _ModelledFa
     Stable states have neither interval nor share: a draw may have another number of them than the curves.
     """
     values = device_facts(curves, plant=data.device)
-    drawn = [device_facts(draw, plant=data.device) for draw in draws]
-    compared = {key for key in values if not key.startswith(STABLE)}
-    limits = {key: ends for key, ends in intervals(values, drawn).items() if key in compared}
-    return _ModelledFacts(
-        values, limits, {key: share for key, share in shares(values, drawn).items() if key in compared}
-    )
+    own = {key: value for key, value in values.items() if not key.startswith(STABLE)}
+    facts = (device_facts(draw, plant=data.device) for draw in draws)
+    drawn = [{key: fact.get(key) for key in own} for fact in facts]
+    return _ModelledFacts(values, intervals(own, drawn), shares(own, drawn))
 
 
 def simulated_ring_downs(
@@ -347,9 +342,9 @@ def _ring_downs_by_curves(
     facts: dict[str, float | None] = {}
     values, drawn = (device_facts(curves, plant=plant) for curves in (own, draw))
     for side, rest in RESTS.items():
-        frequency, damping = rings.get(f"frequency{side}"), rings.get(f"damping{side}")
-        stiffness, stiffness_drawn = values.get(f"stiffness{side}"), drawn.get(f"stiffness{side}")
-        place, place_drawn = values.get(rest), drawn.get(rest)
+        frequency, damping = (rings.get(f"{name}{side}") for name in ("frequency", "damping"))
+        stiffness, stiffness_drawn = (facts_of.get(f"stiffness{side}") for facts_of in (values, drawn))
+        place, place_drawn = (facts_of.get(rest) for facts_of in (values, drawn))
         if frequency is None or damping is None or stiffness is None or stiffness_drawn is None:
             continue
         faster = float(np.sqrt(stiffness_drawn / stiffness))
@@ -384,8 +379,8 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
     if model is None or not logs:
         return {}
     runs = [(log.motion.t, log.predictions[model]["q"], log.motion.v) for log in logs]
-    events = _measured(rest_facts(runs, wells, plant=data.device), wells)
-    return {key: float(np.mean(values)) for key, values in events.items()}
+    rests = rest_facts(runs, wells, plant=data.device)
+    return {key: float(np.mean(values)) for key, values in _measured(rests, wells).items()}
 
 
 def _facts(
@@ -399,7 +394,8 @@ def _facts(
     # One rest measured over several modelled ones is the mean of all, and none of them.
     several = modelled.values.get("well_left") is not None or any(key.startswith(STABLE) for key in modelled.values)
     measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
-    if "rest" in measured and _scattered(measured["rest"], [log.motion.q for log in data.logs]):
+    span = signal_range(np.concatenate([log.motion.q for log in data.logs])) or 0.0
+    if "rest" in measured and np.std(measured["rest"]) > SCATTERED * span:
         del measured["rest"]
     q = data.device.displacement.symbol
     units = {
@@ -434,12 +430,6 @@ def _listed(values: Mapping[str, float | None]) -> Iterator[tuple[str, str, str]
     for column in FACT_COLUMNS:
         for number in stable if column.key == STABLE else ("",):
             yield column.key + number, f"{column.title} {number}".rstrip(), column.unit
-
-
-def _scattered(places: FloatArray, motions: Sequence[FloatArray]) -> bool:
-    """True if places of rest are too far apart for one: of a drive that stays anywhere, or of a log without rests."""
-    low = min(float(np.nanmin(q)) for q in motions)
-    return bool(np.std(places) > SCATTERED * (max(float(np.nanmax(q)) for q in motions) - low))
 
 
 def _measured(rests: RestFacts, wells: Wells | NoWells) -> dict[str, FloatArray]:

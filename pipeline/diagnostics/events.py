@@ -29,11 +29,10 @@ FARTHEST = 30.0  # of the logarithms of decay and frequency [1/s], which stay fi
 
 @dataclass(frozen=True)
 class RingDown:
-    """A damped sinusoid: frequency [Hz], damping ratio, and the unexplained share (RMS over RMS)."""
+    """A damped sinusoid: frequency [Hz] and damping ratio."""
 
     frequency: float
     damping: float
-    unexplained: float
 
 
 def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
@@ -61,7 +60,7 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     if size == 0.0:
         return None
     padded = 8 * q.size
-    line = int(np.argmax(np.abs(np.fft.rfft(oscillation, padded))))
+    line = np.argmax(np.abs(np.fft.rfft(oscillation, padded)))
     omega = 2.0 * np.pi * line / (padded * span / (q.size - 1))
     if omega * span < 2.0 * np.pi:
         return None
@@ -85,7 +84,7 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     monotone = [np.linalg.norm(q - isotonic_regression(q, increasing=rises).x) for rises in (True, False)]
     if unexplained * size > BESIDE_MONOTONE * min(monotone):
         return None
-    return RingDown(float(angular / (2.0 * np.pi)), float(decay / np.hypot(decay, angular)), unexplained)
+    return RingDown(float(angular / (2.0 * np.pi)), float(decay / np.hypot(decay, angular)))
 
 
 def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:
@@ -276,8 +275,7 @@ def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:
         return np.empty(0)
     reached = REACH * noise_std(v[np.isfinite(v)])
     means = blocks.mean(axis=1)
-    calm = np.zeros(len(means), dtype=bool)
-    calm[1:] = np.abs(np.diff(means)) < CHANGE * largest
+    calm = np.append(False, np.abs(np.diff(means)) < CHANGE * largest)
     plateaus = [run for run in runs_of(calm) if run.stop - run.start >= STILL]
     lags = []
     for before, after in pairwise(plateaus):
@@ -286,13 +284,10 @@ def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:
         first = float(means[before.stop - STILL // 2 : before.stop - 1].mean())
         last = float(means[end].mean())
         low = reached / abs(last - first)
-        if not low < HIGH:
-            continue
-        share = (v[(before.stop - 1) * size : end.stop * size] - last) / (first - last)
-        lag = _decay(share, interval, low)
-        if lag is not None:
-            lags.append(lag)
-    return np.array(lags)
+        if low < HIGH:
+            share = (v[(before.stop - 1) * size : end.stop * size] - last) / (first - last)
+            lags.append(_decay(share, interval, low))
+    return np.array([lag for lag in lags if lag is not None])
 
 
 def _decay(share: FloatArray, interval: float, low: float) -> float | None:
@@ -305,8 +300,8 @@ def _decay(share: FloatArray, interval: float, low: float) -> float | None:
     if not (gone.size and started.size) or gone[0] - started[0] < LEAST_IN_DECAY:
         return None
     part = share[started[0] : gone[0]]
-    time = interval * np.arange(part.size)
     weights = part**2
+    time = interval * np.arange(part.size)
     time = time - np.average(time, weights=weights)
     line = np.log(part)
     middle = np.average(line, weights=weights)

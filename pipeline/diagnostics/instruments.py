@@ -20,9 +20,9 @@ with their correlation time, and that which groups of them in a row show (jackkn
 inputs and a mirrored q are discrete, so each is tried.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Literal, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
@@ -31,7 +31,7 @@ from scipy.special import ndtr, stdtrit
 
 from ..fitting.descent import ObservedProblem, Prior
 from ..fitting.posterior import GROUPS, robust_spread, whiteness
-from ..numerics.arrays import FloatArray, IntArray
+from ..numerics.arrays import FloatArray
 from ..numerics.metrics import rms
 from ..signals.log import MOST_SAMPLES, Corrections, Log, corrected, exchanged, mirrored, within
 from ..signals.noise import noise_std
@@ -86,11 +86,6 @@ class Linearised:
     by_corrections: FloatArray
     by_parameters: FloatArray
 
-    @property
-    def reach(self) -> float:
-        """RMS residual that all instruments cause at their limits, if they err independently; less does not matter."""
-        return float(np.sqrt(np.sum(np.mean(self.by_corrections**2, axis=0))))
-
 
 @dataclass(frozen=True)
 class Reading:
@@ -125,8 +120,10 @@ class Reading:
 
 def quantities(parts: Sequence[Log]) -> dict[str, float]:
     """Limits of practical interest [1, m, rad or s] by error that is measured, for a log's range of q and interval."""
-    span = float(np.ptp(np.concatenate([part.known_q for part in parts])))
-    scales = {"zero_q": span, "delay": parts[0].interval}
+    scales = {
+        "zero_q": float(np.ptp(np.concatenate([part.known_q for part in parts]))),
+        "delay": parts[0].interval,
+    }
     inputs = {f"gain_v{k}": LIMITS["gain"] for k in range(1, parts[0].v.shape[1] + 1)}
     return inputs | {name: limit * scales.get(name, 1.0) for name, limit in LIMITS.items() if name != "gain"}
 
@@ -159,10 +156,12 @@ class InstrumentTest:
 
         The model was fitted to all of them, so unlike residuals show its own errors, which then hide the instruments.
         """
-        count = len(self._logs)
-        others = [self._training[:number] + self._training[number + 1 :] for number in range(count)]
-        nothing = np.zeros(len(self._limits))
-        return [self._reading(self._logs[n], others[n], nothing, fitted=True) for n in range(count)]
+        return [
+            self._reading(
+                log, self._training[:number] + self._training[number + 1 :], np.zeros(len(self._limits)), fitted=True
+            )
+            for number, log in enumerate(self._logs)
+        ]
 
     @cached_property
     def _between(self) -> FloatArray:
@@ -179,8 +178,7 @@ class InstrumentTest:
             return np.zeros(len(self._limits))
         excess = [reading.estimate**2 - reading.standard_error**2 for reading in measured]
         variance = np.maximum(np.mean(excess, axis=0), 0.0) * (1.0 - 1.0 / count)
-        deviation: FloatArray = np.sqrt(variance * (1.0 + 1.0 / count)) / self._limits
-        return deviation
+        return np.asarray(np.sqrt(variance * (1.0 + 1.0 / count)) / self._limits)
 
     def of(self, parts: Sequence[Log]) -> Reading:
         """Errors of the parts of another log, compared with the training logs."""
@@ -214,13 +212,12 @@ class InstrumentTest:
             if np.all(np.abs(fit.step) < STILL * fit.error):
                 break
             log = self._linearised(parts, delta)
-        unlike = abs(fit.unlike) if fitted else fit.unlike
-        alike = unlike <= 1.0 or fit.size <= 1.0
+        alike = fit.size <= 1.0 or (abs(fit.unlike) if fitted else fit.unlike) <= 1.0
         astray = np.any(np.abs(delta) >= FARTHEST) or np.any(np.abs(fit.step) > fit.error)
-        if (alike and astray) or (fitted and not alike):
-            return self._not_measured(exchange)
-        errors = np.hypot(between, np.maximum(fit.error, np.sqrt(np.sum(fit.spread() ** 2, axis=1))))
-        if alike and np.all(errors > SIGNIFICANCE):  # no quantity is known to some limits: the model errs, as it shows
+        shown = np.sqrt(np.sum(fit.spread()[: len(delta)] ** 2, axis=1))
+        errors = np.hypot(between, np.maximum(fit.error, shown))
+        unknown = np.all(errors > SIGNIFICANCE)  # no quantity is known to some limits: the model errs, as it shows
+        if (alike and (astray or unknown)) or (fitted and not alike):
             return self._not_measured(exchange)
         ahead, behind = (self._errors(delta + side * errors) for side in (1.0, -1.0))
         return Reading(
@@ -247,8 +244,8 @@ class InstrumentTest:
 
     def _errors(self, delta: FloatArray) -> FloatArray:
         by = _corrections(delta * self._limits)
-        others = (-by.zero / by.gain_q, 1.0 / by.gain_q - 1.0, -by.delay, 1.0 / by.clock - 1.0)
-        return np.array([*(1.0 / gain - 1.0 for gain in by.gains), *others])
+        gains = (1.0 / gain - 1.0 for gain in by.gains)
+        return np.array([*gains, -by.zero / by.gain_q, 1.0 / by.gain_q - 1.0, -by.delay, 1.0 / by.clock - 1.0])
 
     def _as_trained(self, parts: Sequence[Log]) -> tuple[Exchange, Sequence[Log]]:
         """What must be exchanged for the log to be like the training logs, and the log with that exchanged."""
@@ -256,8 +253,7 @@ class InstrumentTest:
         if parts[0].v.shape[1] > 1:
             trials["inputs"] = [exchanged(each) for each in parts]
             trials["both"] = [exchanged(each) for each in trials["sign"]]
-        nothing = np.zeros(len(self._limits))
-        residuals = {name: self._residual(trial, nothing) for name, trial in trials.items()}
+        residuals = {name: self._residual(trial, np.zeros(len(self._limits))) for name, trial in trials.items()}
         left = {name: np.inf if residual is None else rms(residual) for name, residual in residuals.items()}
         best = min(left, key=lambda name: left[name])
         chosen = best if left[best] < EXPLAINED * left["none"] else "none"
@@ -307,11 +303,8 @@ class _Fitted:
         RMS of the errors of the log, over that which instruments cause at their limits.
     residual_ratio, unlike : float
         See `Reading`.
-    residual, design : FloatArray, shapes (N,) and (N, P)
-        Of all logs in a row, over their noise.
-    prior : Prior
-    groups : list of IntArray
-        Rows that may err together.
+    spread : callable
+        Gives the factor of the covariance of δ, and of all else, as groups of errors show it, shape (P, …).
     """
 
     step: FloatArray
@@ -319,14 +312,7 @@ class _Fitted:
     size: float
     residual_ratio: float
     unlike: float
-    residual: FloatArray
-    design: FloatArray
-    prior: Prior
-    groups: list[IntArray]
-
-    def spread(self) -> FloatArray:
-        """Factor of the covariance of δ as groups of errors show it, shape (K, …)."""
-        return robust_spread(self.residual, self.design, 1.0, self.prior, self.groups)[: len(self.step)]
+    spread: Callable[[], FloatArray]
 
 
 def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
@@ -348,16 +334,22 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
         np.arange(sum(map(len, together.errors))), np.cumsum([len(error) for error in together.errors[:-1]])
     )
     residual_ratio, unlike = _compared(alone.errors, together.errors[-1])
+    # What all instruments cause at their limits, if they err independently: a smaller residual does not matter.
+    reach = float(np.sqrt(np.sum(np.mean(log.by_corrections**2, axis=0))))
     return _Fitted(
         step=together.solution[:count],
         error=np.sqrt(np.diag(together.covariance[:count, :count])),
-        size=rms(together.errors[-1]) / log.reach,
+        size=rms(together.errors[-1]) / reach,
         residual_ratio=residual_ratio,
         unlike=unlike,
-        residual=np.concatenate([error / std for error, std in zip(together.errors, together.noise, strict=True)]),
-        design=np.concatenate([design / std for design, std in zip(designs, together.noise, strict=True)]),
-        prior=Prior(np.diag(1.0 / widths), np.zeros(len(widths))),
-        groups=[group for of_log in rows for group in np.array_split(of_log, GROUPS)],
+        spread=partial(
+            robust_spread,
+            np.concatenate([error / std for error, std in zip(together.errors, together.noise, strict=True)]),
+            np.concatenate([design / std for design, std in zip(designs, together.noise, strict=True)]),
+            1.0,
+            Prior(np.diag(1.0 / widths), np.zeros(len(widths))),
+            [group for of_log in rows for group in np.array_split(of_log, GROUPS)],
+        ),
     )
 
 

@@ -85,11 +85,11 @@ def _resolution(finding: Finding) -> ShownRow:
 
 def _undriven_starts(finding: Finding) -> ShownRow:
     second = "name the second input as v2 (in [channels], or as an argument)"
+    mend = second if finding.value("inputs") == 1 else "find out what does"
     return ShownRow(
         "leaves rest though no input changes",
         finding.filled("{starts:.0f}, the first at {first:.4g} s"),
-        advice="what moves q there is not among the inputs: "
-        + (second if finding.value("inputs") == 1 else "find out what does"),
+        advice=f"what moves q there is not among the inputs: {mend}",
     )
 
 
@@ -98,11 +98,11 @@ def _rests(finding: Finding) -> ShownRow:
     if finding.severity == "good":
         return ShownRow("rests", places)
     middle = quantity(-0.5 * (finding.value("left") + finding.value("right")), finding.numbers["left"].unit)
-    advice = (
+    return ShownRow(
+        "rests", places, "left < 0 < right",
         "both wells are on one side of zero, where a joint, its parameter set and its mirror plane have the middle: "
-        f"zero the sensor, or give `offset` in [channels] q (about {middle})"
-    )
-    return ShownRow("rests", places, "left < 0 < right", advice)
+        f"zero the sensor, or give `offset` in [channels] q (about {middle})",
+    )  # fmt: skip
 
 
 def _direction(finding: Finding) -> ShownRow:
@@ -110,11 +110,11 @@ def _direction(finding: Finding) -> ShownRow:
     side = _SIDES[0] if finding.value("push") > 0.0 else _SIDES[1]
     if finding.code == "push":
         return ShownRow(what, side)
-    advice = (
+    return ShownRow(
+        what, side, _SIDES[0] if finding.subject == "v1" else _SIDES[1],
         "v1 is the left membrane and pushes q to the right, v2 to the left: swap v1 and v2 in [channels], or give q "
-        "scale = -1 there; only if this device is wired the other way round, accept it"
-    )
-    return ShownRow(what, side, _SIDES[0] if finding.subject == "v1" else _SIDES[1], advice)
+        "scale = -1 there; only if this device is wired the other way round, accept it",
+    )  # fmt: skip
 
 
 def _late_answer(finding: Finding) -> ShownRow:
@@ -154,12 +154,11 @@ def _coupling(finding: Finding) -> ShownRow:
 
 def _coupling_ratio(finding: Finding) -> ShownRow:
     ratio = finding.value("ratio")
-    advice = (
+    return ShownRow(
+        "coupling of v1 over v2", significant(ratio, 2), finding.filled("1/{most:g} … {most:g}"),
         f"voltages wrong by {significant(max(ratio, 1.0 / ratio) ** 0.5, 2)} on one side do that: check the unit and "
-        "`scale` of both channels, and the ratio of both probes"
-    )
-    most = f"{finding.value('most'):g}"
-    return ShownRow("coupling of v1 over v2", significant(ratio, 2), f"1/{most} … {most}", advice)
+        "`scale` of both channels, and the ratio of both probes",
+    )  # fmt: skip
 
 
 def _field(finding: Finding) -> ShownRow:
@@ -173,13 +172,12 @@ def _field(finding: Finding) -> ShownRow:
 
 
 def _rest_level(finding: Finding) -> ShownRow:
-    name = finding.subject
     level = finding.numbers["level"]
-    advice = (
-        f"{name} never returns to zero: if its drive was off at some time, that is the probe's error; add "
-        f"{quantity(-level.value, level.unit)} to its `offset` in [channels]"
-    )
-    return ShownRow(f"rest level of {name}", f"{level}", finding.filled("≤ {most:short}"), advice)
+    return ShownRow(
+        f"rest level of {finding.subject}", f"{level}", finding.filled("≤ {most:short}"),
+        f"{finding.subject} never returns to zero: if its drive was off at some time, that is the probe's error; add "
+        f"{quantity(-level.value, level.unit)} to its `offset` in [channels]",
+    )  # fmt: skip
 
 
 def _input_action(finding: Finding) -> ShownRow:
@@ -198,8 +196,10 @@ def _input_action(finding: Finding) -> ShownRow:
 
 
 def _shared_recording(finding: Finding) -> ShownRow:
-    advice = "what both hold counts twice in fits and scores: leave one of them out, or cut it"
-    return ShownRow(f"shared with {finding.subject}", shared_spans(finding), "none", advice)
+    return ShownRow(
+        f"shared with {finding.subject}", shared_spans(finding), "none",
+        "what both hold counts twice in fits and scores: leave one of them out, or cut it",
+    )  # fmt: skip
 
 
 def shared_spans(finding: Finding) -> str:

@@ -19,47 +19,46 @@ MOST_OF_IT = 0.8
 """Least share of the squared error that one place causes."""
 
 
-def instrument_findings(data: RunData, model: str) -> list[Finding]:
+def instrument_findings(data: RunData, model: str) -> Iterator[Finding]:
     """Findings on instruments beyond their limits; none in a run that did not measure them."""
     rows = [row for row in data.instruments if row["model"] == model]
-    findings = []
-    logs = dict.fromkeys((row["role"], row["log"]) for row in rows)
-    trained = [log for log in logs if log[0] == "train"]
+    of_logs = {log: [row for row in rows if (row["role"], row["log"]) == log] for log in map(_log, rows)}
+    displacement = data.device.displacement.symbol
+    trained = [log for log in of_logs if log[0] == "train"]
     if len(trained) == 2:  # each was compared with the other, which does not show which one is wrong
-        findings += _disagreements(rows, trained[0], log_title(*trained[1]), data.device.displacement.symbol)
-        logs = dict.fromkeys(log for log in logs if log not in trained)
-    for log in logs:
-        of_log = [row for row in rows if (row["role"], row["log"]) == log]
+        own, _ = (of_logs.pop(log) for log in trained)
+        title, other = (log_title(*log) for log in trained)
+        if own[0]["exchanged"] != "none":
+            yield Finding("unlike_training", "poor", title, other)
+        else:
+            for finding in _beyond(own, f"{title} and the {other}", displacement):
+                yield replace(finding, code="disagreement")
+    for log, own in of_logs.items():
         title = log_title(*log)
-        if of_log[0]["status"] == "another device":
-            left = {"residual_ratio": Number(float(of_log[0]["residual_ratio"]))}
-            findings.append(Finding("another_device", "poor", title, numbers=left))
-            continue
-        if of_log[0]["exchanged"] != "none":
-            findings.append(Finding("exchanged", "poor", title, of_log[0]["exchanged"]))
-        findings += [_instrument(row, title, data.device.displacement.symbol) for row in of_log if row["beyond"]]
-    return findings
+        if own[0]["status"] == "another device":
+            left = {"residual_ratio": Number(float(own[0]["residual_ratio"]))}
+            yield Finding("another_device", "poor", title, numbers=left)
+        else:
+            if own[0]["exchanged"] != "none":
+                yield Finding("exchanged", "poor", title, own[0]["exchanged"])
+            yield from _beyond(own, title, displacement)
 
 
-def _disagreements(
-    rows: Sequence[Mapping[str, Any]], log: tuple[str, str], other: str, displacement: str
-) -> list[Finding]:
-    """Findings where one of two training logs disagrees with the other in an instrument."""
-    own = [row for row in rows if (row["role"], row["log"]) == log]
-    if own[0]["exchanged"] != "none":
-        return [Finding("unlike_training", "poor", log_title(*log), other)]
-    beyond = [_instrument(row, log_title(*log), displacement) for row in own if row["beyond"]]
-    return [replace(finding, code="disagreement", log=f"{finding.log} and the {other}") for finding in beyond]
+def _log(row: Mapping[str, Any]) -> tuple[str, str]:
+    return row["role"], row["log"]
 
 
-def _instrument(row: Mapping[str, Any], title: str, displacement: str) -> Finding:
-    unit = unit_of(row["quantity"], displacement)
-    numbers = {
-        "estimate": Number(float(row["estimate"]), unit, float(row["standard_error"])),
-        "limit": Number(float(row["limit"]), unit),
-        "correction": Number(float(row["correction"]), unit),
-    }
-    return Finding("instrument", "fair", title, row["quantity"], numbers)
+def _beyond(rows: Sequence[Mapping[str, Any]], title: str, displacement: str) -> Iterator[Finding]:
+    """The instruments of a log that are off by more than their limits."""
+    for row in rows:
+        if row["beyond"]:
+            unit = unit_of(row["quantity"], displacement)
+            numbers = {
+                "estimate": Number(float(row["estimate"]), unit, float(row["standard_error"])),
+                "limit": Number(float(row["limit"]), unit),
+                "correction": Number(float(row["correction"]), unit),
+            }
+            yield Finding("instrument", "fair", title, row["quantity"], numbers)
 
 
 def causes(data: RunData, worst: Mapping[str, Any], ratio: float, wells: Wells | NoWells) -> list[Finding]:
@@ -83,28 +82,26 @@ def causes(data: RunData, worst: Mapping[str, Any], ratio: float, wells: Wells |
         device or extrapolation have findings of their own.
     """
     title = log_title(worst["role"], worst["log"])
+    numbers = {"ratio": Number(ratio)}
     severity = THRESHOLDS["generalisation"].grade(ratio)
-    if severity == "good":
-        return [Finding("generalisation", severity, title, worst["model"], {"ratio": Number(ratio)})]
-    by_instruments = any(finding.log == title for finding in instrument_findings(data, worst["model"]))
-    if by_instruments or THRESHOLDS["outside"].grade(worst.get("outside_training") or 0.0) != "good":
-        return []
-    log = next(log for log in data.logs if (log.role, log.name) == (worst["role"], worst["log"]))
-    passage = None if isinstance(wells, NoWells) else _one_passage(log, worst["model"], wells)
-    if passage is not None:
-        share, time = passage
-        numbers = {"share": Number(share), "time": Number(time, "s"), "ratio": Number(ratio)}
-        return [Finding("one_passage", "fair", title, worst["model"], numbers)]
-    return [Finding("generalisation", severity, title, worst["model"], {"ratio": Number(ratio)})]
+    if severity != "good":
+        by_instruments = any(finding.log == title for finding in instrument_findings(data, worst["model"]))
+        if by_instruments or THRESHOLDS["outside"].grade(worst.get("outside_training") or 0.0) != "good":
+            return []
+        log = next(log for log in data.logs if (log.role, log.name) == (worst["role"], worst["log"]))
+        passage = {} if isinstance(wells, NoWells) else _one_passage(log, worst["model"], wells)
+        if passage:
+            return [Finding("one_passage", "fair", title, worst["model"], passage | numbers)]
+    return [Finding("generalisation", severity, title, worst["model"], numbers)]
 
 
-def _one_passage(log: LogData, model: str, wells: Wells) -> tuple[float, float] | None:
-    """Share of the squared error behind one passage over the barrier, and when it is [s]; None where there is none.
+def _one_passage(log: LogData, model: str, wells: Wells) -> dict[str, Number]:
+    """Share of the squared error behind one passage over the barrier, and when it is; empty where there is none.
 
     The passage is the slowest of the measured and the modelled ones within the tenth of the log that errs most.
     """
     if model not in log.predictions:
-        return None
+        return {}
     q = np.asarray(log.motion.q)
     own = np.asarray(log.predictions[model]["q"])
     squares = np.nan_to_num((q - own) ** 2)
@@ -113,14 +110,15 @@ def _one_passage(log: LogData, model: str, wells: Wells) -> tuple[float, float] 
     windows = sums[length:] - sums[:-length]
     begin = int(np.argmax(windows))
     share = float(windows[begin] / sums[-1]) if sums[-1] > 0.0 else 0.0
-    if share < MOST_OF_IT:
-        return None
     crossings = [row for run in (q, own) for row in snaps(run, wells).tolist() if begin - 1 <= row < begin + length]
-    speeds = {  # of measurement or model, whichever moves less
-        row: min(abs(float(run[min(row + 1, run.size - 1)] - run[max(row - 1, 0)])) for run in (q, own))
-        for row in crossings
-    }
-    return (share, float(log.motion.t[min(speeds, key=speeds.__getitem__)])) if speeds else None
+    if share < MOST_OF_IT or not crossings:
+        return {}
+
+    def speed(row: int) -> float:
+        """Change of q about a row, of measurement or model, whichever moves less."""
+        return min(abs(float(run[min(row + 1, run.size - 1)] - run[max(row - 1, 0)])) for run in (q, own))
+
+    return {"share": Number(share), "time": Number(float(log.motion.t[min(crossings, key=speed)]), "s")}
 
 
 RIVAL_SURELY = 2e-3
@@ -172,18 +170,18 @@ def model_checks(
         yield graded("model", "wells", max(abs(error) for error in rest_errors) / (wells.right - wells.left))
 
 
-def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
-    """Logs that their own mean predicts better."""
-    checks = [
+def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
+    """The log that its own mean predicts better, most of all."""
+    beaten = [
         (own["nrmse"] / spread, spread, own)
         for own in judged
         if own["nrmse"] is not None and own["nrmse"] > (spread := _spread(data, own))
     ]
-    if not checks:
-        return []
-    _, spread, own = max(checks, key=lambda check: check[0])
-    numbers = {"constant": Number(spread), "own": Number(own["nrmse"])}
-    return [of_finding("model", Finding("constant", "poor", log_title(own["role"], own["log"]), own["model"], numbers))]
+    if beaten:
+        _, spread, own = max(beaten, key=lambda entry: entry[0])
+        numbers = {"constant": Number(spread), "own": Number(own["nrmse"])}
+        title = log_title(own["role"], own["log"])
+        yield of_finding("model", Finding("constant", "poor", title, own["model"], numbers))
 
 
 def _spread(data: RunData, score: Mapping[str, Any]) -> float:
@@ -193,8 +191,8 @@ def _spread(data: RunData, score: Mapping[str, Any]) -> float:
     return float(np.std(q) / np.ptp(q)) if np.ptp(q) > 0.0 else np.inf
 
 
-def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
-    """Logs that another model of the run predicts surely better, or that this one diverged on."""
+def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
+    """The log that another model of the run predicts surely better, most of all, or that this one diverged on."""
     checks = []
     for own in judged:
         others = {
@@ -202,23 +200,21 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
             for s in data.scores
             if s["nrmse"] and all(s[key] == own[key] for key in ("role", "log", "signal"))
         }
-        if not others:
-            continue
-        best = min(others, key=lambda name: others[name])
-        if own["nrmse"] is None and others[best] < _spread(data, own):  # one that a constant beats is no help
-            checks.append((np.inf, best, others[best], own))
-        elif own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
-            checks.append((own["nrmse"] / others[best], best, others[best], own))
-    if not checks:
-        return []
-    ratio, best, error, own = max(checks, key=lambda check: check[0])
-    numbers = {"error": Number(error)}
-    log = log_title(own["role"], own["log"])
-    subject = f"{best}, {own['model']}"
-    if own["nrmse"] is None:  # a free run that diverged has no ratio
-        return [of_finding("model", Finding("rival", "poor", log, subject, numbers))]
-    numbers["own"] = Number(own["nrmse"])
-    return [graded("model", "rival", ratio, log=log, subject=subject, numbers=numbers)]
+        if others:
+            best = min(others, key=others.__getitem__)
+            if own["nrmse"] is None and others[best] < _spread(data, own):  # one that a constant beats is no help
+                checks.append((np.inf, best, others[best], own))
+            elif own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
+                checks.append((own["nrmse"] / others[best], best, others[best], own))
+    if checks:
+        ratio, best, error, own = max(checks, key=lambda check: check[0])
+        log = log_title(own["role"], own["log"])
+        subject = f"{best}, {own['model']}"
+        if own["nrmse"] is None:  # a free run that diverged has no ratio
+            yield of_finding("model", Finding("rival", "poor", log, subject, {"error": Number(error)}))
+        else:
+            numbers = {"error": Number(error), "own": Number(own["nrmse"])}
+            yield graded("model", "rival", ratio, log=log, subject=subject, numbers=numbers)
 
 
 def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
@@ -236,8 +232,8 @@ def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
     outcomes = sum(s.get("outcomes") or 0 for s in judged)
     if outcomes:
         open_ones = sum(s.get("ambiguous_outcomes") or 0 for s in judged)
-        counts = {"open": Number(open_ones), "outcomes": Number(outcomes)}
-        yield graded("model", "ambiguous", open_ones / outcomes, numbers=counts)
+        numbers = {"open": Number(open_ones), "outcomes": Number(outcomes)}
+        yield graded("model", "ambiguous", open_ones / outcomes, numbers=numbers)
     outside = [s for s in judged if s.get("outside_training") is not None]
     if outside:
         most = max(outside, key=lambda score: score["outside_training"])

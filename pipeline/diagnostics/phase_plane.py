@@ -57,7 +57,10 @@ def basins(outcomes: Callable[[FloatArray], Classes], places: FloatArray, speeds
     unit = np.array([[0, 0], [0, 1], [1, 0], [1, 1]])  # corners of a block, and the first cells of its quarters
     while len(blocks) and side:
         corners = blocks[:, None, :] + side * unit
-        _find_out(classes, corners.reshape(-1, 2), outcomes, places, speeds)
+        unknown = np.unique(corners[classes[corners[..., 0], corners[..., 1]] == UNKNOWN], axis=0)
+        if len(unknown):
+            states = np.column_stack((places[unknown[:, 1]], speeds[unknown[:, 0]]))
+            classes[unknown[:, 0], unknown[:, 1]] = outcomes(states)
         ended = classes[corners[..., 0], corners[..., 1]]
         alike = (ended == ended[:, :1]).all(axis=1)
         for (i, j), value in zip(blocks[alike], ended[alike, 0], strict=True):
@@ -66,20 +69,6 @@ def basins(outcomes: Callable[[FloatArray], Classes], places: FloatArray, speeds
         side //= 2
         blocks = (blocks[~alike, None, :] + side * unit).reshape(-1, 2)
     return classes
-
-
-def _find_out(
-    classes: Classes,
-    cells: np.ndarray[tuple[int, int], np.dtype[np.int64]],
-    outcomes: Callable[[FloatArray], Classes],
-    places: FloatArray,
-    speeds: FloatArray,
-) -> None:
-    """Simulate those of the cells (n, 2), row and column, whose class is unknown, and enter it."""
-    missing = np.unique(cells[classes[cells[:, 0], cells[:, 1]] == UNKNOWN], axis=0)
-    if len(missing):
-        states = np.column_stack((places[missing[:, 1]], speeds[missing[:, 0]]))
-        classes[missing[:, 0], missing[:, 1]] = outcomes(states)
 
 
 def settled(model: DynamicModel, starts: FloatArray, seconds: float, step: float, inputs: int) -> FloatArray:

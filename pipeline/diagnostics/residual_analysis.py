@@ -72,8 +72,8 @@ def analyse_residual(
     interval : float
         Sample interval [s].
     """
-    runs = runs_of(np.isfinite(measured) & np.isfinite(calculated))
-    rows = max(runs, key=lambda rows: rows.stop - rows.start, default=slice(0, 0))
+    known = runs_of(np.isfinite(measured) & np.isfinite(calculated))
+    rows = max(known, key=lambda rows: rows.stop - rows.start, default=slice(0, 0))
     length = rows.stop - rows.start
     second = samples_of(LONGEST_LAG, interval)
     count = max(second if SHARE * second <= len(measured) else 1, min(FEWEST_LAGS, length // SHARE))
@@ -81,18 +81,17 @@ def analyse_residual(
         return None
     q = measured[rows]
     residual = calculated[rows] - q
-    n = len(residual)
     with_inputs = np.array([_correlation(column, residual, count) for column in inputs[rows].T])
     # Bartlett: the variance of a cross-correlation of independent signals is Σ ρ_ee ρ_uu / N over all lags.
-    far = min(n - 1, 10 * count)
+    far = min(length - 1, 10 * count)
     colour = _correlation(residual, residual, far)
-    variances = [float(np.sum(colour * _correlation(column, column, far))) / n for column in inputs[rows].T]
-    bands: FloatArray = NORMAL_99 * np.sqrt(np.maximum(variances, 1.0 / n))
+    variances = [float(np.sum(colour * _correlation(column, column, far))) / length for column in inputs[rows].T]
+    bands: FloatArray = NORMAL_99 * np.sqrt(np.maximum(variances, 1.0 / length))
     frequency, density = _spectrum(residual, interval)
     return Residual(
         lags=interval * np.arange(-count, count + 1.0),
         correlation=_correlation(residual, residual, count),
-        band=NORMAL_99 / float(np.sqrt(n)),
+        band=NORMAL_99 / float(np.sqrt(length)),
         with_inputs=with_inputs,
         input_bands=bands,
         outside=float(np.mean(np.abs(with_inputs[:, count:]) > bands[:, None])),
@@ -125,5 +124,5 @@ def main_residual(data: RunData, log: LogData) -> Residual | None:
     model = data.model_names[0]
     if model not in log.predictions:
         return None
-    acting = data.device.acting(log.motion.v)
-    return analyse_residual(log.motion.q, log.predictions[model]["q"], acting, log.motion.interval)
+    motion = log.motion
+    return analyse_residual(motion.q, log.predictions[model]["q"], data.device.acting(motion.v), motion.interval)

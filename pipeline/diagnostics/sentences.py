@@ -5,7 +5,7 @@ from typing import Any
 
 from ..errors import DataRefusedError
 from ..settings.prototype import Gate, Quality
-from ..signals.findings import Finding, Number
+from ..signals.findings import Finding, Number, counted
 from ..units.quantity import moment, percent, quantity, significant
 from . import log_sentences
 
@@ -62,8 +62,8 @@ def shown(number: Number) -> str:
 
 
 def _generalisation(finding: Finding) -> tuple[str, str]:
-    text = f"the error of {finding.subject} on the {finding.log} is {significant(finding.value('ratio'), 2)} times "
-    return f"{text}that on the training logs", ADVICE_BY_MODEL.get(finding.subject, RICHER)
+    text = "the error of {subject} on the {log} is {ratio:digits} times that on the training logs"
+    return finding.filled(text), ADVICE_BY_MODEL.get(finding.subject, RICHER)
 
 
 def _exchanged(finding: Finding) -> tuple[str, str]:
@@ -119,17 +119,14 @@ def _switch_accuracy(finding: Finding) -> tuple[str, str]:
 
 def _rival(finding: Finding) -> tuple[str, str]:
     best, _, own = finding.subject.partition(", ")
-    advice = (
+    text = f"{best} predicts the {{log}} with {{error:percent}}, where {own} diverged"
+    if "own" in finding.numbers:
+        text = f"{best} predicts the {{log}} surely better than {own}: {{error:percent}} for {{own:percent}}"
+    return (
+        finding.filled(text),
         f"take {best} for predictions (`--model {best}`), or help {own}: more and longer logs, or decide what is known "
-        "of the device in [identify.structure] (force, damping, drag, gain, friction, drive)"
+        "of the device in [identify.structure] (force, damping, drag, gain, friction, drive)",
     )
-    if "own" not in finding.numbers:
-        return (
-            f"{best} predicts the {finding.log} with {finding.numbers['error']:percent}, where {own} diverged",
-            advice,
-        )
-    errors = finding.filled("{error:percent} for {own:percent}")
-    return f"{best} predicts the {finding.log} surely better than {own}: {errors}", advice
 
 
 def _divergence(finding: Finding) -> tuple[str, str]:
@@ -156,36 +153,29 @@ def _rails(finding: Finding) -> tuple[str, str]:
 
 
 def _switches(finding: Finding) -> tuple[str, str]:
-    design = "; `debist rig excite` designs a sequence" if finding.subject == "joint" else ""
+    advice = "record more pulses that snap it both ways"
     return (
-        f"the training logs switch wells {finding.value('value'):.0f} times",
-        f"record more pulses that snap it both ways{design}",
+        finding.filled("the training logs switch wells {value:.0f} times"),
+        f"{advice}; `debist rig excite` designs a sequence" if finding.subject == "joint" else advice,
     )
 
 
 def _coverage(finding: Finding) -> tuple[str, str]:
-    visits = int(finding.value("value"))
-    samples = f"{visits} training sample{'s' if visits != 1 else ''}"
-    centres = f"{finding.value('centres'):.0f} basis centres inside the range"
+    samples = counted(int(finding.value("value")), "training sample")
     fills = ", `debist rig excite` fills them" if finding.subject == "joint" else ""
     return (
-        f"the least visited of {centres} has {samples} around it",
+        finding.filled(f"the least visited of {{centres:.0f}} basis centres inside the range has {samples} around it"),
         f"excite the thin places (`debist inspect` names them{fills}); or fewer centres",
     )
 
 
 def _noise(finding: Finding) -> tuple[str, str]:
+    share = significant(100.0 * finding.value("share" if finding.subject == "steps" else "value"), 2)
     if finding.subject == "steps":
-        share = significant(100.0 * finding.value("share"), 2)
-        return (
-            f"q comes in steps of {finding.numbers['steps']}, {share} % of its range; its noise is below that",
-            "use the sensor's finer range",
-        )
-    share = significant(100.0 * finding.value("value"), 2)
-    return (
-        f"noise of q is {finding.numbers['noise']} RMS, {share} % of its range",
-        "average or shield the sensor, or raise alpha",
-    )
+        text = f"q comes in steps of {{steps}}, {share} % of its range; its noise is below that"
+        return finding.filled(text), "use the sensor's finer range"
+    text = f"noise of q is {{noise}} RMS, {share} % of its range"
+    return finding.filled(text), "average or shield the sensor, or raise alpha"
 
 
 def _masked(finding: Finding) -> tuple[str, str]:
@@ -200,17 +190,17 @@ def _masked(finding: Finding) -> tuple[str, str]:
 
 def _measured_facts(finding: Finding) -> tuple[str, str]:
     if finding.severity == "good":
-        count = int(finding.value("count"))
-        one = "the one modelled fact that was measured too lies"
-        which = one if count == 1 else f"the {count} modelled facts that were measured too lie"
-        return f"{which} within {finding.value('value'):.1f} standard deviations", ""
-    measured = finding.numbers["measured"]
-    source = "free_run" if "free_run" in finding.numbers else "model"
-    modelled = finding.numbers[source]
-    like = abs(measured.value)
-    own = quantity(modelled.value, modelled.unit, modelled.error, like)
-    where = "in the model's free runs" if source == "free_run" else "by the model"
-    seen = quantity(measured.value, measured.unit, measured.error, like)
+        which = "the one modelled fact that was measured too lies"
+        if finding.value("count") != 1.0:
+            which = "the {count:.0f} modelled facts that were measured too lie"
+        return finding.filled(f"{which} within {{value:.1f}} standard deviations"), ""
+    source, where = (
+        ("free_run", "in the model's free runs") if "free_run" in finding.numbers else ("model", "by the model")
+    )
+    own, seen = (
+        quantity(number.value, number.unit, number.error, abs(finding.value("measured")))
+        for number in (finding.numbers[source], finding.numbers["measured"])
+    )
     return (
         f"{finding.subject} is {own} {where}, but was measured as {seen} ({finding.value('events'):.0f} times)",
         "train on longer rests without voltage, and trust the measured value until then",
@@ -311,14 +301,14 @@ def judge(
     """
     refused = [finding for finding in findings if finding.gate not in (*settings.accept, *prior)]
     if refused:
-        gates = dict.fromkeys((*settings.accept, *(finding.gate for finding in refused)))
         reasons = "; ".join(": ".join(sentences(finding)) for finding in refused)
+        gates = dict.fromkeys((*settings.accept, *(finding.gate for finding in refused)))
         names = ", ".join(f'"{gate}"' for gate in gates)
         raise DataRefusedError(f"{where}: {reasons}. To use it knowingly, set [quality] accept = [{names}]")
-    accepted = [(sentences(finding)[0], finding.gate) for finding in findings]
     return [
-        f"{text} (accepted: {gate})" if gate in settings.accept else f"{text}; there {decides} decide"
-        for text, gate in accepted
+        sentences(finding)[0]
+        + (f" (accepted: {finding.gate})" if finding.gate in settings.accept else f"; there {decides} decide")
+        for finding in findings
     ]
 
 

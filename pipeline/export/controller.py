@@ -85,8 +85,10 @@ def write_controller(
     }
     whole = fields | _functions("law_", c_function, c_sequence)
     sources = {f"{NAME}.h": render("controller.h.j2", whole), f"{NAME}.c": render("controller.c.j2", whole)}
-    script = render("controller.m.j2", fields | _functions("c.", matlab_function, matlab_sequence))
-    written = write_texts(folder, sources | {f"{NAME}.m": script})
+    written = write_texts(
+        folder,
+        sources | {f"{NAME}.m": render("controller.m.j2", fields | _functions("c.", matlab_function, matlab_sequence))},
+    )
     estimated = [
         (estimate.name, f"estimate for the next period: {estimate.meaning}", "output", estimate.unit)
         for estimate in ESTIMATES

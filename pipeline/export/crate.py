@@ -60,8 +60,9 @@ def write_crate(
     crate.datePublished = date = datetime.fromtimestamp((run.root / MANIFEST).stat().st_mtime, UTC)
     crate.metadata.extra_contexts.append("https://w3id.org/ro/terms/workflow-run/context")
     crate.metadata.extra_terms["contentHash"] = "urn:debist:content-hash"
-    profile = _entity(crate, PROFILE, "CreativeWork", "Process Run Crate", version=PROFILE.rsplit("/", 1)[1])
-    crate.root_dataset["conformsTo"] = [profile]
+    crate.root_dataset["conformsTo"] = [
+        _entity(crate, PROFILE, "CreativeWork", "Process Run Crate", version=PROFILE.rsplit("/", 1)[1])
+    ]
     with tempfile.TemporaryDirectory(prefix="debist-") as place:
         texts = {f"{name}.toml": settings, NAME: environment_text(run.manifest.versions), **more}
         objects, results = _files(crate, run, texts, inputs, Path(place))
@@ -71,19 +72,20 @@ def write_crate(
         }
         program = software.pop("debist")
         program["softwareRequirements"] = list(software.values())  # the packages that move digits
-        action = crate.add_action(
-            program,
-            identifier="#run",
-            object=objects,
-            result=results,
-            properties={
-                "name": f"debist run {name}",
-                "description": f"debist run {name}.toml -o run",
-                "endTime": date.isoformat(timespec="seconds"),
-                "actionStatus": "http://schema.org/CompletedActionStatus",
-            },
-        )
-        crate.root_dataset["mentions"] = [action]
+        crate.root_dataset["mentions"] = [
+            crate.add_action(
+                program,
+                identifier="#run",
+                object=objects,
+                result=results,
+                properties={
+                    "name": f"debist run {name}",
+                    "description": f"debist run {name}.toml -o run",
+                    "endTime": date.isoformat(timespec="seconds"),
+                    "actionStatus": "http://schema.org/CompletedActionStatus",
+                },
+            )
+        ]
         zipped = Path(place) / "crate.zip"  # write_zip adds that ending to names without it
         crate.write_zip(zipped)
         with atomic_path(target) as temporary:
@@ -109,8 +111,15 @@ def _files(
     ]
     results = [_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts")]
     for name, record in sorted(run.manifest.artifacts.items()):
-        title = f"{record.recipe.stage}: {name}"
-        results.append(_file(crate, run.checked(name), f"run/{name}", title, contentHash=record.content_hash))
+        results.append(
+            _file(
+                crate,
+                run.checked(name),
+                f"run/{name}",
+                f"{record.recipe.stage}: {name}",
+                contentHash=record.content_hash,
+            )
+        )
     for stage in run.manifest.stages:
         if not run.stage_problem(stage):
             name = stage_file(stage)
@@ -120,8 +129,17 @@ def _files(
 
 def _file(crate: Any, source: Path, name: str, title: str, **more: str) -> Any:
     kind = _FORMATS.get(source.suffix) or mimetypes.guess_type(name)[0] or "application/octet-stream"
-    described = {"encodingFormat": kind, "contentSize": str(source.stat().st_size), "sha256": file_sha256(source)}
-    return crate.add_file(source, dest_path=name, properties={"name": title, **more, **described})
+    return crate.add_file(
+        source,
+        dest_path=name,
+        properties={
+            "name": title,
+            **more,
+            "encodingFormat": kind,
+            "contentSize": str(source.stat().st_size),
+            "sha256": file_sha256(source),
+        },
+    )
 
 
 def environment_text(versions: Mapping[str, str]) -> str:

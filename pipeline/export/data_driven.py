@@ -209,11 +209,18 @@ def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Rea
         return {"dx": lagged_rates(model.equation, x, u)}
 
     squared = model.inputs == "squared"
-    bend = 0.5 / model.width**2
-    constants = {"basis": model.basis, "centres": model.centres, "weights": model.equation.weights, "bend": bend}
     return Realisation(
         functions=_functions(rates, lambda qdot0, u: [*qdot0], np.ones(model.input_count), squared, low, high, 3),
-        constants=constants | {"lag": model.lag_s, "low": low, "high": high, "squared": int(squared)},
+        constants={
+            "basis": model.basis,
+            "centres": model.centres,
+            "weights": model.equation.weights,
+            "bend": 0.5 / model.width**2,
+            "lag": model.lag_s,
+            "low": low,
+            "high": high,
+            "squared": int(squared),
+        },
         inputs=model.input_count,
         states=(*_states(unit), Variable("lagged_velocity", f"{unit}/s", "velocity that the friction feels", 0.1)),
         hysteresis_states=(),

@@ -50,8 +50,9 @@ def write_fmu(subject: Subject, folder: Path) -> Exported:
     what the FMU lacks.
     """
     realisation = subject.realisation()
-    sources = fmu_sources(subject, realisation)
-    return packed(sources, description(subject, realisation, guid(subject)), subject.identifier, folder)
+    return packed(
+        fmu_sources(subject, realisation), description(subject, realisation, guid(subject)), subject.identifier, folder
+    )
 
 
 def packed(sources: dict[str, str], description: str, identifier: str, folder: Path) -> Exported:
@@ -90,16 +91,19 @@ def packed(sources: dict[str, str], description: str, identifier: str, folder: P
 def fmu_sources(subject: Subject, realisation: Realisation) -> dict[str, str]:
     """The C files of the FMU; ``fmu.c`` includes the others."""
     flow = "flow" if "flow" in realisation.functions else "rates"
-    fields = model_fields(subject, realisation) | {
-        "guid": guid(subject),
-        "flow": flow,
-        "facts": facts(subject, realisation),
-    }
     return {
         **c_sources(subject, realisation, flow=flow == "flow"),
         "fmi2.h": asset("fmi2.h"),
         "fmu_common.h": asset("fmu_common.h"),
-        "fmu.c": render("fmu.c.j2", fields),
+        "fmu.c": render(
+            "fmu.c.j2",
+            model_fields(subject, realisation)
+            | {
+                "guid": guid(subject),
+                "flow": flow,
+                "facts": facts(subject, realisation),
+            },
+        ),
     }
 
 
@@ -184,14 +188,15 @@ def facts(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     spans += [
         (f"v{i}", f"value of input {i} in", *of) for i, of in enumerate(zip(v.v, v.v_units, strict=True), start=1)
     ]
-    samples = "interval of the samples on which the model was identified"
     return [
         *(
             _constant(f"{name}_{end}", bound, unit, f"{word} {meaning} the training logs")
             for name, meaning, span, unit in spans
             for end, word, bound in zip(("min", "max"), ("least", "largest"), span, strict=True)
         ),
-        _constant("sample_interval", v.sample_interval, "s", samples),
+        _constant(
+            "sample_interval", v.sample_interval, "s", "interval of the samples on which the model was identified"
+        ),
         _constant("longest_step", realisation.step, "s", "longest internal step of co-simulation"),
         _constant("delay", realisation.delay, "s", "outputs belong to a time this much later than the voltages"),
     ]
@@ -213,8 +218,13 @@ def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
         FmuVariable("qdot", f"{unit}/s", "its velocity", "output", "continuous"),
         FmuVariable("qddot", f"{unit}/s2", "its acceleration", "output", "continuous"),
         FmuVariable("check", None, "0, or 1 (q) + 2 (a voltage) beyond the training range", "output", "discrete"),
-        _parameter("q_start", unit, "displacement at the start, after a long rest there", subject.start[0]),
-        _parameter("qdot_start", f"{unit}/s", "velocity at the start", subject.start[1]),
+        *(
+            FmuVariable(name, symbol, meaning, "parameter", "fixed", "exact", start=start)
+            for name, symbol, meaning, start in (
+                ("q_start", unit, "displacement at the start, after a long rest there", subject.start[0]),
+                ("qdot_start", f"{unit}/s", "velocity at the start", subject.start[1]),
+            )
+        ),
     ]
     states = [
         FmuVariable(x.name, x.unit, x.meaning, "local", "continuous", "calculated", nominal=x.nominal)
@@ -245,7 +255,3 @@ def description(subject: Subject, realisation: Realisation, guid: str) -> str:
         "initial": sorted([*outputs, *(places[x.name] for x in realisation.states), *derivatives]),
     }
     return render("modelDescription.xml.j2", fields)
-
-
-def _parameter(name: str, unit: str, meaning: str, start: float) -> FmuVariable:
-    return FmuVariable(name, unit, meaning, "parameter", "fixed", "exact", start=start)

@@ -175,8 +175,13 @@ class _Joint:
         return {"y": [x[0] + self.offset, x[1], dx[1]]}
 
     def _forces(self, x: Values, u: Values) -> Outputs:
-        c = _corrections(x[0], self.basis, self.weights)
-        return inline(REST_FORCES, x=x[:STATES], u=[square(v) for v in u], c=c, p=self.p)
+        return inline(
+            REST_FORCES,
+            x=x[:STATES],
+            u=[square(v) for v in u],
+            c=_corrections(x[0], self.basis, self.weights),
+            p=self.p,
+        )
 
 
 def stop_operators() -> tuple[Variable, ...]:

@@ -106,13 +106,16 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
 def function_source(subject: Subject) -> str:
     """The function that runs the model freely."""
     realisation = subject.realisation()
-    fields = model_fields(subject, realisation) | {
-        "functions": [
-            matlab_function(name, graph, SCALARS) for name, graph in realisation.functions.items() if name != "flow"
-        ],
-        "z": max(1, len(realisation.hysteresis_states)),
-    }
-    return render("model.m.j2", fields)
+    return render(
+        "model.m.j2",
+        model_fields(subject, realisation)
+        | {
+            "functions": [
+                matlab_function(name, graph, SCALARS) for name, graph in realisation.functions.items() if name != "flow"
+            ],
+            "z": max(1, len(realisation.hysteresis_states)),
+        },
+    )
 
 
 def variables(subject: Subject) -> dict[str, Any]:

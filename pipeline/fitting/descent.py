@@ -184,7 +184,7 @@ class ParallelDescent(Descent):
     def _lower(self, full: FloatArray, slope: FloatArray, cost: float) -> tuple[FloatArray, FloatArray, float] | None:
         while self.damping < STRONGEST:
             dampings = self.damping * DAMPINGS
-            trials = self._bent(_Damped(full, dampings), slope)
+            trials = self._bent(full, dampings, slope)
             residuals = self.problem.residuals(trials, self.gain)
             falls = cost - np.array([self._cost(r, x) for r, x in zip(residuals, trials, strict=True)])
             if falls.max() > 0.0:
@@ -194,32 +194,21 @@ class ParallelDescent(Descent):
             self.damping = APART * dampings[-1] / DAMPINGS[0]
         return None
 
-    def _bent(self, damped: "_Damped", slope: FloatArray) -> FloatArray:
+    def _bent(self, full: FloatArray, dampings: FloatArray, slope: FloatArray) -> FloatArray:
         """Ends of the steps of several dampings, shape (B, P): straight where the valley bends too much."""
-        steps = -damped.solutions(np.broadcast_to(slope, (len(damped.dampings), len(slope))))
+        scale = 1.0 / np.sqrt(np.diag(full))
+        values, vectors = scipy.linalg.eigh(scale[:, None] * full * scale, check_finite=False)
+        damped = np.maximum(values, 0.0) + dampings[:, None]
+
+        def solved(right: FloatArray) -> FloatArray:
+            """Solutions x of (H + damping·diag H) x = b for one b of each damping, shape (B, P)."""
+            return np.asarray(scale * ((right * scale) @ vectors / damped @ vectors.T))
+
+        steps = -solved(np.broadcast_to(slope, (len(dampings), len(slope))))
         probed = self.problem.residuals(self.theta + PROBED * steps, self.gain)
         curvature = 2.0 / PROBED * ((probed - self.residual) / PROBED - steps @ self.jacobian.T)
         finite = ~np.any(~np.isfinite(curvature), axis=1, keepdims=True)
-        pull = np.where(finite, curvature, 0.0) @ self.jacobian / self.noise**2
-        bends = -0.5 * damped.solutions(pull)
-        trusted = damped.lengths(bends) <= LARGEST_BEND * damped.lengths(steps)
+        bends = -0.5 * solved(np.where(finite, curvature, 0.0) @ self.jacobian / self.noise**2)
+        # Lengths are in units in which diag H is one.
+        trusted = np.linalg.norm(bends / scale, axis=1) <= LARGEST_BEND * np.linalg.norm(steps / scale, axis=1)
         return np.asarray(self.theta + steps + np.where(trusted[:, None], bends, 0.0))
-
-
-class _Damped:
-    """Solutions of (H + damping·diag H) x = b for several dampings."""
-
-    def __init__(self, matrix: FloatArray, dampings: FloatArray) -> None:
-        self.dampings = dampings
-        self._scale = 1.0 / np.sqrt(np.diag(matrix))
-        values, self._vectors = scipy.linalg.eigh(self._scale[:, None] * matrix * self._scale, check_finite=False)
-        self._values = np.maximum(values, 0.0)
-
-    def solutions(self, right: FloatArray) -> FloatArray:
-        """Solutions for one right side of each damping, shape (B, P)."""
-        projected = (right * self._scale) @ self._vectors / (self._values + self.dampings[:, None])
-        return np.asarray(self._scale * (projected @ self._vectors.T))
-
-    def lengths(self, steps: FloatArray) -> FloatArray:
-        """Lengths of steps in units in which diag H is one, shape (B,)."""
-        return np.asarray(np.linalg.norm(steps / self._scale, axis=1))

@@ -128,7 +128,7 @@ def fit_homotopy(
     prior: Prior,
     schedule: Schedule,
     *,
-    callbacks: Callbacks | None = None,
+    callbacks: Callbacks = Callbacks(),
     descent: type[Descent] = Descent,
 ) -> HomotopyFit:
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
@@ -145,7 +145,7 @@ def fit_homotopy(
         Prior of θ.
     schedule : Schedule
         Levels and steps.
-    callbacks : Callbacks, optional
+    callbacks : Callbacks
         Functions that the fit calls.
     descent : type of Descent
         Descent method: `ParallelDescent` where simulations run side by side.
@@ -156,7 +156,6 @@ def fit_homotopy(
         Levels end early where the simulation or its sensitivities overflow, and where simulations part (chaos).
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
-    calls = callbacks or Callbacks()
     fit = HomotopyFit(
         theta=theta,
         residual=np.zeros(0),
@@ -173,10 +172,10 @@ def fit_homotopy(
         return descent(problem, prior, gain, schedule.noise_inflation, fit.theta, damping, residual)
 
     while pending:
-        if calls.enough():
+        if callbacks.enough():
             pending = pending[-1:]
         gain, *pending = pending
-        calls.begin(fit.theta, gain)
+        callbacks.begin(fit.theta, gain)
         ahead = problem.residual(fit.theta, gain)
         level = None if ahead is None else begun(gain, ahead)
         if level is None or not level.linearise():
@@ -185,20 +184,19 @@ def fit_homotopy(
                 last.linearise()
                 fit = replace(fit, hessian=last.hessian)
             break
-        done = _descend(level, schedule, calls, last=not pending)
-        chaotic = bool(pending) and gain == COUPLED and calls.is_chaotic(level.theta)
+        done = _descend(level, schedule, callbacks, last=not pending)
+        chaotic = bool(pending) and gain == COUPLED and callbacks.is_chaotic(level.theta)
         if chaotic:
             pending = []
-            done = _descend(level, schedule, calls, last=True)
+            done = _descend(level, schedule, callbacks, last=True)
         if not pending:
             level.linearise()
-        levels = (*fit.levels, Level(float(gain), level.iterations, rms(level.residual), done))
         fit = HomotopyFit(
             theta=level.theta,
             residual=level.residual,
             hessian=level.hessian,
             noise=level.noise,
-            levels=levels,
+            levels=(*fit.levels, Level(float(gain), level.iterations, rms(level.residual), done)),
             reached_last=not (pending or chaotic),
             chaotic=chaotic,
         )

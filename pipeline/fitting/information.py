@@ -82,8 +82,8 @@ class ScaledRegressor:
         low = float(q.min())
         high = float(q.max())
         centres = basis_centres(low, high, basis_functions)
-        signals = np.where(largest > 0.0, input_signal(largest, inputs), 1.0)
-        scales = np.concatenate(([0.5 * (high - low), rms(qdot) or 1.0], signals))
+        acting = np.where(largest > 0.0, input_signal(largest, inputs), 1.0)
+        scales = np.array([0.5 * (high - low), rms(qdot) or 1.0, *acting])
         return cls(centres, basis_width(centres, smoothing), scales, inputs)
 
     def information(self, q: FloatArray, qdot: FloatArray, v: FloatArray, interval: float) -> FloatArray:
@@ -139,8 +139,8 @@ def conditioning(information: FloatArray) -> Conditioning:
     diagonal = np.diag(information)
     heard = diagonal > 0.0
     norms = np.sqrt(diagonal[heard])
-    correlation = information[np.ix_(heard, heard)] / np.outer(norms, norms)
-    values = np.maximum(np.linalg.eigvalsh(correlation), len(norms) * np.finfo(float).eps)
+    correlations = information[np.ix_(heard, heard)] / np.outer(norms, norms)
+    values = np.maximum(np.linalg.eigvalsh(correlations), len(norms) * np.finfo(float).eps)
     return Conditioning(
         log_det=float(np.mean(np.log(values))),
         condition=float(np.sqrt(values[-1] / values[0])),
@@ -197,17 +197,15 @@ def coverage(centres: FloatArray, q: Sequence[FloatArray], v: Sequence[FloatArra
         Inputs at these samples; an input acts above a tenth of its largest value, 1 % of a squared force.
     """
     m = len(centres)
-    inputs = v[0].shape[1]
     edges = 0.5 * (centres[1:] + centres[:-1])
     visits = np.zeros(m, dtype=np.int64)
-    driven = np.zeros((inputs, m), dtype=np.int64)
+    driven = np.zeros((v[0].shape[1], m), dtype=np.int64)
     peaks = np.max([np.abs(x).max(axis=0) for x in v], axis=0)
     for position, volts in zip(q, v, strict=True):
         nearest = np.searchsorted(edges, position)
         visits += np.bincount(nearest, minlength=m)
-        for k in range(inputs):
-            acting = np.abs(volts[:, k]) > ACTING * peaks[k]
-            driven[k] += np.bincount(nearest[acting], minlength=m)
+        for k in range(len(driven)):
+            driven[k] += np.bincount(nearest[np.abs(volts[:, k]) > ACTING * peaks[k]], minlength=m)
     return Coverage(visits, driven)
 
 

@@ -86,11 +86,10 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     autocorrelation time in samples. S is the symmetric root of the scaled covariance, which changes as little as
     the data do: with the eigenvectors alone, their signs and order would give other draws on another machine.
     """
-    tau = whiteness(fit.residual).integrated_correlation_time
-    variance = max(float(np.mean(fit.residual**2)), 1e-12)
     precision = prior.matrix.T @ prior.matrix
     if np.isfinite(fit.hessian).all():  # else the sensitivities exploded, and the prior is all that is known
-        precision = precision + fit.hessian / (variance * tau)
+        variance = max(float(np.mean(fit.residual**2)), 1e-12)
+        precision = precision + fit.hessian / (variance * whiteness(fit.residual).integrated_correlation_time)
     scale = 1.0 / np.sqrt(np.diag(precision))
     values, vectors = scipy.linalg.eigh(scale[:, None] * precision * scale)
     values = np.maximum(values, len(values) * np.finfo(float).eps * values[-1])
@@ -110,10 +109,10 @@ def log_evidence(fit: HomotopyFit, prior: Prior, correlation: float) -> float:
         Samples that carry the information of an independent one.
     """
     variance = float(np.mean(fit.residual**2))
-    _, believed = np.linalg.slogdet(prior.matrix.T @ prior.matrix)
-    precision = prior.matrix.T @ prior.matrix + fit.hessian / (variance * correlation)
+    believed = prior.matrix.T @ prior.matrix
+    precision = believed + fit.hessian / (variance * correlation)
     fitted = len(fit.residual) / correlation * np.log(variance) + np.sum(prior.residual(fit.theta) ** 2)
-    return 0.5 * float(believed - np.linalg.slogdet(precision)[1] - fitted)
+    return 0.5 * float(np.linalg.slogdet(believed)[1] - np.linalg.slogdet(precision)[1] - fitted)
 
 
 def posterior_draws(mean: FloatArray, spread: FloatArray, count: int, seed: int) -> FloatArray:
@@ -152,8 +151,8 @@ def outcome_draws(
     count, seed : int
         Number of draws, and the seed that repeats them.
     """
-    halves = [0.5 * (outcome(mean + column) - outcome(mean - column)) for column in spread.T]
-    return posterior_draws(outcome(mean), np.stack(halves, axis=1), count, seed)
+    slopes = np.stack([0.5 * (outcome(mean + column) - outcome(mean - column)) for column in spread.T], axis=1)
+    return posterior_draws(outcome(mean), slopes, count, seed)
 
 
 def first_order_curves(

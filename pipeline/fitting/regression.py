@@ -154,8 +154,8 @@ def triangular_factor(blocks: Iterable[FloatArray]) -> tuple[FloatArray, int]:
         factor = np.asarray(upper[: block.shape[1]], dtype=np.float64)
     if factor is None:
         raise ValueError("no rows to factorise")
-    missing = factor.shape[1] - factor.shape[0]
-    return np.vstack((factor, np.zeros((missing, factor.shape[1])))), rows
+    missing = np.zeros((factor.shape[1] - factor.shape[0], factor.shape[1]))
+    return np.vstack((factor, missing)), rows
 
 
 def pseudo_inverse_fit(factor: FloatArray, rows: int) -> LinearFit:
@@ -180,15 +180,13 @@ def pseudo_inverse_fit(factor: FloatArray, rows: int) -> LinearFit:
     left, singular, rows_v = np.linalg.svd(matrix / scale, full_matrices=False)
     rank = int(np.count_nonzero(singular > max(rows, p) * np.finfo(float).eps * singular[0]))
     weights = rows_v[:rank].T @ ((left.T[:rank] @ right) / singular[:rank]) / scale
-    residual = right - matrix @ weights
     with np.errstate(divide="ignore"):
         condition = float(singular[0] / singular[-1]) if singular[-1] > 0.0 else np.inf
-    rms = float(np.linalg.norm(residual) / np.sqrt(rows))
     return LinearFit(
         weights=weights,
         rank=rank,
         condition=condition,
-        residual_rms=rms,
+        residual_rms=float(np.linalg.norm(right - matrix @ weights) / np.sqrt(rows)),
         samples=rows,
         spread=rows_v[:rank].T / singular[:rank] / scale[:, None],
     )

@@ -40,12 +40,10 @@ def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
             for name, unit, key in (("gain", "dB re 1 nm/V²", "dB"), ("phase", "°", "deg"))
         )
         kind = "stable" if equilibrium["stable"] else "unstable"
-        title = f"Bode plot at q = {prefixed(equilibrium['q_m'], 'm', 2)} mm ({kind})".replace("-", "−")
-        caption = "From the squared voltage of each membrane to the displacement, friction left out."
         yield Figure(
             f"control-bode-{number}",
-            title,
-            caption=caption,
+            f"Bode plot at q = {prefixed(equilibrium['q_m'], 'm', 2)} mm ({kind})".replace("-", "−"),
+            caption="From the squared voltage of each membrane to the displacement, friction left out.",
             x_name="frequency",
             x_unit="Hz",
             panels=panels,
@@ -62,19 +60,25 @@ def _map(drawn_map: Mapping[str, Any]) -> Figure:
     most = maximum_filter(probability, 3, mode="nearest")
     least = minimum_filter(probability, 3, mode="nearest")
     index = np.select([most < _LIKELY[0], least > _LIKELY[1]], [0, 2], 3).astype(np.int8)
-    labels = ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws")
-    cells = Cells(labels, np.array(drawn_map["durations"]), np.array(drawn_map["voltages"]), index)
-    caption = (
-        "Share of the posterior draws that a plain pulse switches, from rest; where it may, the log does not decide."
-    )
-    panel = Panel("voltage", "V", cells=cells)
     return Figure(
         f"control-map-{drawn_map['to']}",
         title=f"Does a pulse switch to the {drawn_map['to']}?",
-        caption=caption,
+        caption="Share of the posterior draws that a plain pulse switches, from rest; where it may, the log does not "
+        "decide.",
         x_name="duration",
         x_unit="s",
-        panels=(panel,),
+        panels=(
+            Panel(
+                "voltage",
+                "V",
+                cells=Cells(
+                    ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws"),
+                    np.array(drawn_map["durations"]),
+                    np.array(drawn_map["voltages"]),
+                    index,
+                ),
+            ),
+        ),
         x_log=True,
         half=True,
     )
@@ -96,11 +100,10 @@ def _pulse(document: Mapping[str, Any]) -> Figure:
     volts = Panel("voltage", "V", (Line("left", "v1", t, v[:, 0]), Line("right", "v2", t, v[:, 1])))
     settled = document["settling_s"]
     settling = "does not settle" if settled is None else f"settles within 5 % after {prefixed(settled, 'm', 0)} ms"
-    caption = f"Feedforward; {settling}, switches with probability {document['switching_probability']:.2f}."
     return Figure(
         f"control-pulse-{document['to']}",
         f"Snap to the {document['to']}",
-        caption=caption,
+        caption=f"Feedforward; {settling}, switches with probability {document['switching_probability']:.2f}.",
         x_name="time",
         x_unit="s",
         panels=(motion, volts),
@@ -111,7 +114,15 @@ def _pulse(document: Mapping[str, Any]) -> Figure:
 def _loop(document: Mapping[str, Any]) -> Figure:
     run = {name: np.array(values) for name, values in document["predicted"].items() if name != "steps"}
     t = run["t_s"]
-    motion = Panel("q", "m", (Line("target", "reference", t, run["target_m"]), Line("q", "measured", t, run["q_m"])))
-    volts = Panel("voltage", "V", (Line("left", "v1", t, run["v_V"][:, 0]), Line("right", "v2", t, run["v_V"][:, 1])))
-    caption = "The designed controller on the identified model: to the right, to the left, to the unstable equilibrium."
-    return Figure("control-loop", "Closed loop", caption=caption, x_name="time", x_unit="s", panels=(motion, volts))
+    return Figure(
+        "control-loop",
+        "Closed loop",
+        caption="The designed controller on the identified model: to the right, to the left, to the unstable "
+        "equilibrium.",
+        x_name="time",
+        x_unit="s",
+        panels=(
+            Panel("q", "m", (Line("target", "reference", t, run["target_m"]), Line("q", "measured", t, run["q_m"]))),
+            Panel("voltage", "V", (Line("left", "v1", t, run["v_V"][:, 0]), Line("right", "v2", t, run["v_V"][:, 1]))),
+        ),
+    )

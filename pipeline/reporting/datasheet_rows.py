@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..diagnostics.calibrated import Calibrated, calibrated
+from ..diagnostics.calibrated import Calibrated
 from ..diagnostics.datasheet import Datasheet, DatasheetFact, is_refused
 from ..diagnostics.run_data import RunData
 from ..store.columns import FACT_COLUMNS, STABLE, FactColumn
@@ -32,18 +32,6 @@ _PARTS = {
 
 
 Rows = list[tuple[str, ...]]
-
-
-@dataclass(frozen=True)
-class ShownDatasheet:
-    """A datasheet for the terminal: facts, what the logs show of them, what acts, checks, and the assessment."""
-
-    title: str
-    facts: Rows
-    seen: Rows
-    elements: Rows
-    checks: Rows
-    assessment: str
 
 
 @dataclass(frozen=True)
@@ -114,22 +102,16 @@ class CalibratedRow:
     moved: bool
 
 
-def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
-    """One row for each quantity that the hybrid model's fit moves; none of another main model.
-
-    Pure numbers of the beam's higher terms are left out: their names mean nothing outside the equations.
-    """
-    quantities = calibrated(data.models.get(sheet.main_model))
-    return [_row(fitted) for fitted in quantities if fitted.unit != "1" or fitted.nominal == 1.0]
-
-
 def structure_summary(data: RunData, sheet: Datasheet) -> str:
     """Sentences on the main model: its type, the reason, the count of its basis functions and their effect."""
     description = data.descriptions.get(sheet.main_model, {})
     if (count := description.get("basis_functions")) is None:
         return ""
-    physical = description.get("physical_parameters", 0)
-    sentences = [_WHAT.get((sheet.main_model, bool(count)), "").format(count=count, physical=physical)]
+    sentences = [
+        _WHAT.get((sheet.main_model, bool(count)), "").format(
+            count=count, physical=description.get("physical_parameters", 0)
+        )
+    ]
     choice = data.choice or {}
     if choice.get("chosen") == sheet.main_model and data.why_chosen:
         sentences.append(f"Why this model: {data.why_chosen}.")
@@ -145,7 +127,8 @@ def structure_summary(data: RunData, sheet: Datasheet) -> str:
     return " ".join(sentence for sentence in sentences if sentence)
 
 
-def _row(fitted: Calibrated) -> CalibratedRow:
+def calibrated_row(fitted: Calibrated) -> CalibratedRow:
+    """The row of a quantity that the hybrid model's fit moves."""
     half = (fitted.high - fitted.low) / 2.0
     nominal = "–" if fitted.nominal is None else quantity(fitted.nominal, fitted.unit, like=fitted.value)
     moved = fitted.nominal is not None and not fitted.low <= fitted.nominal <= fitted.high
@@ -155,8 +138,11 @@ def _row(fitted: Calibrated) -> CalibratedRow:
     return CalibratedRow(fitted.name, nominal, quantity(fitted.value, fitted.unit, half), moved)
 
 
-def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
-    """The datasheet as text: the rows of the page, and what the logs show of them."""
+def datasheet_tables(document: dict[str, Any]) -> list[tuple[str, tuple[str, ...], Rows]]:
+    """The datasheet for the terminal, as tables with title, heading and rows.
+
+    The facts of the page, what the logs show of them, what acts, and last the checks of the assessment.
+    """
     sheet = sheet_rows([DatasheetFact(**fact) for fact in document["facts"]])
 
     def texts(row: SheetRow, of: Callable[[SheetCell], str]) -> tuple[str, ...]:
@@ -171,14 +157,30 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
     ]
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
     refused = document["facts_from"] == document["judged_model"] and is_refused(assessment["checks"])
-    return ShownDatasheet(
-        title=f"{document['name']}: {source}{NOT_USED if refused else ''}",
-        facts=[texts(row, lambda cell: cell.value) for row in sheet],
-        seen=[texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
-        elements=element_rows(document.get("elements", ())),
-        checks=checks,
-        assessment=f"data {assessment['data']}, model {document['judged_model']} {assessment['model']}",
-    )
+    wells = ("quantity", "left well, or the device", "right well")
+    return [
+        (
+            f"{document['name']}: {source}{NOT_USED if refused else ''}; ± half of the central 90 %, "
+            "ring-downs of small motion",
+            wells,
+            [texts(row, lambda cell: cell.value) for row in sheet],
+        ),
+        (
+            "measured in the logs, and in the model's free runs",
+            wells,
+            [texts(row, lambda cell: cell.seen) for row in sheet if any(cell.seen for cell in row.cells)],
+        ),
+        (
+            "what acts along the training logs",
+            ("element", "RMS force", "of the restoring force"),
+            element_rows(document.get("elements", ())),
+        ),
+        (
+            f"assessment: data {assessment['data']}, model {document['judged_model']} {assessment['model']}",
+            ("about", "grade", "finding", "what to do"),
+            checks,
+        ),
+    ]
 
 
 def element_rows(elements: Sequence[Mapping[str, Any]]) -> Rows:
@@ -194,8 +196,6 @@ def element_rows(elements: Sequence[Mapping[str, Any]]) -> Rows:
 
 
 LONGEST_LIST = 12
-_FITTED = ("deviations",)  # parts whose pairs are a value and its standard deviation
-_ENDS = ("end_stops",)  # pairs that are the ends of a range; other pairs are lists
 _UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|1_per_m|m|s|kg|V|Hz|N))$")
 
 FactRows = list[tuple[str, str]]
@@ -235,11 +235,15 @@ def described(
     tables: list[tuple[str, FactRows]] = []
     fitted = [facts.pop(key, ()) for key in ("fitted", "values", "standard_errors")]
     if fitted[0]:
-        pairs = zip(*fitted, strict=False)
-        tables.append(("fitted", [_quantity_row(key, pair, displacement, fitted=True) for key, *pair in pairs]))
+        tables.append(
+            (
+                "fitted",
+                [_quantity_row(key, pair, displacement, fitted=True) for key, *pair in (zip(*fitted, strict=False))],
+            )
+        )
     rows: FactRows = []
     for key, value in facts.items():
-        fitted_part = key in _FITTED
+        fitted_part = key == "deviations"  # whose pairs are a value and its standard deviation
         if isinstance(value, Mapping) and len(value) > LONGEST_LIST:
             tables.append(
                 (_words(key), [_quantity_row(k, v, displacement, fitted=fitted_part) for k, v in value.items()])
@@ -262,7 +266,7 @@ def _quantity_row(key: str, value: Any, displacement: str, *, fitted: bool = Fal
     if isinstance(value, list | tuple) and len(value) == 2 and all(isinstance(number, float) for number in value):
         if fitted:
             return _words(name), quantity(value[0], unit, value[1])
-        if name.endswith(_ENDS):
+        if name.endswith("end_stops"):  # the ends of a range; other pairs are lists
             return _words(name), _list(value, unit, " … ")
     return _words(name), _text(value, unit)
 
@@ -298,8 +302,10 @@ def terms(equation: str) -> list[str]:
     """The parts of an equation between which a line may break."""
     raised = re.sub(r"\^(-?\d+)", lambda m: power(int(m[1])), equation)
     powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{power(int(m[2]))}", raised)
-    signed = re.split(r" (?=[+-]\d)", powers)
-    parts = [re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part) for part in signed]
+    parts = [
+        re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part)
+        for part in (re.split(r" (?=[+-]\d)", powers))
+    ]
     if len(parts) == 1:
         return parts
     # The first term needs no plus, and stands beside the equals sign.

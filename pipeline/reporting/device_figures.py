@@ -24,7 +24,7 @@ from .datasheet_rows import NOT_USED
 from .figure import Band, Cells, Figure, Line, Panel, Points
 from .instrument_table import instruments_figure
 from .log_figures import residual_figures
-from .recipe_figures import study_figure
+from .paper_figures import study_figure
 
 _Measured = tuple[FloatArray, FloatArray] | None
 _Wanted = tuple[str, str, tuple[float, float], Callable[[Curves], FloatArray | None], _Measured]
@@ -71,11 +71,10 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
     )
     hidden = f" Mostly outside the frame: {'; '.join(outside)}." if outside else ""
     circles = " Circles: measured." if data.measured_curves else ""
-    caption = f"Over the range of the training data; cut {cut}.{band}{per_mass}{hidden}{circles}"
     return Figure(
         "curves",
         "Characteristic curves",
-        caption=caption,
+        caption=f"Over the range of the training data; cut {cut}.{band}{per_mass}{hidden}{circles}",
         x_name="q",
         x_unit=data.device.displacement.symbol,
         panels=tuple(panels),
@@ -97,9 +96,13 @@ def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
     if first.damping is not None:
         yield "damping d", units["d"], visited, lambda c: c.damping, _on(measured, "d")
     for k in range(len(first.gains)):
-        slope = _on(measured, f"dC{k + 1}_dq") if electrostatic else None
-        pick = partial(_gain, k=k, factor=factor)
-        yield symbol.format("₁₂"[k]), unit, visited_range(data, k), pick, slope
+        yield (
+            symbol.format("₁₂"[k]),
+            unit,
+            visited_range(data, k),
+            partial(_gain, k=k, factor=factor),
+            _on(measured, f"dC{k + 1}_dq") if electrostatic else None,
+        )
 
 
 def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
@@ -172,19 +175,13 @@ def _curve_panel(
             bands.append(Band(f"{model}, {prefixed(COVERAGE, '%', 0)} % band", model, q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, q[rows], inside[rows]))
+    circles = []
+    if measured is not None:
+        q, y = measured
+        visible = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
+        circles.append(Points("measured", "measured", q[visible], y[visible], "ring"))
     # The main model is drawn last, over its baselines.
-    return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), _circles(measured, lines, frame))
-
-
-def _circles(
-    measured: tuple[FloatArray, FloatArray] | None, lines: Sequence[Line], frame: tuple[float, float]
-) -> tuple[Points, ...]:
-    """The measured points inside the frame that the models' curves set."""
-    if measured is None:
-        return ()
-    q, y = measured
-    visible = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
-    return (Points("measured", "measured", q[visible], y[visible], "ring"),)
+    return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), tuple(circles))
 
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:
@@ -213,15 +210,13 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         rest = [e for e in equilibria(loaded.q, loaded.force) if np.interp(e.q, loaded.q, energy) <= ceiling]
         points += _marked(rest, role, loaded.q, energy)
     source = f"{name}{NOT_USED}" if sheet.refused and name == sheet.model else name
-    caption = f"Potential of {source} without input and with each input alone, counted from its lowest point."
-    panels = (Panel("energy U", data.device.energy_unit, tuple(lines), points=tuple(points)),)
     return Figure(
         "energy",
         "Energy landscape",
-        caption=caption,
+        caption=f"Potential of {source} without input and with each input alone, counted from its lowest point.",
         x_name="q",
         x_unit=data.device.displacement.symbol,
-        panels=panels,
+        panels=(Panel("energy U", data.device.energy_unit, tuple(lines), points=tuple(points)),),
         half=True,
     )
 
@@ -232,8 +227,7 @@ def _marked(
     """Equilibria on a curve over q: dots where stable, rings where not."""
     for marker, kind in (("dot", True), ("ring", False)):
         if (places := np.array([e.q for e in places_of_rest if e.stable is kind])).size:
-            at = np.interp(places, q, heights)
-            yield Points(_EQUILIBRIA[kind], role, places, at, marker)  # type: ignore[arg-type]
+            yield Points(_EQUILIBRIA[kind], role, places, np.interp(places, q, heights), marker)  # type: ignore[arg-type]
 
 
 def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
@@ -256,15 +250,13 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
             )
     if cells is None and not moves_unforced(data):
         return None
-    panel = Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=points, cells=cells)
-    title = "Phase portrait" if cells is None else "Phase portrait and basins"
     return Figure(
         "phase-portrait",
-        title,
+        "Phase portrait" if cells is None else "Phase portrait and basins",
         caption=caption,
         x_name="q",
         x_unit=data.device.displacement.symbol,
-        panels=(panel,),
+        panels=(Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=points, cells=cells),),
         tall=1.5,
     )
 
@@ -274,18 +266,21 @@ def _excitation(data: RunData) -> Figure:
     half = float(places[1] - places[0]) / 2.0
     x: FloatArray = np.repeat(np.concatenate(([places[0] - half], places + half)), 2)[1:-1]
     heights = np.repeat(np.maximum(counts, LEAST_DRAWN), 2)
-    line = Line("training samples", "reference", x, heights)
-    bars = Band("training samples", "reference", x, np.full(x.size, LEAST_DRAWN), heights)
-    panel = Panel("samples per centre", "1", (line,), (bars,), log=True)
-    caption = (
-        f"Training samples nearest to each of {len(places)} basis centres; where they are few, curves are uncertain."
-    )
     return Figure(
         "excitation",
         "Where the device was seen",
-        caption=caption,
+        caption=f"Training samples nearest to each of {len(places)} basis centres; where they are few, curves are "
+        "uncertain.",
         x_name="q",
         x_unit=data.device.displacement.symbol,
-        panels=(panel,),
+        panels=(
+            Panel(
+                "samples per centre",
+                "1",
+                (Line("training samples", "reference", x, heights),),
+                (Band("training samples", "reference", x, np.full(x.size, LEAST_DRAWN), heights),),
+                log=True,
+            ),
+        ),
         half=True,
     )

@@ -13,7 +13,6 @@ from ..numerics.arrays import FloatArray, IntArray
 from ..units.quantity import power, significant
 
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
-_ROOM = 0.1  # rows, above and below
 MARGIN = 0.04  # of the range of y, above and below
 
 # Origin of a line: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
@@ -65,20 +64,6 @@ class Band:
 
 
 Drawn = TypeVar("Drawn", Line, Band)
-
-
-def error_bars(label: str, at: FloatArray, half: FloatArray, across: FloatArray) -> Line:
-    """Bars from `at` − `half` to `at` + `half` as one interrupted line, each at its place `across`.
-
-    Parameters
-    ----------
-    label : str
-        Name of the quantity.
-    at, half, across : FloatArray, shape (n,)
-        Middles and half lengths along x, and places on y.
-    """
-    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
-    return Line(label, "measured", ends, np.repeat(across, 3), dash="solid")
 
 
 @dataclass(frozen=True)
@@ -142,27 +127,6 @@ class Panel:
     names: tuple[str, ...] = ()
 
 
-def rows_panel(names: Sequence[str], bars: Line, usual: str, within: FloatArray, points: Sequence[Points]) -> Panel:
-    """A panel with a row for each quantity, and behind the rows what is usual.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Of the quantities, from below.
-    bars : Line
-        From :func:`error_bars`.
-    usual : str
-        Name of the area behind the rows.
-    within : FloatArray, shape (2,)
-        Its limits.
-    points : sequence of Points
-        Marks on the rows.
-    """
-    band = Band(usual, "reference", within, np.full(2, -0.5), np.full(2, len(names) - 0.5))
-    ends = (-0.5 - _ROOM, len(names) - 0.5 + _ROOM)
-    return Panel("", "1", (bars,), (band,), tuple(points), y_limits=ends, names=tuple(names))
-
-
 @dataclass(frozen=True)
 class Figure:
     """Panels over one another with one horizontal axis.
@@ -219,11 +183,14 @@ def writable(text: str) -> str:
 
 def shown(figure: Figure) -> Figure:
     """The figure without its hidden lines."""
-    panels = tuple(
-        replace(panel, lines=tuple(line for line in panel.lines if line.label not in figure.hidden))
-        for panel in figure.panels
+    return replace(
+        figure,
+        panels=tuple(
+            replace(panel, lines=tuple(line for line in panel.lines if line.label not in figure.hidden))
+            for panel in figure.panels
+        ),
+        hidden=(),
     )
-    return replace(figure, panels=panels, hidden=())
 
 
 def window(figure: Figure, start: float, stop: float) -> Figure:
@@ -243,9 +210,12 @@ def window(figure: Figure, start: float, stop: float) -> Figure:
         )
         for panel in figure.panels
     )
-    marks = {name: at[(at >= start) & (at <= stop)] for name, at in figure.marks.items()}
-    gaps = tuple((max(a, start), min(b, stop)) for a, b in figure.gaps if a < stop and b > start)
-    return replace(figure, panels=panels, marks=marks, gaps=gaps)
+    return replace(
+        figure,
+        panels=panels,
+        marks={name: at[(at >= start) & (at <= stop)] for name, at in figure.marks.items()},
+        gaps=tuple((max(a, start), min(b, stop)) for a, b in figure.gaps if a < stop and b > start),
+    )
 
 
 def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> Figure:
@@ -255,16 +225,19 @@ def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> F
         """True if lines and areas of this role stay."""
         return role not in models or role in wanted
 
-    panels = tuple(
-        replace(
-            panel,
-            lines=tuple(line for line in panel.lines if kept(line.role)),
-            bands=tuple(band for band in panel.bands if kept(band.role)),
-            points=tuple(points for points in panel.points if kept(points.role)),
-        )
-        for panel in figure.panels
+    return replace(
+        figure,
+        panels=tuple(
+            replace(
+                panel,
+                lines=tuple(line for line in panel.lines if kept(line.role)),
+                bands=tuple(band for band in panel.bands if kept(band.role)),
+                points=tuple(points for points in panel.points if kept(points.role)),
+            )
+            for panel in figure.panels
+        ),
+        hidden=(),
     )
-    return replace(figure, panels=panels, hidden=())
 
 
 def is_path(line: Line) -> bool:
@@ -344,9 +317,6 @@ def _range(arrays: list[FloatArray]) -> tuple[float, float]:
     return low - pad, high + pad
 
 
-Kind = Literal[
-    "mark", "snap", "cell0", "cell1", "cell2", "cell3", "band", "line", "wide", "trace", "dot", "ring", "cross"
-]
 # Class on the page, colour on paper, dash pattern (on, off in points). Order: models as they come.
 MODEL_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#999933", "#882255", "#56B4E9", "#8C6D31")
 MODEL_DASHES: tuple[tuple[float, ...], ...] = (
@@ -384,7 +354,7 @@ def slot_dashes(name: str) -> tuple[float, ...]:
 class Style:
     """Look of a line or area, with the colour class (`pipeline.reporting.figure.slot`) of its model or log."""
 
-    kind: Kind
+    kind: str
     slot: str = ""
     dash: Dash = "role"
 
@@ -411,7 +381,7 @@ def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:
     if panel.cells is not None:
         for number, label in enumerate(panel.cells.labels):
             if (panel.cells.index == number).any():
-                yield label, Style(f"cell{number}")  # type: ignore[arg-type]
+                yield label, Style(f"cell{number}")
     for band in panel.bands:
         yield band.label, Style("band", slot(band.role, models))
     for line in panel.lines:
@@ -441,15 +411,11 @@ _LINE = '<path class="{}" d="M0 6H30"/>'
 
 def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Markup]]:
     """Label and sample of everything that is drawn, each label once, for the page: 30 by 12 units, with classes."""
-    return [_swatch(*entry) for entry in entries(figure, models, marks=marks)]
+    return [swatch(*entry) for entry in entries(figure, models, marks=marks)]
 
 
-def event_swatches(figure: Figure) -> list[tuple[str, Markup]]:
-    """Label and sample of the upright lines of a figure."""
-    return [_swatch(name, MARKS[name]) for name in figure.marks if name in MARKS]
-
-
-def _swatch(label: str, style: Style) -> tuple[str, Markup]:
+def swatch(label: str, style: Style) -> tuple[str, Markup]:
+    """The label with its sample."""
     dashed = "dash" if style.dash in ("dashed", "dotted") else ""
     names = " ".join(part for part in (style.kind, style.slot, dashed) if part)
     return label, Markup(_SHAPES.get(style.kind.rstrip("0123"), _LINE)).format(names)  # noqa: S704 - literals above

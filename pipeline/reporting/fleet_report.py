@@ -14,7 +14,7 @@ from ..numerics.metrics import robust_std
 from ..store.columns import FACT_COLUMNS
 from ..system.names import slug
 from ..units.quantity import scale, significant
-from .figure import Band, Figure, Line, Panel, Points
+from .figure import Band, Figure, Line, Panel, Points, axis_label
 from .page import render
 from .plotted import chart
 
@@ -76,7 +76,11 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
     scores = sheet["scores"]
     judged = sheet["judged_model"]
     of_q = [s for s in scores if s["signal"] == "q" and s["model"] == judged]
-    instruments, off = _instruments([row for row in sheet.get("instruments", ()) if row["model"] == judged])
+    instruments = [row for row in sheet.get("instruments", ()) if row["model"] == judged]
+    errors = [abs(row["estimate"]) / row["limit"] for row in instruments if row["estimate"] is not None]
+    checks = sheet["verdict"].get("checks", ())
+    failing = [check for grade in ("poor", "fair") for check in checks if check["grade"] == grade]
+    more = f" (and {len(failing) - 1} more)" if failing[1:] else ""
     return Summary(
         name=name,
         reason="",
@@ -84,28 +88,15 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
         done=True,
         data=str(sheet["verdict"]["data"]),
         model=str(sheet["verdict"]["model"]),
-        why=_why(sheet["verdict"].get("checks", ())),
+        why=f"{failing[0]['about']}: {failing[0]['statement']}{more}" if failing else "",
         diverged=any(s["status"] == "diverged" for s in scores if s["model"] == judged),
         error=_worst(of_q, "nrmse"),
         switches=_worst(of_q, "switch_accuracy"),
         training={s["role"] for s in of_q} == {"train"},
         facts={fact["key"]: (_value(fact), str(fact["unit"])) for fact in sheet["facts"] if fact["key"] in FACTS},
-        instruments=instruments,
-        off=off,
+        instruments=max(errors, default=float("nan")),
+        off=any(row["beyond"] or row["status"] == "another device" for row in instruments),
     )
-
-
-def _instruments(rows: Sequence[Mapping[str, Any]]) -> tuple[float, bool]:
-    """`Summary.instruments` and `Summary.off`."""
-    errors = [abs(row["estimate"]) / row["limit"] for row in rows if row["estimate"] is not None]
-    off = any(row["beyond"] or row["status"] == "another device" for row in rows)
-    return max(errors, default=float("nan")), off
-
-
-def _why(checks: Sequence[Mapping[str, Any]]) -> str:
-    failing = [check for grade in ("poor", "fair") for check in checks if check["grade"] == grade]
-    more = f" (and {len(failing) - 1} more)" if failing[1:] else ""
-    return f"{failing[0]['about']}: {failing[0]['statement']}{more}" if failing else ""
 
 
 def _value(fact: Mapping[str, Any]) -> float:
@@ -136,11 +127,6 @@ class FleetColumn:
     outliers: np.ndarray[tuple[int], np.dtype[np.bool_]]
     scored: bool = False
 
-    @property
-    def heading(self) -> str:
-        """Title and unit."""
-        return f"{self.title} in {self.unit}" if self.unit not in ("", "1") else self.title
-
 
 def decimals(values: FloatArray) -> int | None:
     """Decimals for a column whose values are of one size, so that its points align; else None."""
@@ -162,22 +148,30 @@ def distribution(column: FleetColumn) -> Figure:
     of_odd = counts[np.clip(np.searchsorted(edges, odd, side="right") - 1, 0, counts.size - 1)]
     outline = np.repeat(counts, 2)
     middle = float(np.median(values))
-    highest = float(counts.max())
-    panel = Panel(
-        "prototypes",
-        "1",
-        lines=(Line("median", "reference", np.array([middle, middle]), np.array([0.0, highest]), dash="solid"),),
-        bands=(Band("prototypes", "v1", np.repeat(edges, 2)[1:-1], np.zeros_like(outline), outline),),
-        points=(Points("odd", "v2", odd, of_odd, marker="ring"),) if odd.size else (),
-        whole=True,
-    )
     return Figure(
         slug(column.title),
         column.title,
         caption="",
         x_name=column.title,
         x_unit=column.unit,
-        panels=(panel,),
+        panels=(
+            Panel(
+                "prototypes",
+                "1",
+                lines=(
+                    Line(
+                        "median",
+                        "reference",
+                        np.array([middle, middle]),
+                        np.array([0.0, float(counts.max())]),
+                        dash="solid",
+                    ),
+                ),
+                bands=(Band("prototypes", "v1", np.repeat(edges, 2)[1:-1], np.zeros_like(outline), outline),),
+                points=(Points("odd", "v2", odd, of_odd, marker="ring"),) if odd.size else (),
+                whole=True,
+            ),
+        ),
         x_log=log,
         half=True,
     )
@@ -201,18 +195,26 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
     quantities = _quantities(fleet)
     done = [member for member in fleet if member.done]
     shown = [(q, decimals(q.values)) for q in quantities]
-    context = {
-        "title": page_name,
-        "count": len(fleet),
-        "done": len(done),
-        "failures": sum(bool(member.reason) for member in fleet),
-        "grades": _grades(done),
-        "bare": sum(not member.model for member in done),
-        "headings": [q.heading for q in quantities],
-        "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
-        "charts": [chart(distribution(q), ()) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
-    }
-    return render("fleet.html.j2", ("tables.js",), context)
+    return render(
+        "fleet.html.j2",
+        ("tables.js",),
+        {
+            "title": page_name,
+            "count": len(fleet),
+            "done": len(done),
+            "failures": sum(bool(member.reason) for member in fleet),
+            "grades": [
+                (about, grade, count)
+                for about in ("data", "model")
+                for grade in ("good", "fair", "poor")
+                if (count := sum(getattr(member, about) == grade for member in done))
+            ],
+            "bare": sum(not member.model for member in done),
+            "headings": [axis_label(q.title, q.unit) for q in quantities],
+            "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
+            "charts": [chart(distribution(q), ()) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
+        },
+    )
 
 
 def _listed(members: Sequence[Summary], quantities: Sequence[FleetColumn]) -> list[int]:
@@ -282,20 +284,17 @@ def _quantities(members: Sequence[Summary]) -> list[FleetColumn]:
     return [q for q in columns if np.isfinite(q.values).any()]
 
 
-def _text(value: float, places: int | None) -> str:
-    return (significant(value) if places is None else f"{value:.{places}f}").replace("-", "−")
-
-
 def _row(member: Summary, index: int, quantities: Sequence[tuple[FleetColumn, int | None]]) -> dict[str, Any]:
     cells = []
     for q, places in quantities:
         value = float(q.values[index])
         defined = bool(np.isfinite(value))
+        text = significant(value) if places is None else f"{value:.{places}f}"
         of_training = TRAINING if member.training and q.scored else ""
         unknown = "diverged" if member.diverged and q.title == ERROR else "–"
         cells.append(
             {
-                "text": _text(value, places) + of_training if defined else unknown,
+                "text": text.replace("-", "−") + of_training if defined else unknown,
                 "value": repr(value) if defined else "",
                 "outlier": bool(q.outliers[index]),
             }
@@ -309,12 +308,3 @@ def _row(member: Summary, index: int, quantities: Sequence[tuple[FleetColumn, in
         "model": member.model,
         "cells": cells,
     }
-
-
-def _grades(done: Sequence[Summary]) -> list[tuple[str, str, int]]:
-    counts = (
-        (about, grade, sum(getattr(member, about) == grade for member in done))
-        for about in ("data", "model")
-        for grade in ("good", "fair", "poor")
-    )
-    return [count for count in counts if count[2]]

@@ -11,14 +11,13 @@ from ..diagnostics.sentences import READINGS, correction_text, shown, unit_of
 from ..settings.logs import LogPart
 from ..signals.findings import Number
 from ..system.names import log_title
-from .figure import Figure, Points, error_bars, rows_panel
+from .figure import Band, Figure, Line, Panel, Points
 
 Row = Mapping[str, Any]
 Parts = Mapping[tuple[str, str], LogPart]
 
+_ROOM = 0.1  # rows, above and below
 RELATIVE = "Errors are relative to the training logs: where one of those is wrong, correct it instead."
-
-ONE_OF_THEM = "Training logs differ: correct one of them, the farthest off, and run again."
 
 
 @dataclass(frozen=True)
@@ -71,13 +70,12 @@ def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> In
         limits = ", ".join(f"{_name(r)} {_shown(r, 'limit', displacement)}" for r in rows[:quantities])
         return InstrumentTable((), f"Instruments: no reading is off by more than its limit ({limits}).")
     differing = {row["log"] for row in rows if row["role"] == "train" and row["beyond"]}
-    explanation = f"{RELATIVE} {ONE_OF_THEM}" if len(differing) > 1 else RELATIVE
-    return InstrumentTable(tuple(lines), explanation, tuple(entries))
+    one_of_them = " Training logs differ: correct one of them, the farthest off, and run again."
+    return InstrumentTable(tuple(lines), RELATIVE + one_of_them * (len(differing) > 1), tuple(entries))
 
 
 def _name(row: Row) -> str:
-    quantity_name = str(row["quantity"])
-    return READINGS.get(quantity_name, quantity_name)
+    return READINGS.get(row["quantity"], str(row["quantity"]))
 
 
 def main_rows(rows: Sequence[Row]) -> list[Row]:
@@ -89,8 +87,7 @@ def _log_lines(rows: Sequence[Row], title: str, displacement: str) -> list[tuple
     """Lines of one log; the first one names it."""
     first = rows[0]
     if first["status"] == "another device":
-        left = f"{first['residual_ratio']:.2g} times what the training logs leave"
-        return [(title, "another device", left, "")]
+        return [(title, "another device", f"{first['residual_ratio']:.2g} times what the training logs leave", "")]
     if first["status"] == "not measured":
         return [(title, "not measured", "the model does not follow the log", "")]
     lines = list[tuple[str, ...]]()
@@ -99,9 +96,14 @@ def _log_lines(rows: Sequence[Row], title: str, displacement: str) -> list[tuple
         lines.append((title, words[first["exchanged"]], "", ""))
     for row in rows:
         if row["beyond"]:
-            name = _name(row)
-            reads = _shown(row, "estimate", displacement, row["standard_error"])
-            lines.append((title, name, reads, _shown(row, "limit", displacement)))
+            lines.append(
+                (
+                    title,
+                    _name(row),
+                    _shown(row, "estimate", displacement, row["standard_error"]),
+                    _shown(row, "limit", displacement),
+                )
+            )
             title = ""
     return lines
 
@@ -150,17 +152,26 @@ def instruments_figure(rows: Sequence[Row]) -> Figure | None:
     beyond = np.array([row["beyond"] for row in measured])
     at = np.array([row["estimate"] for row in measured]) / limits
     half = SIGNIFICANCE * np.array([row["standard_error"] for row in measured]) / limits
-    bars = error_bars(f"± {SIGNIFICANCE:g} standard errors", at, half, y)
+    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()  # one interrupted line
+    bars = Line(f"± {SIGNIFICANCE:g} standard errors", "measured", ends, np.repeat(y, 3), dash="solid")
     off = [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
     points = [Points("a log", "measured", at[~beyond], y[~beyond]), *off]
-    panel = rows_panel(names, bars, "limit", np.array([-1.0, 1.0]), points)
-    caption = f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}"
     return Figure(
         "instruments",
         "Instruments of the logs",
-        caption=caption,
+        caption=f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}",
         x_name="error of the reading over its limit",
         x_unit="1",
-        panels=(panel,),
+        panels=(
+            Panel(
+                "",
+                "1",
+                (bars,),
+                (Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5)),),
+                tuple(points),
+                y_limits=(-0.5 - _ROOM, len(names) - 0.5 + _ROOM),
+                names=tuple(names),
+            ),
+        ),
         half=True,
     )

@@ -86,8 +86,16 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     if "raw_rows" in notes:
         raw = f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
     shaded = " Shaded: masked rows." if _masked(t, log.record["segment"]) else ""
-    caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart{raw}.{shaded}"
-    return _timeline(data, log, wells, kind="signals", title="Measured signals", caption=caption, panels=panels)
+    return _timeline(
+        data,
+        log,
+        wells,
+        kind="signals",
+        title="Measured signals",
+        caption=f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart{raw}."
+        f"{shaded}",
+        panels=panels,
+    )
 
 
 def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
@@ -106,22 +114,28 @@ def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.motion.t
     velocity = np.gradient(log.motion.q, t)
     raw = {"qdot": velocity, "qddot": np.gradient(velocity, t)}
-    panels = [
-        Panel("q", unit["q"], (Line("q measured", "measured", t, log.motion.q),), low=True),
-        *(
-            Panel(
-                HEADINGS[name],
-                unit[name],
-                (
-                    Line("plain differences", "raw", t, differences),
-                    Line("regularised", "measured", t, getattr(log.motion, name)),
-                ),
-            )
-            for name, differences in raw.items()
-        ),
-    ]
-    caption = f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison."
-    return _timeline(data, log, wells, kind="derivatives", title="Derivatives", caption=caption, panels=panels)
+    return _timeline(
+        data,
+        log,
+        wells,
+        kind="derivatives",
+        title="Derivatives",
+        caption=f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison.",
+        panels=[
+            Panel("q", unit["q"], (Line("q measured", "measured", t, log.motion.q),), low=True),
+            *(
+                Panel(
+                    HEADINGS[name],
+                    unit[name],
+                    (
+                        Line("plain differences", "raw", t, differences),
+                        Line("regularised", "measured", t, getattr(log.motion, name)),
+                    ),
+                )
+                for name, differences in raw.items()
+            ),
+        ],
+    )
 
 
 def differentiation(data: RunData, log: LogData) -> str:
@@ -166,9 +180,6 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     return _timeline(data, log, wells, kind="models", title="Measured against models", caption=caption, panels=panels)
 
 
-FIT = "fit = 100 (1 − ‖error‖/‖q − mean‖) %"
-
-
 def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     """Q as measured and as the models run freely, with the fit of the main one that MATLAB's ``compare`` states."""
     main_model = data.model_names[0]
@@ -177,7 +188,10 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     others = tuple(Line(m, m, t, run["q"]) for m, run in log.predictions.items() if m != main_model)
     lines = [Line("measured", "measured", t, measured, wide=True), *others]
     below = [_inputs(data, log, low=True)]
-    caption = f"Free run from the first sample under the measured {data.device.input_word}s; {FIT}."
+    caption = (
+        f"Free run from the first sample under the measured {data.device.input_word}s; "
+        "fit = 100 (1 − ‖error‖/‖q − mean‖) %."
+    )
     bands: tuple[Band, ...] = ()
     limits = _limits([measured])
     if main_model in log.predictions:
@@ -196,11 +210,18 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             off, _ = _with_tubes(off, about)
             caption += ", which reaches beyond the axis." if clipped else "."
         below.insert(0, Panel("error", data.device.displacement.symbol, (error,), bands=about, y_limits=off, low=True))
-    panels = [Panel("q", data.device.displacement.symbol, tuple(lines), bands=bands, y_limits=limits), *below]
-    figure = _timeline(
-        data, log, wells, kind="overlay", title="Measured against the model", caption=caption, panels=panels
+    return replace(
+        _timeline(
+            data,
+            log,
+            wells,
+            kind="overlay",
+            title="Measured against the model",
+            caption=caption,
+            panels=[Panel("q", data.device.displacement.symbol, tuple(lines), bands=bands, y_limits=limits), *below],
+        ),
+        hidden=tuple(line.label for line in others),
     )
-    return replace(figure, hidden=tuple(line.label for line in others))
 
 
 def _limits(signals: Sequence[FloatArray]) -> tuple[float, float]:
@@ -222,14 +243,19 @@ def _with_tubes(limits: tuple[float, float], tubes: Sequence[Band]) -> tuple[tup
 
 
 TUBE = "90 % tube"
-OTHER_TUBE = "90 % tube in the other well"
 
 
 def _tubes(predicted: Mapping[str, FloatArray], model: str) -> Iterator[Band]:
     """The tubes about a free run; that of the other well where the model is not sure of the well."""
     yield Band(TUBE, model, predicted["t"], predicted["q_low"], predicted["q_high"])
     if np.isfinite(predicted["q_other_low"]).any():
-        yield Band(OTHER_TUBE, "reference", predicted["t"], predicted["q_other_low"], predicted["q_other_high"])
+        yield Band(
+            f"{TUBE} in the other well",
+            "reference",
+            predicted["t"],
+            predicted["q_other_low"],
+            predicted["q_other_high"],
+        )
 
 
 def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
@@ -262,24 +288,36 @@ def residual_figures(data: RunData, wells: Wells | NoWells) -> dict[str, Figure]
 
 
 def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *, rings: bool) -> Figure:
-    def panel(title: str, values: FloatArray, half: float) -> Panel:
-        """A correlation within its band."""
-        width = np.full(residual.lags.size, half)
-        band = Band("99 % band without correlation", "reference", residual.lags, -width, width)
-        return Panel(title, "1", (Line(f"residual of {model}", model, residual.lags, values),), (band,))
-
-    panels = [panel("autocorrelation", residual.correlation, residual.band)]
-    for k, (values, half) in enumerate(zip(residual.with_inputs, residual.input_bands, strict=True), start=1):
-        panels.append(panel(f"correlation with v{k}{'²' if data.device.squared else ''}", values, float(half)))
+    square = "²" if data.device.squared else ""
+    titles = ("autocorrelation", *(f"correlation with v{k}{square}" for k in range(1, len(residual.with_inputs) + 1)))
+    correlations = (residual.correlation, *residual.with_inputs)
+    bands = (residual.band, *residual.input_bands)
+    panels = [
+        Panel(
+            title,
+            "1",
+            (Line(f"residual of {model}", model, residual.lags, values),),
+            (
+                Band(
+                    "99 % band without correlation",
+                    "reference",
+                    residual.lags,
+                    np.full(residual.lags.size, -half),
+                    np.full(residual.lags.size, half),
+                ),
+            ),
+        )
+        for title, values, half in zip(titles, correlations, bands, strict=True)
+    ]
     colour = "rings with the device" if rings else "fades as slowly as the device settles"
-    caption = (
-        f"{log.title.capitalize()}: {prefixed(residual.outside, '%', 0)} % of the correlations with inputs lie outside "
-        f"their bands, 1 % would by chance. The residual {colour}; what correlates with an input the model misses."
-    )
     return Figure(
         "residual-correlation",
         title="Residual analysis: memory and inputs",
-        caption=caption,
+        caption=(
+            f"{log.title.capitalize()}: {prefixed(residual.outside, '%', 0)} % of the correlations with inputs lie "
+            f"outside their bands, 1 % would by chance. The residual {colour}; what correlates with an input the model "
+            "misses."
+        ),
         x_name="lag",
         x_unit="s",
         panels=tuple(panels),
@@ -288,19 +326,23 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
 
 
 def _spectrum(data: RunData, log: LogData, model: str, residual: Residual) -> Figure:
-    lines = (
-        Line("measured q", "measured", residual.frequency, residual.measured_density),
-        Line(f"residual of {model}", model, residual.frequency, residual.density),
-    )
-    caption = f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing."
-    panel = Panel("power spectral density", f"{data.device.displacement.symbol}²/Hz", lines, log=True)
     return Figure(
         "residual-spectrum",
         title="Residual analysis: spectrum",
-        caption=caption,
+        caption=f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing.",
         x_name="frequency",
         x_unit="Hz",
-        panels=(panel,),
+        panels=(
+            Panel(
+                "power spectral density",
+                f"{data.device.displacement.symbol}²/Hz",
+                (
+                    Line("measured q", "measured", residual.frequency, residual.measured_density),
+                    Line(f"residual of {model}", model, residual.frequency, residual.density),
+                ),
+                log=True,
+            ),
+        ),
         x_log=True,
         half=True,
     )

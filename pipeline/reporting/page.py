@@ -53,11 +53,11 @@ def packed(y: FloatArray, longest: int = LONGEST) -> dict[str, Any]:
     change = np.diff(codes, prepend=0) % 65536
     planes = np.concatenate((change & 255, change >> 8)).astype(np.uint8)
     # For repetitions or for noise, whichever is shorter.
-    strategies = (zlib.Z_DEFAULT_STRATEGY, zlib.Z_FILTERED)
-    packers = [zlib.compressobj(level=DEFLATION, strategy=strategy) for strategy in strategies]
+    packers = [
+        zlib.compressobj(level=DEFLATION, strategy=strategy) for strategy in (zlib.Z_DEFAULT_STRATEGY, zlib.Z_FILTERED)
+    ]
     deflated = min((packer.compress(planes.tobytes()) + packer.flush() for packer in packers), key=len)
-    data = base64.b64encode(deflated).decode("ascii")
-    return {"n": int(y.size), "low": low, "step": step, "data": data}
+    return {"n": int(y.size), "low": low, "step": step, "data": base64.b64encode(deflated).decode("ascii")}
 
 
 def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) -> str:
@@ -132,18 +132,17 @@ def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, A
 
 def _viewer_figure(figure: Figure, models: Sequence[str], store: Callable[[FloatArray], str]) -> dict[str, Any]:
     first = figure.panels[0].lines[0].x
-    marks = [
-        {"name": name, "at": [round(float(t), 6) for t in at], "colour": kind, "dash": _DASHES[kind]}
-        for name, at in figure.marks.items()
-        if (kind := MARKS[name].kind)
-    ]
     return {
         "axis": f"{figure.x_name} in {figure.x_unit}",
         "unit": figure.x_unit,
         "start": float(first[0]),
         "stop": float(first[-1]),
         "panels": [_viewer_panel(panel, figure.hidden, models, store) for panel in figure.panels],
-        "marks": marks,
+        "marks": [
+            {"name": name, "at": [round(float(t), 6) for t in at], "colour": kind, "dash": _DASHES[kind]}
+            for name, at in figure.marks.items()
+            if (kind := MARKS[name].kind)
+        ],
         "gaps": [list(gap) for gap in figure.gaps],
     }
 

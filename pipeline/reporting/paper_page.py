@@ -110,19 +110,22 @@ def paper_page(
         for title, svg in pictures.items()
     ]
     network = data.descriptions["rbf-paper"]
-    context = {
-        "name": name,
-        "parameter_set": parameter_set,
-        "images": images,
-        "parameters": parameters,
-        "rows": [table_2_row(row) for row in scores],
-        "corrections": CORRECTIONS,
-        "not_drawn": NOT_DRAWN,
-        "lag_ms": f"{1e3 * float(network['lag_s']):.3g}",
-        "rank": f"{network['rank']} of {network['parameters']}",
-        "condition": f"{float(network['condition']):.3g}",
-    }
-    return render("paper.html.j2", (), context)
+    return render(
+        "paper.html.j2",
+        (),
+        {
+            "name": name,
+            "parameter_set": parameter_set,
+            "images": images,
+            "parameters": parameters,
+            "rows": [table_2_row(row) for row in scores],
+            "corrections": CORRECTIONS,
+            "not_drawn": NOT_DRAWN,
+            "lag_ms": f"{1e3 * float(network['lag_s']):.3g}",
+            "rank": f"{network['rank']} of {network['parameters']}",
+            "condition": f"{float(network['condition']):.3g}",
+        },
+    )
 
 
 def table_2_row(row: Mapping[str, Any]) -> dict[str, Any]:
@@ -130,9 +133,12 @@ def table_2_row(row: Mapping[str, Any]) -> dict[str, Any]:
 
     The printed one is empty where the paper has none.
     """
-    cells = [
-        (prefixed(row[signal], "%", 2, "diverged"), prefixed(row[f"printed_{signal}"], "%", 1, ""))
-        for signal in SIGNALS
-        if signal in row
-    ]
-    return {"log": f"{row['role']}, {row['log']}", "model": row["model"], "cells": cells}
+    return {
+        "log": f"{row['role']}, {row['log']}",
+        "model": row["model"],
+        "cells": [
+            (prefixed(row[signal], "%", 2, "diverged"), prefixed(row[f"printed_{signal}"], "%", 1, ""))
+            for signal in SIGNALS
+            if signal in row
+        ],
+    }

@@ -251,7 +251,6 @@ def _dashes(where: str, dash: Dash, width: float) -> Any:
 def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, *, about: int, log: bool, whole: bool) -> None:
     """Limits and round ticks, `about` so many and at least three, on an axis that is logarithmic or counts things."""
     axis = on.xaxis if which == "x" else on.yaxis
-    (on.set_xlim if which == "x" else on.set_ylim)(low, high)
     if log:
         (on.set_xscale if which == "x" else on.set_yscale)("log")
         inside = math.floor(math.log10(high)) - math.ceil(math.log10(low)) + 1
@@ -315,7 +314,6 @@ def _sample(style: Style) -> Artist:
 
 
 Format = Literal["svg", "pdf", "png"]
-FORMATS = (".svg", ".pdf", ".png")
 _METADATA: dict[Format, dict[str, Any]] = {
     "svg": {"Date": None, "Creator": "debist"},
     "pdf": {"CreationDate": None, "Creator": "debist", "Producer": "debist"},
@@ -328,7 +326,7 @@ PART = Look(width=5.6, panel_height=2.5, legend=False, letters=False)
 _INLINE = re.compile(r' style="([^"]*)"')
 _MARKER = re.compile(r"<defs>\s*<path [^>]*>\s*</defs>")
 _STROKE = re.compile(r' stroke(?:-[a-z]+)?="[^"]*"')
-_HEAD = re.compile(r"<svg .*?>", re.DOTALL)
+_HEAD = re.compile(r'<svg .*?(viewBox="[^"]*").*?>', re.DOTALL)
 _LEFT_OUT = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|<!--.*?-->| id=\"(?:figure|axes|patch|line2d|text|"
                        r"matplotlib|xtick|ytick|FillBetween|LineCollection|PathCollection|QuadContourSet)[^\"]*\"",
                        re.DOTALL)  # fmt: skip
@@ -347,16 +345,11 @@ def form_of(target: Path) -> Format:
     Raises
     ------
     InputError
-        It is not in `FORMATS`.
+        Figures are not written so.
     """
-    if target.suffix not in FORMATS:
-        raise InputError(f"{target}: figures are written as {', '.join(FORMATS)}")
+    if target.suffix not in (endings := [f".{form}" for form in _METADATA]):
+        raise InputError(f"{target}: figures are written as {', '.join(endings)}")
     return target.suffix[1:]  # type: ignore[return-value]
-
-
-def save(figure: Figure, target: Path, models: Sequence[str]) -> None:
-    """Write a figure; errors as for `form_of`."""
-    target.write_bytes(paper_figure(figure, models, form_of(target))[0])
 
 
 def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typeface: Typeface = "sans") -> list[bytes]:
@@ -386,15 +379,15 @@ def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typefa
 
 def page_chart(figure: Figure, models: Sequence[str]) -> list[Markup]:
     """The figure as one ``<svg>``, or as one for each of panels beside another."""
-    if figure.columns > 1:
-        return [_svg(_single(figure, number), models, PART) for number in range(len(figure.panels))]
-    return [_svg(figure, models, PART if figure.half else WHOLE)]
-
-
-def _single(figure: Figure, number: int) -> Figure:
-    panel = figure.panels[number]
-    title = figure.title if len(figure.panels) == 1 else f"{figure.title}: {panel.name}"
-    return replace(figure, title=title, panels=(panel,), columns=1)
+    if figure.columns == 1:
+        return [_svg(figure, models, PART if figure.half else WHOLE)]
+    several = len(figure.panels) > 1
+    return [
+        _svg(
+            replace(figure, title=figure.title + f": {panel.name}" * several, panels=(panel,), columns=1), models, PART
+        )
+        for panel in figure.panels
+    ]
 
 
 def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
@@ -407,15 +400,14 @@ def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
         FigureCanvasSVG(canvas)  # whose letters the layout measures
         _lay_out(canvas)
         canvas.savefig(text, format="svg", metadata={"Date": None}, transparent=True)
-    drawn = _INLINE.sub(lambda match: _attributes(match[1]), _LEFT_OUT.sub("", text.getvalue()))
-    drawn = drawn.replace("xlink:href=", "href=")
+    plain = _LEFT_OUT.sub("", text.getvalue()).replace("xlink:href=", "href=")
+    drawn = _INLINE.sub(lambda match: _attributes(match[1]), plain)
     # A marker takes the stroke of where it is used: the theme's style does not reach into its shape.
     drawn = _MARKER.sub(lambda match: _STROKE.sub("", match[0]), drawn)
     head = _HEAD.search(drawn)
     assert head is not None  # noqa: S101 - matplotlib writes one
-    box = re.search(r'viewBox="[^"]*"', head[0])
     inside = drawn[head.end() : drawn.rindex("</svg>")]
-    opened = f'<svg class="chart" {box[0] if box else ""} role="img" aria-label="{escape(writable(figure.title))}">'
+    opened = f'<svg class="chart" {head[1]} role="img" aria-label="{escape(writable(figure.title))}">'
     return Markup(f"{opened}<title>{escape(writable(figure.title))}</title>{inside}</svg>")  # noqa: S704 - texts are escaped
 
 
@@ -426,6 +418,5 @@ def chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
 
 def _attributes(style: str) -> str:
     """A style as presentation attributes; the style sheet sets the letters, except their anchor."""
-    pairs = (part.split(":", 1) for part in style.split(";") if ":" in part)
-    named = [(key.strip(), value.strip()) for key, value in pairs]
-    return "".join(f' {key}="{escape(value)}"' for key, value in named if key != "font")
+    pairs = (map(str.strip, part.split(":", 1)) for part in style.split(";") if ":" in part)
+    return "".join(f' {key}="{escape(value)}"' for key, value in pairs if key != "font")

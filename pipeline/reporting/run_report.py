@@ -5,25 +5,26 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from ..diagnostics.calibrated import calibrated
 from ..diagnostics.check import CheckRow, beside
 from ..diagnostics.datasheet import Datasheet
-from ..diagnostics.grades import OF_WELLS, THRESHOLDS, Check, Threshold
+from ..diagnostics.grades import OF_WELLS, THRESHOLDS, Check
 from ..diagnostics.run_data import WHY, RunData, judged_log
 from ..scoring.wells import Wells
-from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
+from ..system.names import ROLE_WORDS, shell_word, with_true_names
 from ..units.quantity import short
 from .control_figures import control_figures
 from .datasheet_rows import (
     NOT_USED,
     Described,
-    calibrated_rows,
+    calibrated_row,
     described,
     element_rows,
     sheet_rows,
     structure_summary,
 )
 from .device_figures import device_figures
-from .figure import Figure, event_swatches, swatches
+from .figure import MARKS, Figure, swatch, swatches
 from .log_figures import LOG_FIGURES, log_figures, overlay
 from .page import json_for_script, render, viewer_data
 from .plotted import chart
@@ -67,35 +68,73 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
             kind = name.partition("-")[0]
             charts[kind if kind in charts else ""].append(chart(figure, models))
     rows = sheet_rows(sheet.facts)
-    context = {
-        "name": data.prototype.name,
-        "subtitle": _subtitle(data),
-        "main_model": sheet.main_model,
-        "assessment": assessment(sheet.checks),
-        "data_grade": sheet.grades["data"],
-        "model_grade": sheet.grades["model"],
-        "checks": sheet.checks,
-        "facts": rows,
-        "two_wells": any(len(row.cells) == 2 for row in rows),
-        "thresholds": _thresholds(sheet),
-        "facts_caption": _facts_caption(sheet),
-        "log_checks": _log_checks(data),
-        **_scores(data, sheet),
-        "overlay": _view(first, models, judged.key),
-        "calibrated": calibrated_rows(data, sheet),
-        "structure": structure_summary(data, sheet),
-        "elements": element_rows(sheet.elements(data)),
-        "timelines": [_timeline(data, views, kind) for kind in SECTION_TITLES],
-        "charts": charts[""],
-        "residuals": charts["residual"],
-        "studies": charts["study"],
-        "control": charts["control"],
-        "described": [_model(data, name) for name in models],
-        **_provenance(data),
-        "sections": _sections(bool(charts["study"]), bool(charts["control"])),
-        "viewer_json": json_for_script(viewer_data(interactive, models)),
-    }
-    return render("report.html.j2", ("uplot.min.js", "tables.js", "series.js", "viewer.js"), context)
+    lengths = (
+        f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, "
+        f"{short(sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs), 4)} s"
+        for role in ("train", "validation")
+        if (logs := data.role(role))
+    )
+    log_checks = [CheckRow(**row) for row in data.log_checks]
+    check_header, check_rows = beside(log_checks)
+    judged_by = {check.name for check in sheet.checks}
+    two_wells = isinstance(sheet.wells, Wells)
+    return render(
+        "report.html.j2",
+        ("uplot.min.js", "tables.js", "series.js", "viewer.js"),
+        {
+            "name": data.prototype.name,
+            "subtitle": " · ".join((*lengths, f"models {', '.join(models)}")),
+            "main_model": sheet.main_model,
+            "assessment": assessment(sheet.checks),
+            "data_grade": sheet.grades["data"],
+            "model_grade": sheet.grades["model"],
+            "checks": sheet.checks,
+            "facts": rows,
+            "two_wells": any(len(row.cells) == 2 for row in rows),
+            # Limits of wells only where there are two, or a check needs them.
+            "thresholds": {
+                name: limit
+                for name, limit in THRESHOLDS.items()
+                if two_wells or name in judged_by or name not in OF_WELLS
+            },
+            "facts_caption": _facts_caption(sheet),
+            "log_checks": {
+                "header": check_header,
+                "rows": check_rows,
+                "remarks": [row.remark for row in log_checks if row.state == "note"],
+            },
+            **_scores(data, sheet),
+            "overlay": _view(first, models, judged.key),
+            # Pure numbers of the beam's higher terms are left out: their names mean nothing outside the equations.
+            "calibrated": [
+                calibrated_row(fitted)
+                for fitted in calibrated(data.models.get(sheet.main_model))
+                if fitted.unit != "1" or fitted.nominal == 1.0
+            ],
+            "structure": structure_summary(data, sheet),
+            "elements": element_rows(sheet.elements(data)),
+            "timelines": [_timeline(data, views, kind) for kind in SECTION_TITLES],
+            "charts": charts[""],
+            "residuals": charts["residual"],
+            "studies": charts["study"],
+            "control": charts["control"],
+            "described": [_model(data, name) for name in models],
+            **_provenance(data),
+            "sections": [
+                ("overview", "Overview"),
+                ("datasheet", "Datasheet"),
+                ("logs", "Logs"),
+                ("errors", "Errors"),
+                *SECTION_TITLES.items(),
+                ("device", "Device"),
+                *([("control", "Control")] if charts["control"] else []),
+                ("models-described", "Models"),
+                *([("studies", "Studies")] if charts["study"] else []),
+                ("provenance", "Provenance"),
+            ],
+            "viewer_json": json_for_script(viewer_data(interactive, models)),
+        },
+    )
 
 
 def assessment(checks: Sequence[Check]) -> str:
@@ -106,30 +145,6 @@ def assessment(checks: Sequence[Check]) -> str:
             more = f" And {rest} more below." if rest else ""
             return f"{failing[0].statement[:1].upper()}{failing[0].statement[1:]}: {failing[0].advice}.{more}"
     return "All checks are within their limits."
-
-
-def _subtitle(data: RunData) -> str:
-    parts = (
-        f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, "
-        f"{short(sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs), 4)} s"
-        for role in ("train", "validation")
-        if (logs := data.role(role))
-    )
-    return " · ".join((*parts, f"models {', '.join(data.model_names)}"))
-
-
-def _log_checks(data: RunData) -> dict[str, Any]:
-    """Findings of the check of the logs against the settings, side by side."""
-    rows = [CheckRow(**row) for row in data.log_checks]
-    header, table = beside(rows)
-    return {"header": header, "rows": table, "remarks": [row.remark for row in rows if row.state == "note"]}
-
-
-def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
-    """Limits of the checks; those of wells only where there are two, or a check needs them."""
-    judged = {check.name for check in sheet.checks}
-    two = isinstance(sheet.wells, Wells)
-    return {name: limit for name, limit in THRESHOLDS.items() if two or name in judged or name not in OF_WELLS}
 
 
 def _facts_caption(sheet: Datasheet) -> str:
@@ -166,16 +181,25 @@ def _score_table(name: str, table: NrmseTable) -> dict[str, Any]:
         for cell in cells[1 : len(table.signals)]:
             if cell["bad"]:
                 cell |= {"number": "–", "interval": ""}  # when it diverged stands in the first cell
-        rows.append({"log": log_title(row.role, row.log), "model": row.model, "cells": cells})
+        rows.append({"log": row.log, "model": row.model, "cells": cells})
     errors = ((f"{HEADINGS[s]} [%]", "") for s in table.signals)
-    headings = [("log", ""), ("model", ""), *errors, *((column.heading, column.help) for column in table.extras)]
-    return {"name": name, "headings": headings, "rows": rows, "caption": table.explanation, "repeats": ""}
+    return {
+        "name": name,
+        "headings": [("log", ""), ("model", ""), *errors, *((column.heading, column.help) for column in table.extras)],
+        "rows": rows,
+        "caption": table.explanation,
+        "repeats": "",
+    }
 
 
 def _cell(cell: TableCell) -> dict[str, Any]:
-    value = cell.number if cell.is_number else ""
-    shown = cell.number + (BEST if cell.best else TIED * cell.tied)
-    return {"number": shown, "interval": cell.interval, "best": cell.best, "bad": cell.diverged, "value": value}
+    return {
+        "number": cell.number + (BEST if cell.best else TIED * cell.tied),
+        "interval": cell.interval,
+        "best": cell.best,
+        "bad": cell.diverged,
+        "value": cell.number if cell.is_number else "",
+    }
 
 
 def _without_q(figure: Figure) -> Figure:
@@ -195,7 +219,12 @@ def _timeline(data: RunData, figures: Mapping[str, Figure], kind: str) -> dict[s
 
 
 def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
-    return {"figure": figure, "legend": swatches(figure, models), "axis": axis, "events": event_swatches(figure)}
+    return {
+        "figure": figure,
+        "legend": swatches(figure, models),
+        "axis": axis,
+        "events": [swatch(name, MARKS[name]) for name in figure.marks if name in MARKS],
+    }
 
 
 def _model(data: RunData, name: str) -> Described:
@@ -219,18 +248,3 @@ def _provenance(data: RunData) -> dict[str, Any]:
         "version": provenance["versions"].get("debist", "of unknown version"),
         "settings": json.dumps(provenance["prototype"], indent=1, ensure_ascii=False),
     }
-
-
-def _sections(studies: bool, control: bool) -> list[tuple[str, str]]:
-    return [
-        ("overview", "Overview"),
-        ("datasheet", "Datasheet"),
-        ("logs", "Logs"),
-        ("errors", "Errors"),
-        *SECTION_TITLES.items(),
-        ("device", "Device"),
-        *([("control", "Control")] if control else []),
-        ("models-described", "Models"),
-        *([("studies", "Studies")] if studies else []),
-        ("provenance", "Provenance"),
-    ]

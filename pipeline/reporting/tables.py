@@ -97,9 +97,8 @@ class TableCell:
 
 @dataclass(frozen=True)
 class Row:
-    """One model on one log."""
+    """One model on one log, whose title stands."""
 
-    role: str
     log: str
     model: str
     cells: tuple[TableCell, ...]
@@ -141,7 +140,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
         for model, by_signal in models.items():
             of_q = {**by_signal["q"], **(times or {}).get(model, {})}
             errors = (_error(by_signal.get(s), model, front[s]) for s in signals)
-            rows.append(Row(role, log, model, (*errors, *(_cell(of_q, column) for column in extras))))
+            rows.append(Row(log_title(role, log), model, (*errors, *(_cell(of_q, column) for column in extras))))
     return NrmseTable(signals, extras, tuple(rows))
 
 
@@ -149,8 +148,13 @@ def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
     """Errors by horizon and what a run notes of itself, each with its interval; `scores` as in `nrmse_table`."""
     of_q = [row for row in scores if row["signal"] == "q"]
     columns = _columns("behaviour", of_q)
-    rows = (Row(r["role"], r["log"], r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q)
-    return NrmseTable((), columns, tuple(rows))
+    return NrmseTable(
+        (),
+        columns,
+        tuple(
+            Row(log_title(r["role"], r["log"]), r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q
+        ),
+    )
 
 
 def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
@@ -176,8 +180,7 @@ def _error(record: ScoreRow | None, model: str, front: set[str]) -> TableCell:
         return TableCell(f"diverged at t = {moment(record['diverged_at_s'])}", diverged=True)
     if record["nrmse"] is None:
         return TableCell("undefined")
-    number = _number(record, "nrmse", 100.0, 2)
-    return replace(number, best=front == {model}, tied=len(front) > 1 and model in front)
+    return replace(_number(record, "nrmse", 100.0, 2), best=front == {model}, tied=len(front) > 1 and model in front)
 
 
 def _cell(record: ScoreRow, column: Column) -> TableCell:
@@ -208,7 +211,7 @@ def lines(table: NrmseTable) -> list[list[str]]:
     ]
     rows = [
         [
-            log_title(row.role, row.log),
+            row.log,
             row.model,
             *(cell.text + BEST * cell.best + TIED * cell.tied for cell in row.cells),
         ]
@@ -226,31 +229,16 @@ def disarmed(value: Any) -> Any:
 
 @dataclass(frozen=True)
 class MainTable:
-    """The table as text: where the errors were measured, the headings, and a line of cells for each model."""
+    """The table as text: where the errors were measured, headings, a line of cells for each model, what they mean.
+
+    `best` is the model with the lowest error of q; empty where no model has one.
+    """
 
     where: str
-    signals: tuple[str, ...]
-    extras: tuple[Column, ...]
+    heading: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
-
-    @property
-    def heading(self) -> tuple[str, ...]:
-        """The headings of its columns."""
-        errors = (f"{HEADINGS[signal]} [%]" for signal in self.signals)
-        return ("model", *errors, *(column.title for column in self.extras))
-
-    @property
-    def best(self) -> str:
-        """The model with the lowest error of q; empty where no model has one."""
-        errors = {row[0]: float(row[1]) for row in self.rows if row[1].replace(".", "", 1).isdigit()}
-        return min(errors, key=lambda model: errors[model], default="")
-
-    @property
-    def explanation(self) -> str:
-        """Meaning of the columns; that of errors is a line of its own."""
-        errors = "NRMSE in % of the measured range, free run from the first sample, worst log."
-        notes = [*notes_of(self.extras), *notes_on(row[0] for row in self.rows)]
-        return "\n".join(part for part in (errors, " ".join(notes)) if part)
+    explanation: str
+    best: str
 
 
 def main_table(scores: Sequence[ScoreRow]) -> MainTable:
@@ -279,7 +267,16 @@ def main_table(scores: Sequence[ScoreRow]) -> MainTable:
     logs = list(dict.fromkeys(str(row["log"]) for row in judged))
     named = f"log {logs[0]}" if len(logs) == 1 else f"logs {', '.join(logs)}"
     word = "validation" if role == "validation" else "training"
-    return MainTable(f"free runs on the {word} {named}", signals, extras, tuple(rows))
+    errors_of_q = {row[0]: float(row[1]) for row in rows if row[1].replace(".", "", 1).isdigit()}
+    meaning = "NRMSE in % of the measured range, free run from the first sample, worst log."
+    notes = " ".join([*notes_of(extras), *notes_on(row[0] for row in rows)])
+    return MainTable(
+        where=f"free runs on the {word} {named}",
+        heading=("model", *(f"{HEADINGS[signal]} [%]" for signal in signals), *(column.title for column in extras)),
+        rows=tuple(rows),
+        explanation=f"{meaning}\n{notes}" if notes else meaning,
+        best=min(errors_of_q, key=lambda model: errors_of_q[model], default=""),
+    )
 
 
 def _worst(errors: Sequence[float | None]) -> str:

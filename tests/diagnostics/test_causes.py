@@ -26,13 +26,13 @@ def _row(quantity: str, estimate: float, *, beyond: bool = True, **other: Any) -
 
 def test_instruments_are_findings_with_their_numbers() -> None:
     rows = (_row("gain_v1", -0.05), _row("zero_q", 3e-4), _row("clock", 0.01, beyond=False), _row("delay", 0.005))
-    found = instrument_findings(replace(run_data(), instruments=rows), "rbf")
+    found = list(instrument_findings(replace(run_data(), instruments=rows), "rbf"))
     assert [(f.code, f.subject, f.log, f.severity) for f in found] == [
         ("instrument", quantity, LOG, "fair") for quantity in ("gain_v1", "zero_q", "delay")
     ]
     numbers = found[1].numbers["estimate"]
     assert (numbers.value, numbers.unit, numbers.error) == (3e-4, "m", pytest.approx(3e-7))
-    assert not instrument_findings(replace(run_data(), instruments=rows), "hybrid")
+    assert not list(instrument_findings(replace(run_data(), instruments=rows), "hybrid"))
 
 
 def test_findings_reach_the_assessment() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.diagnostics.calibrated import calibrated
 from pipeline.diagnostics.characteristics import intervals, shares
-from pipeline.diagnostics.datasheet import DatasheetFact, distance, fact_checks
+from pipeline.diagnostics.datasheet import DatasheetFact, comparison, fact_checks
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS
 from pipeline.numerics.metrics import NORMAL_90
@@ -34,7 +34,7 @@ def test_the_same_events_of_the_free_run_tell_the_size_of_motion_from_an_error()
     (other,) = fact_checks([replace(of_small_motion, value=0.095, free_run=0.150)])
     assert other.grade == "fair" and "0.150 in the model's free runs, but was measured as 0.095" in other.statement
     # The model's posterior says nothing of a free run: only the spread of what was measured counts there.
-    assert distance(replace(of_small_motion, low=0.0, high=0.3, free_run=0.125)) == pytest.approx(2.0)
+    assert comparison(replace(of_small_motion, low=0.0, high=0.3, free_run=0.125))[0] == pytest.approx(2.0)
 
 
 def test_a_fact_that_many_draws_lack_says_so_in_place_of_an_interval():

@@ -10,7 +10,7 @@ import pytest
 
 from pipeline.device.device import device
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.reporting.datasheet_rows import show_datasheet
+from pipeline.reporting.datasheet_rows import datasheet_tables
 from pipeline.reporting.log_figures import LOG_FIGURES
 from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.store import layout, schemas
@@ -136,12 +136,12 @@ def test_show_prints_the_datasheet_and_finds_damage(unreported: RunFolder, repor
     with pytest.raises(InputError, match=r"datasheet\.json"):
         load_datasheet(unreported.root)
     run = _copy(reported, tmp_path)
-    shown = show_datasheet(load_datasheet(run.root))
-    assert shown.title == "P1: facts from rbf-paper"
-    (rest,) = (row for row in shown.facts if row[0] == "rest position")
+    (title, _, facts), (_, _, seen), *_ = datasheet_tables(load_datasheet(run.root))
+    assert title.startswith("P1: facts from rbf-paper;")
+    (rest,) = (row for row in facts if row[0] == "rest position")
     assert rest[1].startswith("−12.000") and rest[2].startswith("12.000") and rest[2].endswith("mm")
-    assert {len(row) for row in shown.facts} == {3}
-    assert "rest position" in [row[0] for row in shown.seen]
+    assert {len(row) for row in facts} == {3}
+    assert "rest position" in [row[0] for row in seen]
     run.path(layout.DATASHEET).write_text("{}", encoding="utf-8")
     with pytest.raises(CorruptArtifactError):
         load_datasheet(run.root)

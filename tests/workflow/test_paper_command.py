@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.commands.console import Progress
 from pipeline.device.parameters import NOMINAL
-from pipeline.reporting.joint_figures import COLOURED
+from pipeline.reporting.paper_figures import COLOURED
 from pipeline.reporting.plotted import paper_figure
 from pipeline.settings.prototype import Compare, Prototype, parse_prototype
 from pipeline.store.run_folder import RunFolder

@@ -20,9 +20,8 @@ from ...models.analytical.reduced_order import beam_modes, pulse_sequence, simul
 from ...models.base import HasCurves
 from ...models.paper.model import RbfPaperModel
 from ...numerics.arrays import FloatArray
-from ...reporting import recipe_figures as draw
+from ...reporting import paper_figures as draw
 from ...reporting.figure import Figure, of_models, window
-from ...reporting.joint_figures import COLOURED, modes_figure, motion_figure, paper_joint_figures
 from ...reporting.log_figures import log_figures
 from ...reporting.paper_page import paper_page, table_1, table_2
 from ...reporting.plotted import Format, paper_figure
@@ -180,7 +179,7 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
 def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> Mapping[str, Written]:
     data = read_run(run, prototype, validate.scored_models(run, prototype))
     figures: dict[str, tuple[Figure, Sequence[str]]] = {
-        **{name: (figure, COLOURED) for name, figure in joint_figures(parameters).items()},
+        **{name: (figure, draw.COLOURED) for name, figure in joint_figures(parameters).items()},
         **{name: (figure, DRAWN) for name, figure in _recipe_figures(run, prototype, data).items()},
     }
     written: dict[str, Written] = {}
@@ -200,9 +199,9 @@ def joint_figures(parameters: JointParameters) -> dict[str, Figure]:
     """Figures 1b and 3 to 7: the analytical model of the parameter set."""
     motions = simulate_both(parameters, *pulse_sequence())
     return {
-        **paper_joint_figures(characteristics(parameters)),
-        "fig-06": modes_figure(parameters, beam_modes(motions.full.qm, parameters.l), motions.full.t),
-        "fig-07": motion_figure(motions),
+        **draw.paper_joint_figures(characteristics(parameters)),
+        "fig-06": draw.modes_figure(parameters, beam_modes(motions.full.qm, parameters.l), motions.full.t),
+        "fig-07": draw.motion_figure(motions),
     }
 
 

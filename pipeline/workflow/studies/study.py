@@ -243,7 +243,7 @@ def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
 
 def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str]) -> Path:
     """The figure of a study, beside its table."""
-    from ...reporting.recipe_figures import study_figure
+    from ...reporting.paper_figures import study_figure
 
     target = root / layout.STUDIES / f"{name}.svg"
     refuse_link(target.parent)
