@@ -11,7 +11,7 @@ import pandas as pd
 from ..device.device import device
 from ..device.parameters import parameter_set
 from ..diagnostics.check import check_logs, refusing, remarks
-from ..diagnostics.copies import shared_findings, shared_recordings
+from ..diagnostics.copies import shared_recordings
 from ..diagnostics.log_facts import LogSignals
 from ..diagnostics.sentences import sentences
 from ..errors import DataRefusedError, InputError, warn_user
@@ -104,10 +104,15 @@ def settings(
         "mass": None if mass is None else {"value": mass, "unit": "kg m^2" if turned else "kg"},
         "parameters": parameters,
     }
-    document: dict[str, Any] = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
     if entry(model) is None and model != AUTO:
         raise InputError(f"no model {model!r}; there are {', '.join((AUTO, *(each.name for each in ENTRIES)))}")
-    document["identify"] = {"models": [model]} if model in (AUTO, *names("identify")) else {}
+    document: dict[str, Any] = {
+        "name": "signals",
+        "logs": {"train": ["signals"]},
+        "channels": channels,
+        "plant": plant,
+        "identify": {"models": [model]} if model in (AUTO, *names("identify")) else {},
+    }
     if not isinstance(more, Mapping):
         raise InputError(
             f"settings is {more!r}; give a mapping of tables, as {{'ingest': {{'sample_interval': 0.005}}}}"
@@ -223,8 +228,11 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
     fine, coarse = (record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings)
     moved, _ = kinematics(coarse, fine, prototype)
     notes = {**noticed, "raw_step": resamplings[0].report.raw_step}
-    remarks = tuple(f"{where}: {text}" for text in noticed["warnings"])
-    return motion(moved, fine, prototype, notes.get(UNKNOWN, ())), log_signals(where, fine, notes), remarks
+    return (
+        motion(moved, fine, prototype, notes.get(UNKNOWN, ())),
+        log_signals(where, fine, notes),
+        tuple(f"{where}: {text}" for text in noticed["warnings"]),
+    )
 
 
 def _in_this_folder() -> Path:
@@ -251,7 +259,7 @@ def identify_signals(
     measured, records, warnings = map(list, zip(*parts, strict=True))
     findings = [
         *check_logs(records, device(prototype), prototype.ingest.sample_interval),
-        *shared_findings(records, shared_recordings(records)),
+        *(finding for _, _, finding in shared_recordings(records)),
     ]
     unaccepted = [finding for finding in refusing(findings) if finding.gate not in prototype.quality.accept]
     contradictions = [": ".join(sentences(finding)) for finding in unaccepted]
@@ -266,8 +274,13 @@ def identify_signals(
     else:
         models, notes = identified(measured, prototype, parameters, prior)
         model = next(iter(models.values()))
-    remarks_of_all = [*(text for texts in warnings for text in texts), *remarks(findings), *contradictions]
-    notes |= {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}
+    notes["warnings"] = [
+        *(text for texts in warnings for text in texts),
+        *remarks(findings),
+        *contradictions,
+        *notes["warnings"],
+    ]
+    notes["contradictions"] = contradictions
     return model, notes, measured
 
 

@@ -340,8 +340,7 @@ class Run:
         names = self._report.data.model_names
         if unknown := [model for model in models if model not in names]:
             raise InputError(f"{self.root}: has no model {unknown[0]!r}; it has {', '.join(names)}")
-        chosen = of_models(figures[figure], names, models) if models else figures[figure]
-        part = _segment(chosen, start, stop)
+        part = _segment(of_models(figures[figure], names, models) if models else figures[figure], start, stop)
         return plotted(part, names, paper_look(part, typeface), pyplot.figure()).axes
 
     def linear_models(self, v1: float = 0.0, v2: float = 0.0) -> "list[LinearModel]":

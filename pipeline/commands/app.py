@@ -144,5 +144,7 @@ def batch(
             outcomes = run_batch(named, output, progress, debist, execution, shard)
     outcome.emit_outcomes(outcomes, output, as_json=as_json)
     if failed := [result for result in outcomes if result.failed]:
-        names = ", ".join(result.name for result in failed)
-        raise BatchFailedError(f"{len(failed)} of {len(outcomes)} prototypes failed: {names}; {failed[0].reason}")
+        raise BatchFailedError(
+            f"{len(failed)} of {len(outcomes)} prototypes failed: {', '.join(result.name for result in failed)}; "
+            f"{failed[0].reason}"
+        )

@@ -257,11 +257,13 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
             }
         )
     else:
-        pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
         emit_table(
             "Modes of the beam",
             ("mode", "energy share [%]", "largest amplitude [mm]"),
-            [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs],
+            [
+                (str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4))
+                for number, (share, peak) in enumerate(zip(result.energy_share, peaks, strict=True), start=1)
+            ],
         )
 
 
@@ -324,9 +326,11 @@ def calibrate(
     if as_json:
         emit_json(physics.calibration_document(fit))
         return
-    entries = zip(fit.names, fit.values, fit.standard_errors, strict=True)
     emit_table(
         f"Calibrated; error of q {prefixed(fit.rmse, 'm', 3)} mm",
         ("parameter", "value", "±", "unit"),
-        [(name, f"{value:.5g}", f"{error:.2g}", QUANTITIES[name].unit) for name, value, error in entries],
+        [
+            (name, f"{value:.5g}", f"{error:.2g}", QUANTITIES[name].unit)
+            for name, value, error in zip(fit.names, fit.values, fit.standard_errors, strict=True)
+        ],
     )

@@ -104,8 +104,9 @@ def _late(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """
     most = LATE * fact.sample_interval
     if abs(fact.late) >= most and not plant.angle:
-        numbers = {"late": Number(fact.late, "s"), "most": Number(most, "s")}
-        yield Finding("late_answer", "fair", fact.signals.name, "q", numbers)
+        yield Finding(
+            "late_answer", "fair", fact.signals.name, "q", {"late": Number(fact.late, "s"), "most": Number(most, "s")}
+        )
 
 
 def _scale(fact: LogFacts, plant: Device) -> Iterator[Finding]:
@@ -144,8 +145,12 @@ def _sides(fact: LogFacts) -> Iterator[Finding]:
         ratio = couplings[0] / couplings[1]
         error = np.linalg.norm([force.error / force.value for force in fact.input_forces if force is not None])
         alike = abs(np.log(ratio)) <= np.log(SIDES) + SURE * error
-        numbers = {"ratio": Number(ratio), "most": Number(SIDES)}
-        yield Finding("coupling_ratio", "good" if alike else "fair", fact.signals.name, "", numbers)
+        yield Finding(
+            "coupling_ratio",
+            "good" if alike else "fair",
+            fact.signals.name,
+            numbers={"ratio": Number(ratio), "most": Number(SIDES)},
+        )
 
 
 def _correlated(fact: LogFacts, plant: Device) -> Iterator[Finding]:
@@ -154,8 +159,12 @@ def _correlated(fact: LogFacts, plant: Device) -> Iterator[Finding]:
         acting = plant.acting(fact.signals.v)
         correlation = float(np.asarray(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T))[0, 1])
         if abs(correlation) >= CORRELATED:
-            numbers = {"correlation": Number(correlation), "most": Number(CORRELATED)}
-            yield Finding("correlated", "fair", fact.signals.name, "", numbers)
+            yield Finding(
+                "correlated",
+                "fair",
+                fact.signals.name,
+                numbers={"correlation": Number(correlation), "most": Number(CORRELATED)},
+            )
 
 
 def _field(fact: LogFacts, plant: Device) -> Finding:
@@ -164,16 +173,15 @@ def _field(fact: LogFacts, plant: Device) -> Finding:
     field = largest / plant.film_thickness
     limit = plant.field_limit
     of_units = not limit / RATIO < field < limit * RATIO and largest > 0.0
-    numbers = {
-        "field": Number(field, "V/m"),
-        "limit": Number(limit, "V/m"),
-        "film": Number(plant.film_thickness, "m"),
-    }
     return Finding(
         "field_units" if of_units else "field",
         "fair" if of_units or field > FIELD * limit else "good",
         fact.signals.name,
-        numbers=numbers,
+        numbers={
+            "field": Number(field, "V/m"),
+            "limit": Number(limit, "V/m"),
+            "film": Number(plant.film_thickness, "m"),
+        },
     )
 
 
@@ -186,8 +194,13 @@ def _rest_levels(fact: LogFacts, plant: Device) -> Iterator[Finding]:
         level = rest_level(fact.signals.v[:, i])
         most = REST_LEVEL * peak
         if level is not None and abs(level) > most:
-            numbers = {"level": Number(level, unit), "most": Number(most, unit)}
-            yield Finding("rest_level", "fair", fact.signals.name, f"v{i + 1}", numbers)
+            yield Finding(
+                "rest_level",
+                "fair",
+                fact.signals.name,
+                f"v{i + 1}",
+                {"level": Number(level, unit), "most": Number(most, unit)},
+            )
 
 
 def rest_level(v: FloatArray) -> float | None:
@@ -237,8 +250,9 @@ def motion_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
         yield Finding("held", "fair", name, "q", numbers)
     jumps = _turns(fact, plant)
     if jumps:
-        numbers = {"jumps": Number(jumps), "turn": Number(fact.span, "rad")}
-        yield Finding("wrapped", "poor", name, "q", numbers, "wrapped")
+        yield Finding(
+            "wrapped", "poor", name, "q", {"jumps": Number(jumps), "turn": Number(fact.span, "rad")}, "wrapped"
+        )
     yield _rests(fact, plant)
     if fact.drift is not None:
         moved = Number(abs(fact.drift) * float(np.ptp(fact.signals.t)), unit)
@@ -436,11 +450,10 @@ def beside(rows: Sequence[CheckRow]) -> tuple[tuple[str, ...], list[tuple[str, .
         Subject, finding, limit; a (!) marks remarkable ones.
     """
     logs = list(dict.fromkeys(row.log for row in rows))
-    order = list(STATES.values())
     table = []
     for what in dict.fromkeys(row.what for row in rows):
         kind = [row for row in rows if row.what == what]
-        worst = max(kind, key=lambda row: order.index(row.state))
+        worst = max(kind, key=lambda row: list(STATES.values()).index(row.state))
         of_log = {row.log: row for row in reversed(kind)}
         shown = [worst] if len(logs) > _MOST_BESIDE else [of_log.get(log) for log in logs]
         table.append((what, *map(_cell, shown), kind[0].limit))
@@ -456,10 +469,13 @@ def _cell(row: CheckRow | None) -> str:
 
 def _in_si(finding: Finding) -> dict[str, float]:
     """Numbers under keys with their SI units, and their standard errors."""
-    values = {}
-    for name, number in finding.numbers.items():
-        end = "" if number.unit == "1" else f"_{column_suffix(number.unit)}"
-        for key, value in ((f"{name}{end}", number.value), (f"{name}_error{end}", number.error)):
-            if value is not None and np.isfinite(value):
-                values[key] = float(value)
-    return values
+    ends = {
+        unit: "" if unit == "1" else f"_{column_suffix(unit)}"
+        for unit in {number.unit for number in finding.numbers.values()}
+    }
+    return {
+        f"{name}{kind}{ends[number.unit]}": float(value)
+        for name, number in finding.numbers.items()
+        for kind, value in (("", number.value), ("_error", number.error))
+        if value is not None and np.isfinite(value)
+    }

@@ -23,10 +23,6 @@ _FACTOR = np.uint64(0x9E3779B97F4A7C15)
 """Odd, so that it has an inverse modulo 2⁶⁴."""
 
 
-Overlap = tuple[tuple[float, float], tuple[float, float]]
-"""Spans [s] that two logs have in common, in the clock of the first and of the second."""
-
-
 def sketch(time: FloatArray, q: FloatArray) -> list[tuple[int, float]]:
     """Hashes of windows of raw samples that move, the least `_KEPT` of them, and where each begins [s].
 
@@ -50,39 +46,22 @@ def sketch(time: FloatArray, q: FloatArray) -> list[tuple[int, float]]:
     return list(least.items())
 
 
-def shared_recordings(logs: Sequence[LogSignals]) -> list[tuple[int, int, Overlap]]:
-    """Every pair of logs that hold one recording, by their places, with what they share."""
-    pairs = ((i, k, overlap(logs[i].sketch, logs[k].sketch)) for i, k in combinations(range(len(logs)), 2))
-    return [(i, k, shared) for i, k, shared in pairs if shared is not None]
+def shared_recordings(logs: Sequence[LogSignals]) -> list[tuple[int, int, Finding]]:
+    """Every pair of logs that hold one recording, by their places, with the finding on what they share."""
+    pairs = ((i, k, overlap(logs[i], logs[k])) for i, k in combinations(range(len(logs)), 2))
+    return [(i, k, finding) for i, k, finding in pairs if finding is not None]
 
 
-def shared_findings(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int, Overlap]]) -> list[Finding]:
-    """Findings where logs of one role share a recording."""
-    return [
-        Finding(
-            "shared_recording",
-            "fair",
-            logs[k].name,
-            logs[i].name,
-            {
-                "start": Number(there[0], "s"),
-                "stop": Number(there[1], "s"),
-                "other_start": Number(here[0], "s"),
-                "other_stop": Number(here[1], "s"),
-            },
-        )
-        for i, k, (here, there) in shared
-    ]
-
-
-def overlap(first: Sequence[tuple[int, float]], second: Sequence[tuple[int, float]]) -> Overlap | None:
-    """Overlap of two logs by their sketches; None where too few windows are equal."""
-    stamp_of = dict(second)
-    stamps = np.array([(here, stamp_of[value]) for value, here in first if value in stamp_of])
+def overlap(first: LogSignals, second: LogSignals) -> Finding | None:
+    """The spans [s] that two logs have in common, in the clock of each; None where too few windows are equal."""
+    stamp_of = dict(second.sketch)
+    stamps = np.array([(here, stamp_of[value]) for value, here in first.sketch if value in stamp_of])
     if len(stamps) < _FEWEST:
         return None
-    here, there = stamps.T
-    return (float(here.min()), float(here.max())), (float(there.min()), float(there.max()))
+    (other_start, start), (other_stop, stop) = stamps.min(axis=0).tolist(), stamps.max(axis=0).tolist()
+    numbers = {"start": start, "stop": stop, "other_start": other_start, "other_stop": other_stop}
+    spans = {name: Number(time, "s") for name, time in numbers.items()}
+    return Finding("shared_recording", "fair", second.name, first.name, spans)
 
 
 def _windows(time: FloatArray, q: FloatArray) -> Iterator[tuple[FloatArray, FloatArray]]:

@@ -34,8 +34,8 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
         _noise_check(data, max(spans) or 1.0, max(noises)),
     ]
     if data.prototype.ingest.rails == "keep" and max(rails) > 0.0:  # the user has said what they are
-        kept = {"value": Number(max(rails))}
-        checks.append(of_finding("data", Finding("rails", "good", subject="kept", numbers=kept)))
+        kept = Finding("rails", "good", subject="kept", numbers={"value": Number(max(rails))})
+        checks.append(of_finding("data", kept))
     else:
         checks.append(graded("data", "rails", max(rails)))
     kind = "joint" if data.device.joint else ""
@@ -46,8 +46,9 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
         checks.append(of_finding("data", Finding("no_wells", "fair", subject=wells.reason)))
     inner = centre_visits(data)[1][1:-1]  # the outermost two centres lie at the ends of the range
     if inner.size:
-        centres = {"centres": Number(inner.size)}
-        checks.append(graded("data", "coverage", float(inner.min()), subject=kind, numbers=centres))
+        checks.append(
+            graded("data", "coverage", float(inner.min()), subject=kind, numbers={"centres": Number(inner.size)})
+        )
     return checks + _extrapolation_checks(data)
 
 

@@ -10,7 +10,7 @@ from ..device.device import Device
 from ..models.base import DynamicModel, HasOutcomeDraws
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90, signal_range
-from ..scoring.wells import NoWells, Wells
+from ..scoring.wells import NoWells, Wells, wells_of
 from ..signals.findings import SEVERITIES, Finding, Number, Severity
 from ..store.columns import FACT_COLUMNS, STABLE
 from .characteristics import (
@@ -25,17 +25,14 @@ from .characteristics import (
     shares,
 )
 from .data_quality import data_checks
-from .events import RestFacts, rest_facts, ring_down
+from .events import RESTS, rest_events, ring_down
 from .grades import THRESHOLDS, Check, graded, of_finding
 from .model_quality import model_checks
-from .run_data import RunData, wells_of_run
+from .run_data import RunData
 
 FORMAT = "debist-datasheet/1"
 RING_TIME, RING_STEP = 2.0, 0.005  # s
 RING_AMPLITUDE = 0.025  # of the range of q: small enough for one frequency, large against friction
-
-RESTS = {"_left": "well_left", "_right": "well_right", "": "rest"}
-"""Key of the place of rest by the suffix of the other facts there, as of ``stiffness_left``."""
 
 SCATTERED = 0.1
 """Share of the range of q: rests whose standard deviation is larger are several places, as of a drive that stays
@@ -208,8 +205,8 @@ def is_refused(checks: Iterable[Mapping[str, Any]]) -> bool:
 
 def make_datasheet(data: RunData) -> Datasheet:
     """Evaluate curves, rests and ring-downs of a run, and judge it."""
-    wells = wells_of_run(data)
-    records = [(g.motion.t, g.motion.q, g.motion.v) for g in data.logs]
+    motions = [log.motion for log in data.logs]
+    wells = wells_of(motions, plant=data.device)
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
@@ -220,13 +217,13 @@ def make_datasheet(data: RunData) -> Datasheet:
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
         wells = believed_wells(wells, source, stable, plant=data.device)
         rings = simulated_ring_downs(data.models[source], modelled.values, curves[source], len(data.device.inputs))
-        of_draws = drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device)
-        modelled.limits.update(intervals(rings, of_draws))
+        drawn_rings = drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device)
+        modelled.limits.update(intervals(rings, drawn_rings))
         modelled.values.update(rings)
-    rests = rest_facts(records, wells, hum, plant=data.device)
-    events = _in_free_run(data, source, wells)
-    facts = tuple(_facts(data, modelled, rests, wells, events))
-    rest_errors = _rest_errors(events, modelled.values, rests, wells)
+    measured = rest_events([(log.t, log.q, log.v) for log in motions], wells, hum, plant=data.device)
+    in_free_run = _in_free_run(data, source, wells)
+    facts = tuple(_facts(data, modelled, measured, wells, in_free_run))
+    rest_errors = _rest_errors(in_free_run, modelled.values, measured, wells)
     main_model = data.model_names[0]
     return Datasheet(
         name=data.prototype.name,
@@ -292,8 +289,10 @@ def simulated_ring_downs(
             continue
         run = model.simulate(t, np.zeros((t.size, inputs)), place, amplitude * float(np.sqrt(stiffness / mass)))
         ring = ring_down(t, run.q) if run.status == "ok" and np.isfinite(run.q).all() else None
-        facts[f"frequency{side}"] = ring.frequency if ring else None
-        facts[f"damping{side}"] = ring.damping if ring else None
+        facts |= {
+            f"frequency{side}": ring.frequency if ring else None,
+            f"damping{side}": ring.damping if ring else None,
+        }
     return facts
 
 
@@ -356,7 +355,10 @@ def _ring_downs_by_curves(
 
 
 def _rest_errors(
-    events: Mapping[str, float], values: Mapping[str, float | None], rests: RestFacts, wells: Wells | NoWells
+    events: Mapping[str, float],
+    values: Mapping[str, float | None],
+    measured: Mapping[str, FloatArray],
+    wells: Wells | NoWells,
 ) -> tuple[float, float] | None:
     """Modelled minus measured rest on the left and on the right; None unless all are known.
 
@@ -365,7 +367,6 @@ def _rest_errors(
     """
     if isinstance(wells, NoWells):
         return None
-    measured = _measured(rests, wells)
     both = ("well_left", "well_right")
     if all(key in events and key in measured for key in both):
         return events["well_left"] - measured["well_left"].mean(), events["well_right"] - measured["well_right"].mean()
@@ -379,24 +380,24 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
     if model is None or not logs:
         return {}
     runs = [(log.motion.t, log.predictions[model]["q"], log.motion.v) for log in logs]
-    rests = rest_facts(runs, wells, plant=data.device)
-    return {key: float(np.mean(values)) for key, values in _measured(rests, wells).items()}
+    return {key: float(np.mean(values)) for key, values in rest_events(runs, wells, plant=data.device).items()}
 
 
 def _facts(
     data: RunData,
     modelled: _ModelledFacts,
-    rests: RestFacts,
+    measured: Mapping[str, FloatArray],
     wells: Wells | NoWells,
     in_free_run: Mapping[str, float],
 ) -> Iterator[DatasheetFact]:
     """The facts that the model or the measurement has; `in_free_run` is the result of `_in_free_run`."""
     # One rest measured over several modelled ones is the mean of all, and none of them.
     several = modelled.values.get("well_left") is not None or any(key.startswith(STABLE) for key in modelled.values)
-    measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
+    if isinstance(wells, NoWells) and several:
+        measured = {}
     span = signal_range(np.concatenate([log.motion.q for log in data.logs])) or 0.0
     if "rest" in measured and np.std(measured["rest"]) > SCATTERED * span:
-        del measured["rest"]
+        measured = {key: values for key, values in measured.items() if key != "rest"}
     q = data.device.displacement.symbol
     units = {
         "{q}": q,
@@ -430,20 +431,3 @@ def _listed(values: Mapping[str, float | None]) -> Iterator[tuple[str, str, str]
     for column in FACT_COLUMNS:
         for number in stable if column.key == STABLE else ("",):
             yield column.key + number, f"{column.title} {number}".rstrip(), column.unit
-
-
-def _measured(rests: RestFacts, wells: Wells | NoWells) -> dict[str, FloatArray]:
-    sides = (
-        {"rest": ("", rests.left, rests.rings_left)}
-        if isinstance(wells, NoWells)
-        else {
-            "well_left": ("_left", rests.left, rests.rings_left),
-            "well_right": ("_right", rests.right, rests.rings_right),
-        }
-    )
-    events = {}
-    for key, (side, places, rings) in sides.items():
-        events[key] = places
-        events[f"frequency{side}"] = np.array([ring.frequency for ring in rings])
-        events[f"damping{side}"] = np.array([ring.damping for ring in rings])
-    return {key: values for key, values in events.items() if values.size}

@@ -1,5 +1,6 @@
 """Events of a log without any model: switched voltages, their lag, and the rests between with their ring-downs."""
 
+from collections import defaultdict
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -113,51 +114,42 @@ def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
     return apart if apart.size <= MOST_STEPS else np.empty(0)
 
 
-@dataclass(frozen=True)
-class RestFacts:
-    """Facts from the rests of a device, without any model.
-
-    Attributes
-    ----------
-    left, right : FloatArray, shape (n,)
-        Rest positions at zero voltage in the two wells.
-    rings_left, rings_right : tuple of RingDown
-        After switch-offs, where the device rings in that well.
-    """
-
-    left: FloatArray
-    right: FloatArray
-    rings_left: tuple[RingDown, ...]
-    rings_right: tuple[RingDown, ...]
+RESTS = {"_left": "well_left", "_right": "well_right", "": "rest"}
+"""Key of the places of rest by the suffix of the other facts there, as of ``stiffness_left``."""
 
 
-def rest_facts(
+def rest_events(
     records: list[tuple[FloatArray, FloatArray, FloatArray]],
     wells: Wells | NoWells,
     hum: Collection[float] = (),
     *,
     plant: Device,
-) -> RestFacts:
-    """Rest positions and ring-downs of some logs.
+) -> dict[str, FloatArray]:
+    """Places of rest without input, and ring-downs after switch-offs, without any model.
 
     Parameters
     ----------
     records : list of (t, q, v)
         Uniform records: time [s], displacement with NaN where masked, inputs (N, K).
     wells : Wells or NoWells
-        Without wells all rests are one place, on the left.
+        Without wells all rests are one place.
     hum : collection of float
         Mains lines in the displacement [Hz]; what oscillates there, or where it is aliased to, is no ring-down.
     plant : Device
         Its inputs, and whether it is the joint.
+
+    Returns
+    -------
+    dict of str to FloatArray, shape (n,)
+        ``well_left``, ``frequency_left`` [Hz] and ``damping_left`` of each event, the same of the right, or ``rest``,
+        ``frequency`` and ``damping`` without wells; only what there is.
 
     Notes
     -----
     Cost: 1 ms a ring-down in samples of 10 ms, 3 ms in samples of 1 ms. At most `MOST_RING_DOWNS` in a log are looked
     at, evenly over it.
     """
-    places: tuple[list[float], list[float]] = ([], [])
-    rings: tuple[list[RingDown], list[RingDown]] = ([], [])
+    events = defaultdict[str, list[float]](list)
     for t, q, v in records:
         interval = sample_interval(t)
         quiet = rests(v, interval, plant=plant)
@@ -168,20 +160,19 @@ def rest_facts(
             if not np.isfinite(end).all():
                 continue
             place = float(np.median(end))
-            side = int(isinstance(wells, Wells) and place > wells.barrier)
+            side = "" if isinstance(wells, NoWells) else "_right" if place > wells.barrier else "_left"
             if rest.start in standing:
-                places[side].append(place)
+                events[RESTS[side]].append(place)
             ring = _ring_down(t, q, rest, interval, wells) if number % step == 0 else None
-            if ring is not None and not _is_driven(ring, interval, hum):
-                rings[side].append(ring)
-    return RestFacts(np.array(places[0]), np.array(places[1]), tuple(rings[0]), tuple(rings[1]))
-
-
-def _is_driven(ring: RingDown, interval: float, hum: Collection[float]) -> bool:
-    """True if it does not decay, or is a line of the mains [Hz] in samples an interval [s] apart."""
-    return ring.damping < LEAST_DAMPING or any(
-        abs(ring.frequency - aliased(line, interval)) < MAINS_WIDTH for line in hum
-    )
+            # What does not decay is driven, and so is a line of the mains.
+            if (
+                ring is not None
+                and ring.damping >= LEAST_DAMPING
+                and all(abs(ring.frequency - aliased(line, interval)) >= MAINS_WIDTH for line in hum)
+            ):
+                events[f"frequency{side}"].append(ring.frequency)
+                events[f"damping{side}"].append(ring.damping)
+    return {key: np.array(values) for key, values in events.items()}
 
 
 def _ring_down(t: FloatArray, q: FloatArray, rest: slice, interval: float, wells: Wells | NoWells) -> RingDown | None:

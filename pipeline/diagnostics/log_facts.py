@@ -270,8 +270,8 @@ def rest_drift(
     float or None
         [m/s or rad/s].
     """
-    places_at_rest = places_of_rest(q, v, interval, plant=plant)
-    ends = [rows for rest in places_at_rest if np.isfinite(q[rows := end_of_rest(rest, interval)]).all()]
+    ends = [end_of_rest(rest, interval) for rest in places_of_rest(q, v, interval, plant=plant)]
+    ends = [rows for rows in ends if np.isfinite(q[rows]).all()]
     reach = float(np.nanmax(q) - np.nanmin(q))
     times = np.array([np.mean(t[rows]) for rows in ends])
     places = np.array([np.median(q[rows]) for rows in ends])

@@ -29,7 +29,7 @@ SHARES = {
         "what lay beyond was not measured: widen the sensor's range, or name another channel as q; if the device rests "
         'there, set [ingest] rails = "keep"',
     ),
-    "hum": ("of the range of q is hum of {:g} Hz", "shield the sensor"),
+    "hum": ("of the range of q is hum of {frequency:g} Hz", "shield the sensor"),
 }
 """Defect of a log in excess, and the remedy, by gate."""
 
@@ -294,10 +294,10 @@ def line(log: str, what: str, found: str, more: str, limit: str) -> str:
 
 def _share(finding: Finding) -> tuple[str, str]:
     what, advice = SHARES[str(finding.gate)]
-    if finding.gate == "hum":
-        what = what.format(finding.value("frequency"))
     few = [name for name in finding.numbers if name.startswith("v")]
-    text = f"{100.0 * finding.value('share'):.3g} % {what} (at most {100.0 * finding.value('most'):g} %)"
+    text = (
+        f"{100.0 * finding.value('share'):.3g} % {finding.filled(what)} (at most {100.0 * finding.value('most'):g} %)"
+    )
     return text, advice + (_ON_CHANGE.format(", ".join(few)) if few else "")
 
 

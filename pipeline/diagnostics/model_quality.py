@@ -22,7 +22,8 @@ MOST_OF_IT = 0.8
 def instrument_findings(data: RunData, model: str) -> Iterator[Finding]:
     """Findings on instruments beyond their limits; none in a run that did not measure them."""
     rows = [row for row in data.instruments if row["model"] == model]
-    of_logs = {log: [row for row in rows if (row["role"], row["log"]) == log] for log in map(_log, rows)}
+    logs = dict.fromkeys((row["role"], row["log"]) for row in rows)
+    of_logs = {log: [row for row in rows if (row["role"], row["log"]) == log] for log in logs}
     displacement = data.device.displacement.symbol
     trained = [log for log in of_logs if log[0] == "train"]
     if len(trained) == 2:  # each was compared with the other, which does not show which one is wrong
@@ -36,16 +37,12 @@ def instrument_findings(data: RunData, model: str) -> Iterator[Finding]:
     for log, own in of_logs.items():
         title = log_title(*log)
         if own[0]["status"] == "another device":
-            left = {"residual_ratio": Number(float(own[0]["residual_ratio"]))}
-            yield Finding("another_device", "poor", title, numbers=left)
+            left = Number(float(own[0]["residual_ratio"]))
+            yield Finding("another_device", "poor", title, numbers={"residual_ratio": left})
         else:
             if own[0]["exchanged"] != "none":
                 yield Finding("exchanged", "poor", title, own[0]["exchanged"])
             yield from _beyond(own, title, displacement)
-
-
-def _log(row: Mapping[str, Any]) -> tuple[str, str]:
-    return row["role"], row["log"]
 
 
 def _beyond(rows: Sequence[Mapping[str, Any]], title: str, displacement: str) -> Iterator[Finding]:
@@ -180,8 +177,9 @@ def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> Iter
     if beaten:
         _, spread, own = max(beaten, key=lambda entry: entry[0])
         numbers = {"constant": Number(spread), "own": Number(own["nrmse"])}
-        title = log_title(own["role"], own["log"])
-        yield of_finding("model", Finding("constant", "poor", title, own["model"], numbers))
+        yield of_finding(
+            "model", Finding("constant", "poor", log_title(own["role"], own["log"]), own["model"], numbers)
+        )
 
 
 def _spread(data: RunData, score: Mapping[str, Any]) -> float:
@@ -221,9 +219,8 @@ def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Ma
     """A fit that had not converged, and free runs that diverged."""
     if description.get("converged") is False:
         yield of_finding("model", Finding("converged", "fair", subject=model))
-    diverged = [s for s in judged if s["status"] != "ok"]
-    if diverged:
-        times = {str(s["log"]): Number(float(s["diverged_at_s"]), "s") for s in diverged}
+    times = {str(s["log"]): Number(float(s["diverged_at_s"]), "s") for s in judged if s["status"] != "ok"}
+    if times:
         yield of_finding("model", Finding("divergence", "poor", subject=model, numbers=times))
 
 
@@ -234,9 +231,9 @@ def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
         open_ones = sum(s.get("ambiguous_outcomes") or 0 for s in judged)
         numbers = {"open": Number(open_ones), "outcomes": Number(outcomes)}
         yield graded("model", "ambiguous", open_ones / outcomes, numbers=numbers)
-    outside = [s for s in judged if s.get("outside_training") is not None]
-    if outside:
-        most = max(outside, key=lambda score: score["outside_training"])
+    known = (s for s in judged if s.get("outside_training") is not None)
+    most = max(known, key=lambda score: score["outside_training"], default=None)
+    if most is not None:
         check = graded("model", "outside", float(most["outside_training"]), log=log_title(most["role"], most["log"]))
         right = all(s["nrmse"] is not None and THRESHOLDS["nrmse"].grade(s["nrmse"]) == "good" for s in judged)
         yield replace(check, grade="fair") if right and check.grade == "poor" else check

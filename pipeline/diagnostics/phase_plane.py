@@ -59,8 +59,8 @@ def basins(outcomes: Callable[[FloatArray], Classes], places: FloatArray, speeds
         corners = blocks[:, None, :] + side * unit
         unknown = np.unique(corners[classes[corners[..., 0], corners[..., 1]] == UNKNOWN], axis=0)
         if len(unknown):
-            states = np.column_stack((places[unknown[:, 1]], speeds[unknown[:, 0]]))
-            classes[unknown[:, 0], unknown[:, 1]] = outcomes(states)
+            row, column = unknown.T
+            classes[row, column] = outcomes(np.column_stack((places[column], speeds[row])))
         ended = classes[corners[..., 0], corners[..., 1]]
         alike = (ended == ended[:, :1]).all(axis=1)
         for (i, j), value in zip(blocks[alike], ended[alike, 0], strict=True):

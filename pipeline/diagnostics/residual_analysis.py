@@ -72,8 +72,8 @@ def analyse_residual(
     interval : float
         Sample interval [s].
     """
-    known = runs_of(np.isfinite(measured) & np.isfinite(calculated))
-    rows = max(known, key=lambda rows: rows.stop - rows.start, default=slice(0, 0))
+    known = np.isfinite(measured) & np.isfinite(calculated)
+    rows = max(runs_of(known), key=lambda rows: rows.stop - rows.start, default=slice(0, 0))
     length = rows.stop - rows.start
     second = samples_of(LONGEST_LAG, interval)
     count = max(second if SHARE * second <= len(measured) else 1, min(FEWEST_LAGS, length // SHARE))

@@ -8,7 +8,6 @@ import numpy as np
 
 from ..device.device import Device
 from ..models.base import DynamicModel
-from ..scoring.wells import NoWells, Wells, wells_of
 from ..settings.prototype import Prototype
 from ..signals.log import Log
 from ..store.columns import StudyName
@@ -123,8 +122,8 @@ class RunData:
     def why_chosen(self) -> str:
         """Reason of "auto" for the main model; empty where it had no choice, as the device cannot be the joint."""
         choice = self.choice or {}
-        shown = self.prototype.may_be_a_joint or choice.get("held_out_error")
-        return str(choice.get("reason") or "") if shown else ""
+        had_one = self.prototype.may_be_a_joint or choice.get("held_out_error")
+        return str(choice.get("reason") or "") if had_one else ""
 
     @property
     def model_names(self) -> tuple[str, ...]:
@@ -134,11 +133,6 @@ class RunData:
     def role(self, role: str) -> tuple[LogData, ...]:
         """The logs of one role."""
         return tuple(log for log in self.logs if log.role == role)
-
-
-def wells_of_run(data: RunData) -> Wells | NoWells:
-    """The wells in the data of all logs."""
-    return wells_of([log.motion for log in data.logs], plant=data.device)
 
 
 def judged_log(data: RunData) -> LogData:

@@ -151,9 +151,13 @@ def facts_of(
         yield from _gains(model.curves(q), model.curve_ensemble(q, DRAWS), gain_unit)
     for fitted in calibrated(model):
         if fitted.name in _QUANTITIES:
-            key = fitted.name.partition(",")[0].replace(" ", "_")
-            title = _QUANTITIES[fitted.name]
-            yield RunFact(key, title, fitted.unit, fitted.value, _error(fitted.low, fitted.high))
+            yield RunFact(
+                fitted.name.partition(",")[0].replace(" ", "_"),
+                _QUANTITIES[fitted.name],
+                fitted.unit,
+                fitted.value,
+                _error(fitted.low, fitted.high),
+            )
 
 
 def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
@@ -194,8 +198,13 @@ def _gains(curves: Mapping[str, FloatArray], draws: Mapping[str, FloatArray], un
     """Mean slope of each capacitance between the wells."""
     for key in (key for key in curves if key.startswith("dC")):
         low, high = np.quantile(draws[key].mean(axis=1), [0.05, 0.95])
-        title = f"capacitance gain ∂C{key[2]}/∂q, mean over the stroke"
-        yield RunFact(f"gain_v{key[2]}", title, unit, float(curves[key].mean()), _error(low, high))
+        yield RunFact(
+            f"gain_v{key[2]}",
+            f"capacitance gain ∂C{key[2]}/∂q, mean over the stroke",
+            unit,
+            float(curves[key].mean()),
+            _error(low, high),
+        )
 
 
 def _error(low: float, high: float) -> float:

@@ -105,7 +105,7 @@ class Descent:
         self.iterations = 0
         self.hessian = np.zeros((len(theta), len(theta)))
         self._linear: tuple[FloatArray, FloatArray] | None = None  # θ and residual where these two hold
-        self.noise = noise_inflation * self._rms()
+        self.noise = noise_inflation * max(rms(residual), FLOOR)
 
     def linearise(self) -> bool:
         """Sensitivities at θ, if they are not there yet; False, and back to where they were, if they overflow."""
@@ -140,7 +140,7 @@ class Descent:
             return False
         self.theta, self.residual, fall = lowered
         self.iterations += 1
-        lower = self.noise_inflation * self._rms()
+        lower = self.noise_inflation * max(rms(self.residual), FLOOR)
         if lower < LOWERED * self.noise:
             self.noise = lower
             return True
@@ -160,9 +160,6 @@ class Descent:
                 return trial, residual, fall
             self.damping *= 5.0
         return None
-
-    def _rms(self) -> float:
-        return max(rms(self.residual), FLOOR)
 
     def _cost(self, residual: FloatArray, theta: FloatArray) -> float:
         cost = 0.5 * float(residual @ residual) / self.noise**2 + 0.5 * float(np.sum(self.prior.residual(theta) ** 2))

@@ -5,6 +5,7 @@ The training logs of thirty joints and a quarter drone have at least 4 samples a
 number of at most 81; the bounds leave room below and above.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -100,7 +101,6 @@ def examine_excitation(
         smoothing=smoothing,
         inputs=plant.action,
     )
-    information: FloatArray = np.sum([weights.information(*each, interval) for each in motions], axis=0)
     wells = find_wells([(q, v, interval)], plant=plant)
     return Excitation(
         centres=weights.centres,
@@ -108,7 +108,7 @@ def examine_excitation(
         wells=wells,
         switches=_switches(q[valid], wells),
         largest=largest,
-        conditioning=conditioning(information),
+        conditioning=conditioning(np.sum([weights.information(*each, interval) for each in motions], axis=0)),
     )
 
 
@@ -170,22 +170,23 @@ def excitation_findings(
         return [refusal("idle", "idle")]
     acting = plant.acting(v)
     undriven = [k for k in range(v.shape[1]) if is_idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
-    findings = [refusal("undriven", "undriven", subject=f"v{k + 1}") for k in undriven]
     try:
         excitation = examine_excitation(
             q, v, segment, interval, plant, basis_functions=basis_functions, smoothing=smoothing
         )
     except InputError as error:
         raise DataRefusedError(str(error)) from error
-    return findings + _of_places(
-        excitation, basis_functions, plant.displacement.symbol, conditioned=not undriven, bistable=bistable
-    )
+    return [
+        *(refusal("undriven", "undriven", subject=f"v{k + 1}") for k in undriven),
+        *_of_places(
+            excitation, basis_functions, plant.displacement.symbol, conditioned=not undriven, bistable=bistable
+        ),
+    ]
 
 
 def _of_places(
     excitation: Excitation, centres: int, displacement: str, *, conditioned: bool, bistable: bool
-) -> list[Finding]:
-    findings = []
+) -> Iterator[Finding]:
     fewest = int(excitation.visits.visits.min())
     condition = excitation.conditioning
     if fewest < LEAST_VISITS:
@@ -195,17 +196,16 @@ def _of_places(
             "least": Number(LEAST_VISITS),
             "centres": Number(centres),
         }
-        findings.append(refusal("visits", "visits", numbers))
+        yield refusal("visits", "visits", numbers)
     if conditioned and (condition.silent or condition.condition > LARGEST_CONDITION):
         numbers = {
             "condition": Number(condition.condition),
             "most": Number(LARGEST_CONDITION),
             "silent": Number(condition.silent),
         }
-        findings.append(refusal("rank", "rank", numbers))
+        yield refusal("rank", "rank", numbers)
     if bistable and isinstance(excitation.wells, NoWells) and excitation.wells.one_cluster:
-        findings.append(refusal("one-well", "one_well"))
-    return findings
+        yield refusal("one-well", "one_well")
 
 
 def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:

@@ -178,11 +178,6 @@ class Coverage:
         """Visits of each centre, all of them and those under each input, shape (M, 1 + K)."""
         return np.column_stack([self.visits, self.driven.T])
 
-    @property
-    def poorly_visited(self) -> IntArray:
-        """Numbers of the centres with fewer than `FEW` visits."""
-        return np.flatnonzero(self.visits < FEW)
-
 
 def coverage(centres: FloatArray, q: Sequence[FloatArray], v: Sequence[FloatArray]) -> Coverage:
     """Count the visits of training logs.

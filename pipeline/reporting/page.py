@@ -88,8 +88,15 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
         f"default-src 'none'; script-src '{csp_hash(script)}'; style-src '{csp_hash(style)}'; img-src data:; "
         "base-uri 'none'; form-action 'none'"
     )
-    ours = {"style": Markup(style), "script": Markup(script)}  # noqa: S704 - files of this package, no input
-    return environment.get_template(template).render(context, policy=policy, **ours) + "\n"
+    return (
+        environment.get_template(template).render(
+            context,
+            policy=policy,
+            style=Markup(style),  # noqa: S704 - files of this package, no input
+            script=Markup(script),  # noqa: S704 - likewise
+        )
+        + "\n"
+    )
 
 
 def _commands(text: str) -> Markup:

@@ -235,8 +235,12 @@ def basis_figure(q: FloatArray, bells: FloatArray, weights: FloatArray) -> Figur
     """Figure 8b: the basis functions at q (n, M), and c(q) as their weighted sum; weights (M,) [N/m]."""
     functions = tuple(Line(f"{len(weights)} basis functions", "v1", q, bell) for bell in bells.T)
     terms = tuple(Line("its terms", "raw", q, term) for term in (bells * weights).T)
-    total = Line("weighted sum", "rbf-paper", q, bells @ weights, "solid")
-    return _over_q("basis", "Basis functions", Panel("φᵢ", "1", functions), Panel("c", "N/m", (*terms, total)))
+    return _over_q(
+        "basis",
+        "Basis functions",
+        Panel("φᵢ", "1", functions),
+        Panel("c", "N/m", (*terms, Line("weighted sum", "rbf-paper", q, bells @ weights, "solid"))),
+    )
 
 
 def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
@@ -347,11 +351,14 @@ def curves_figure(curves: Mapping[str, Mapping[str, FloatArray]], q: FloatArray)
     """Figure 14: restoring force, damping and both ∂C/∂q by model; every curve is whole within its axes."""
     units = replace(JOINT, known_mass=1.0).curve_units
     shown = (("F", "F", "F"), ("d", "d", "d"), ("dC1_dq", "∂C₁/∂q", "dC"), ("dC2_dq", "∂C₂/∂q", "dC"))
-    panels = tuple(
-        Panel(title, units[unit], tuple(Line(model, model, q, own[key]) for model, own in curves.items()))
-        for key, title, unit in shown
+    return _over_q(
+        "curves",
+        "Characteristic curves",
+        *(
+            Panel(title, units[unit], tuple(Line(model, model, q, own[key]) for model, own in curves.items()))
+            for key, title, unit in shown
+        ),
     )
-    return _over_q("curves", "Characteristic curves", *panels)
 
 
 PERCENT = 100.0
@@ -475,8 +482,7 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
             )
             for i, (value, rows) in enumerate(rows_of.items())
         )
-        name = "constant F" if drift == 0.0 else f"F + {PERCENT * drift:g} %"
-        panels.append(Panel(name, "%", lines, log=True))
+        panels.append(Panel("constant F" if drift == 0.0 else f"F + {PERCENT * drift:g} %", "%", lines, log=True))
     return Figure(
         "study-online",
         "Online identification",

@@ -168,15 +168,12 @@ def amount_study(
         Places of the segments.
     """
     total = sum(len(x.t) for x in training)
-
-    def segments(amount: int) -> list[list[Log]]:
-        """Training data of each repeat."""
+    points = []
+    for amount in np.minimum(amounts, total).tolist():
         starts = [0] if amount == total else rng.integers(total, size=repeats).tolist()
-        return [_segment(training, start, amount) for start in starts]
-
-    return tuple(
-        _point(float(amount), segments(amount), held_out, identify) for amount in np.minimum(amounts, total).tolist()
-    )
+        draws = [_segment(training, start, amount) for start in starts]
+        points.append(_point(float(amount), draws, held_out, identify))
+    return tuple(points)
 
 
 def noise_study(
@@ -206,14 +203,18 @@ def noise_study(
     rng : numpy.random.Generator
         The noise.
     """
-
-    def draws(level: float) -> list[list[Log]]:
-        """Training data of each repeat."""
-        return [
-            [_corrupted(x, level, differentiate, rng) for x in training] for _ in range(repeats if level > 0.0 else 1)
-        ]
-
-    return tuple(_point(level, draws(level), held_out, identify) for level in levels)
+    return tuple(
+        _point(
+            level,
+            [
+                [_corrupted(x, level, differentiate, rng) for x in training]
+                for _ in range(repeats if level > 0.0 else 1)
+            ],
+            held_out,
+            identify,
+        )
+        for level in levels
+    )
 
 
 def _point(level: float, draws: Sequence[Sequence[Log]], held_out: Sequence[Log], identify: Identify) -> StudyPoint:
@@ -224,8 +225,8 @@ def _point(level: float, draws: Sequence[Sequence[Log]], held_out: Sequence[Log]
             model = identify(draw)
         except DebistError:
             refused += 1
-            continue
-        errors.append(held_out_error(model, held_out))
+        else:
+            errors.append(held_out_error(model, held_out))
     return StudyPoint(level, tuple(errors), refused)
 
 
@@ -235,10 +236,10 @@ def held_out_error(model: Simulator, held_out: Sequence[Log]) -> float:
     Hidden states of a model begin as after a long rest there. A run that diverged or missed everything counts as 1.
     """
     low, high = operating_range(held_out)
-    squares = 0.0
-    for x in held_out:
-        run = model.simulate(x.t, x.drive_of(fine=model.fine_voltages), float(x.q[0]), float(x.qdot[0]))
-        squares += free_run_error(x.q, run.q, high - low) ** 2 * len(x.t)
+    runs = [
+        model.simulate(x.t, x.drive_of(fine=model.fine_voltages), float(x.q[0]), float(x.qdot[0])) for x in held_out
+    ]
+    squares = sum(free_run_error(x.q, run.q, high - low) ** 2 * len(x.t) for x, run in zip(held_out, runs, strict=True))
     return float(np.sqrt(squares / sum(len(x.t) for x in held_out)))
 
 

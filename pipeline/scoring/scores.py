@@ -85,9 +85,14 @@ def score_run(
     """
     scores = []
     for name, (measured, calculated) in signals.items():
-        n = int(np.count_nonzero(np.isfinite(measured) & np.isfinite(calculated)))
         score = Score(
-            signal=name, nrmse=None, rmse=None, nrmse_interval=None, n=n, status=status, diverged_at_s=diverged_at_s
+            signal=name,
+            nrmse=None,
+            rmse=None,
+            nrmse_interval=None,
+            n=int(np.count_nonzero(np.isfinite(measured) & np.isfinite(calculated))),
+            status=status,
+            diverged_at_s=diverged_at_s,
         )
         block = block_of((calculated - measured,), interval, plant=plant)
         if status == "ok":
@@ -121,10 +126,8 @@ def _agreement_interval(same: FloatArray, block: int, rng: np.random.Generator) 
     """
     band = mean_interval(same, block, rng)
     blocks = int(np.count_nonzero(np.isfinite(same))) // block
-    least = None if band is None else share_interval(round(float(np.nanmean(same)) * blocks), blocks)
-    if band is None or least is None:
-        return band
-    return Interval(min(band.low, least.low), max(band.high, least.high))
+    least = share_interval(round(float(np.nanmean(same)) * blocks), blocks) if band else None
+    return Interval(min(band.low, least.low), max(band.high, least.high)) if band and least else band
 
 
 MOST_STARTS = 400
@@ -263,16 +266,13 @@ def _error(
 ) -> HorizonError:
     """Summary of the errors `ahead` samples after the starts."""
     diverged = int(np.count_nonzero(~np.isfinite(errors)))
+    error = HorizonError(ahead * interval, nrmse=None, interval=None, starts=starts.size, diverged=diverged)
     if diverged == starts.size or not span:
-        return HorizonError(
-            horizon_s=ahead * interval, nrmse=None, interval=None, starts=starts.size, diverged=diverged
-        )
+        return error
     errors = np.where(np.isfinite(errors), errors, span)
     spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
     band = rms_interval(errors / span, block_of((errors,), spacing, plant=plant), np.random.default_rng(SEED))
-    return HorizonError(
-        horizon_s=ahead * interval, nrmse=rms(errors) / span, interval=band, starts=starts.size, diverged=diverged
-    )
+    return replace(error, nrmse=rms(errors) / span, interval=band)
 
 
 def _starts(path: MeasuredPath, ahead: int, most: int, apart: int | None = None) -> IntArray:

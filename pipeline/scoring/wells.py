@@ -40,8 +40,7 @@ class Wells:
     def side(self, q: FloatArray) -> BoolArray:
         """True to the right of the barrier; False for NaN."""
         with np.errstate(invalid="ignore"):
-            right: BoolArray = q > self.barrier
-        return right
+            return np.asarray(q > self.barrier)
 
 
 @dataclass(frozen=True)
@@ -151,11 +150,9 @@ def find_wells(
     Wells or NoWells
     """
     pairs: list[tuple[float, float]] = []
-    low = np.inf
-    high = -np.inf
+    low = min(float(np.min(q, where=np.isfinite(q), initial=np.inf)) for q, _, _ in records)
+    high = max(float(np.max(q, where=np.isfinite(q), initial=-np.inf)) for q, _, _ in records)
     for q, v, interval in records:
-        low = min(low, float(np.min(q, where=np.isfinite(q), initial=np.inf)))
-        high = max(high, float(np.max(q, where=np.isfinite(q), initial=-np.inf)))
         for rest in places_of_rest(q, v, interval, shortest, plant=plant):
             end = q[end_of_rest(rest, interval)]
             if np.any(np.isfinite(end)):
@@ -249,19 +246,15 @@ def switch_accuracy(
     pulses : int
         Pulses after which the measurement rests in one well.
     """
-    pulses = correct = 0
+    right = []
     for rest in places_of_rest(measured, v, interval, plant=plant):
         rows = end_of_rest(rest, interval)
         finite = np.isfinite(measured[rows])
-        if rest.start == 0 or not finite.any():
-            continue
         side = wells.side(measured[rows])[finite]
-        if side.any() != side.all():
-            continue
-        pulses += 1
-        simulated = calculated[rows][finite]
-        correct += bool(np.all(np.isfinite(simulated)) and np.all(wells.side(simulated) == side[0]))
-    return correct, pulses
+        if rest.start > 0 and finite.any() and side.any() == side.all():
+            simulated = calculated[rows][finite]
+            right.append(bool(np.all(np.isfinite(simulated)) and np.all(wells.side(simulated) == side[0])))
+    return sum(right), len(right)
 
 
 def pulse_outcomes(ensemble: FloatArray, rests: list[slice], wells: Wells) -> tuple[FloatArray, BoolArray]:

@@ -84,7 +84,7 @@ def _wells(excitation: Excitation, names: Sequence[str]) -> Iterator[Shortfall]:
 
 
 def _centres(excitation: Excitation, factor: float, unit: str) -> Iterator[Shortfall]:
-    poor = np.isin(np.arange(len(excitation.centres)), excitation.visits.poorly_visited)
+    poor = excitation.visits.visits < FEW
     for rows in runs_of(poor):
         fewest = int(excitation.visits.visits[rows].min())
         if rows.start == 0 or rows.stop == len(poor):

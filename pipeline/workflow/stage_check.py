@@ -7,7 +7,7 @@ from typing import Any, get_args
 
 from ..device.device import device
 from ..diagnostics.check import check_logs, check_rows, refusing, remarks
-from ..diagnostics.copies import shared_findings, shared_recordings
+from ..diagnostics.copies import shared_recordings
 from ..diagnostics.log_facts import LogSignals
 from ..diagnostics.log_sentences import shared_spans
 from ..diagnostics.sentences import accepted_settings, judge
@@ -66,14 +66,16 @@ def examine(run: RunFolder, prototype: Prototype) -> list[Finding]:
     logs = signals(run, prototype)
     shared = shared_recordings(logs)
     named = layout.logs(prototype)
-    twice = shared_findings(logs, shared)
-    for (i, k, _), finding in zip(shared, twice, strict=True):
+    for i, k, finding in shared:
         if named[i][0] != named[k][0]:
             raise InputError(
                 f"logs.validation: {named[k][2]!r} holds the recording of the training log {named[i][2]!r}: "
                 f"{shared_spans(finding)}; validate on a recording of its own, or cut what both hold"
             )
-    return [*check_logs(logs, device(prototype), prototype.ingest.sample_interval), *twice]
+    return [
+        *check_logs(logs, device(prototype), prototype.ingest.sample_interval),
+        *(finding for _, _, finding in shared),
+    ]
 
 
 def signals(run: RunFolder, prototype: Prototype) -> list[LogSignals]:

@@ -10,7 +10,7 @@ import pytest
 from pipeline.device.device import JOINT
 from pipeline.diagnostics.characteristics import Curves, curves_from, device_facts, equilibria, intervals
 from pipeline.diagnostics.datasheet import drawn_ring_downs, make_datasheet, simulated_ring_downs
-from pipeline.diagnostics.events import rest_facts, ring_down, voltage_switches
+from pipeline.diagnostics.events import rest_events, ring_down, voltage_switches
 from pipeline.diagnostics.model_quality import model_checks
 from pipeline.diagnostics.phase_plane import basins
 from pipeline.diagnostics.run_data import LogData
@@ -108,12 +108,12 @@ def test_switches_and_snaps_are_found_where_they_are() -> None:
 
 def test_measured_rests_and_rings_are_those_of_the_truth() -> None:
     log = run_data().logs[0]
-    rests = rest_facts([(log.motion.t, log.motion.q, log.motion.v)], Wells(-WELL, WELL, 0.0), plant=JOINT)
+    rests = rest_events([(log.motion.t, log.motion.q, log.motion.v)], Wells(-WELL, WELL, 0.0), plant=JOINT)
     natural = np.sqrt(STIFFNESS / MASS) / (2.0 * np.pi)
-    assert len(rests.left) > 3
-    assert len(rests.right) > 3
-    assert np.median(rests.left) == pytest.approx(-WELL, rel=0.1)
-    assert np.median([ring.frequency for ring in rests.rings_right]) == pytest.approx(natural, rel=0.15)
+    assert len(rests["well_left"]) > 3
+    assert len(rests["well_right"]) > 3
+    assert np.median(rests["well_left"]) == pytest.approx(-WELL, rel=0.1)
+    assert np.median(rests["frequency_right"]) == pytest.approx(natural, rel=0.15)
 
 
 def test_the_datasheet_knows_the_truth_and_its_uncertainty() -> None:
@@ -210,15 +210,15 @@ def _pulsed(step: float, damping: float, frequency: float) -> tuple[np.ndarray, 
 def test_hum_is_no_ring_down_where_it_is_aliased_to_either() -> None:
     """60 Hz in samples at 100 Hz: 40 Hz that never decays."""
     t, q, v = _pulsed(0.01, 0.05, 3.0)
-    ringing = rest_facts([(t, q, v)], NoWells("none"), plant=JOINT).rings_left
-    assert np.median([ring.frequency for ring in ringing]) == pytest.approx(3.0, rel=0.01)
+    ringing = rest_events([(t, q, v)], NoWells("none"), plant=JOINT)
+    assert np.median(ringing["frequency"]) == pytest.approx(3.0, rel=0.01)
     still = np.where(v[:, 0] > 0.0, 1e-3, 0.0)
     humming = still + 7e-5 * np.sin(2.0 * np.pi * 60.0 * t)
-    assert not rest_facts([(t, humming, v)], NoWells("none"), plant=JOINT).rings_left
+    assert "frequency" not in rest_events([(t, humming, v)], NoWells("none"), plant=JOINT)
     drifting = still + 7e-5 * np.exp(-0.3 * (t % 3.0)) * np.sin(2.0 * np.pi * 60.1 * t)
-    assert rest_facts([(t, drifting, v)], NoWells("none"), plant=JOINT).rings_left
-    assert not rest_facts([(t, drifting, v)], NoWells("none"), [60.0], plant=JOINT).rings_left
-    assert rest_facts([(t, q, v)], NoWells("none"), [60.0], plant=JOINT).rings_left
+    assert "frequency" in rest_events([(t, drifting, v)], NoWells("none"), plant=JOINT)
+    assert "frequency" not in rest_events([(t, drifting, v)], NoWells("none"), [60.0], plant=JOINT)
+    assert "frequency" in rest_events([(t, q, v)], NoWells("none"), [60.0], plant=JOINT)
 
 
 def test_a_drawn_ring_down_is_that_of_its_own_spring_and_damper() -> None:

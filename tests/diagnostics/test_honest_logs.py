@@ -84,9 +84,9 @@ def test_equal_raw_samples_make_a_copy_and_an_equal_motion_makes_none(noise: flo
     assert shared_recordings(logs) == []
     part = slice(5_003, 17_000)
     later = replace(logs[0], sketch=tuple(sketch(t[part] - 5.0, logs[0].q[part])))
-    ((_, _, (here, there)),) = shared_recordings([logs[0], later])
-    assert here == pytest.approx((5.0, 17.0), abs=1.5)
-    assert there == pytest.approx((0.0, 12.0), abs=1.5)
+    ((_, _, found),) = shared_recordings([logs[0], later])
+    assert (found.value("other_start"), found.value("other_stop")) == pytest.approx((5.0, 17.0), abs=1.5)
+    assert (found.value("start"), found.value("stop")) == pytest.approx((0.0, 12.0), abs=1.5)
     for changed, found in ((-logs[0].q, True), (1.0001 * logs[0].q, False)):
         copy = replace(logs[0], sketch=tuple(sketch(t, changed)))
         assert bool(shared_recordings([logs[0], copy])) == found

@@ -11,7 +11,6 @@ def test_every_sample_counts_for_its_nearest_centre_and_for_the_inputs_that_acte
     found = coverage(centres, q, v)
     assert found.visits.tolist() == [2, 2, 2]
     assert found.driven.tolist() == [[1, 1, 1]]
-    assert found.poorly_visited.tolist() == [0, 1, 2]
 
 
 def test_the_training_data_themselves_are_inside_and_far_away_is_outside():

@@ -11,7 +11,7 @@ import numpy as np
 
 from pipeline.device.device import device
 from pipeline.diagnostics.check import check_logs
-from pipeline.diagnostics.copies import shared_findings, shared_recordings
+from pipeline.diagnostics.copies import shared_recordings
 from pipeline.diagnostics.sentences import sentences
 from pipeline.errors import DebistError
 from pipeline.numerics.arrays import FloatArray
@@ -75,7 +75,7 @@ def told(logs: Sequence[Log], plant: dict | None = None, **tables: dict) -> list
             seen.append(log_signals(f"log {number}", record_columns(fine.record(), tuple(signals.beside)), notes))
         found_of_all = [
             *check_logs(seen, device(prototype), prototype.ingest.sample_interval),
-            *shared_findings(seen, shared_recordings(seen)),
+            *(finding for _, _, finding in shared_recordings(seen)),
         ]
     except DebistError as error:
         return [*said, str(error)]

@@ -7,7 +7,7 @@ import pytest
 from scipy.signal import lfilter
 
 from pipeline.device.device import JOINT
-from pipeline.diagnostics.events import rest_facts
+from pipeline.diagnostics.events import rest_events
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import (
     NoWells,
@@ -104,13 +104,13 @@ def test_a_pause_in_which_a_slow_device_still_moves_is_no_place_of_rest(pause: i
     q, v = heater(pause)
     assert len(places_of_rest(q, v, 2.0, plant=JOINT)) == len(rests(v, 2.0, plant=JOINT)) > 4
     assert places_of_rest(q, v, 2.0, plant=OTHER) == []
-    assert rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), plant=OTHER).left.size == 0
+    assert rest_events([(2.0 * np.arange(q.size), q, v)], NoWells("one"), plant=OTHER) == {}
 
 
 def test_a_device_that_comes_to_rest_rests_there() -> None:
     q, v = heater(300, memory=10.0)
     assert places_of_rest(q, v, 2.0, plant=OTHER) == rests(v, 2.0, plant=OTHER)
-    found = rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), plant=OTHER).left
+    found = rest_events([(2.0 * np.arange(q.size), q, v)], NoWells("one"), plant=OTHER)["rest"]
     np.testing.assert_allclose(found, 0.0, atol=4e-3)
 
 

@@ -17,7 +17,7 @@ from ...control.plant import ASSUMED_LAG, LinearModel, equilibria
 from ...control.pulses import design_pulse
 from ...control.switching_map import PULSES, TYPICAL, lowest_voltage, switching_map, with_voltage_error
 from ...device.device import JOINT
-from ...diagnostics.events import rest_facts
+from ...diagnostics.events import rest_events
 from ...errors import InputError
 from ...models.hybrid.model import HybridModel
 from ...numerics.arrays import FloatArray
@@ -79,14 +79,14 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     logs = [(role, log) for role, log, _ in layout.logs(joint_run.prototype)]
     measured = [log_of(joint_run.run.read_table(layout.kinematics(*log))) for log in logs]
     hum = {line for log in logs for line in joint_run.run.record(layout.record(*log)).notes.get("hum", ())}
-    facts = rest_facts([(log.t, log.q, log.v) for log in measured], wells_of(measured, plant=JOINT), hum, plant=JOINT)
+    events = rest_events([(log.t, log.q, log.v) for log in measured], wells_of(measured, plant=JOINT), hum, plant=JOINT)
     return {
         side: {
-            "ring_downs": len(decays),
-            "frequency_Hz": float(np.mean([ring.frequency for ring in decays])) if decays else None,
-            "damping_ratio": float(np.mean([ring.damping for ring in decays])) if decays else None,
+            "ring_downs": len(events.get(f"frequency_{side}", ())),
+            "frequency_Hz": float(np.mean(events[f"frequency_{side}"])) if f"frequency_{side}" in events else None,
+            "damping_ratio": float(np.mean(events[f"damping_{side}"])) if f"damping_{side}" in events else None,
         }
-        for side, decays in (("left", facts.rings_left), ("right", facts.rings_right))
+        for side in ("left", "right")
     }
 
 

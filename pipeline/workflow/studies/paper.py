@@ -12,7 +12,7 @@ import numpy as np
 
 from ...device.device import device
 from ...device.parameters import JointParameters, parameter_set
-from ...diagnostics.run_data import RunData, wells_of_run
+from ...diagnostics.run_data import RunData
 from ...errors import InputError
 from ...fitting.regression import basis_values
 from ...models.analytical.bifurcation import characteristics
@@ -25,6 +25,7 @@ from ...reporting.figure import Figure, of_models, window
 from ...reporting.log_figures import log_figures
 from ...reporting.paper_page import paper_page, table_1, table_2
 from ...reporting.plotted import Format, paper_figure
+from ...scoring.wells import wells_of
 from ...settings.logs import ROLES
 from ...settings.models import CENTRES, SMOOTHING
 from ...settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
@@ -210,7 +211,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
     training = data.role("train")[0]
     network = data.models["rbf-paper"]
     assert isinstance(network, RbfPaperModel)  # noqa: S101 - the recipe identifies it
-    wells = wells_of_run(data)
+    wells = wells_of([log.motion for log in data.logs], plant=data.device)
     compared = {
         role: of_models(log_figures(data, logs[0], wells)["models"], data.model_names, PAIR)
         for role in ROLES
