@@ -30,8 +30,8 @@ from pipeline.settings.prototype import load_prototype
 from pipeline.signals.log import Log
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard
-from pipeline.workflow.logs import load_logs
 from pipeline.workflow.run import run_prototype, run_stage
+from pipeline.workflow.run_contents import load_logs
 from pipeline.workflow.steps.identify import training
 
 LIMIT = 60.0

@@ -85,7 +85,7 @@ def _without_parameter_set() -> None:
         high=1.0,
     )
     free_run(still, v, _DT, 0.0, 0.0)
-    narx = NarxModel(
+    NarxModel(
         structure=np.array([1, 1, 1, 2]),
         exponents=np.zeros((1, 4), dtype=np.int64),
         coefficients=np.zeros(1),
@@ -93,8 +93,7 @@ def _without_parameter_set() -> None:
         interval_s=_DT,
         inputs="squared",
         bounds=np.array([-1.0, 1.0]),
-    )
-    narx.run(v, np.zeros(1), 0.0)
+    ).run(v, np.zeros(1), 0.0)
 
 
 def _network() -> None:
@@ -144,8 +143,7 @@ def _analytical() -> None:
     friction_state(np.zeros(2), 1.0)
     maxwell_strains(np.ones((2, 2)), 1.0, np.ones(2))
     still: Any = np.zeros((2, STATES))
-    joints = np.tile(NOMINAL.vector(), (2, 1))
-    state_sensitivities(t, v, still, still, joints, np.ones(1), np.zeros((STATES, 1)))
+    state_sensitivities(t, v, still, still, np.tile(NOMINAL.vector(), (2, 1)), np.ones(1), np.zeros((STATES, 1)))
 
 
 def _measured() -> None:
