@@ -71,15 +71,16 @@ def note_on_rate(name: str, number: float, rate: float) -> str:
     return f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:.9g}"
 
 
-_GROUP_OF = re.compile(r"(^|[./])[^./]*$")
+GROUP_OF = re.compile(r"(^|[./])[^./]*$")
+"""Last part of a name, behind its group."""
 
 
 def rates_beside(channel: str, rates: Mapping[str, float]) -> Mapping[str, float]:
     """The rates that stand in the group of a channel, else in the nearest one around it; all where none does."""
     group = channel
     while group:
-        group = _GROUP_OF.sub("", group)
-        if beside := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
+        group = GROUP_OF.sub("", group)
+        if beside := {name: rate for name, rate in rates.items() if GROUP_OF.sub("", name) == group}:
             return beside
     return rates
 
@@ -102,11 +103,8 @@ def unit_among(attributes: Mapping[str, Any], column: int = 0, columns: int = 1)
 
 def description_among(attributes: Mapping[str, Any]) -> str:
     """Description of a channel among its attributes, on one line; "" where none has one."""
-    for name in filter(_DESCRIPTION.fullmatch, attributes):
-        text = plain(attributes[name])
-        if isinstance(text, str) and text.strip():
-            return " ".join(text.split())
-    return ""
+    texts = (plain(attributes[name]) for name in filter(_DESCRIPTION.fullmatch, attributes))
+    return next((" ".join(text.split()) for text in texts if isinstance(text, str) and text.strip()), "")
 
 
 def texts_among(attributes: Mapping[str, Any]) -> str:

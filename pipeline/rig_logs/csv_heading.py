@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from ..units.units import PLAIN
 from .attributes import number_with_unit, possible_rate, scales_among, stated_rate
-from .csv_cells import COMMENT, NUMBER, is_stamp, split_row
+from .csv_text import COMMENT, NUMBER, is_stamp, split_row
 from .source import UnreadableLogError, unique_names
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
@@ -77,7 +77,7 @@ def heading_rows(
     block: list[int] = []
     used = len(numeric) - [*numeric][::-1].index(True)
     for i in range(len(above) - 1, -1, -1):
-        row = _trimmed(above[i])
+        row = above[i][: max((j + 1 for j, cell in enumerate(above[i]) if cell), default=0)]
         if not block and row and row[0].startswith(";"):  # a comment below the names
             continue
         if not row and (not block or len(above[i]) < used):
@@ -105,11 +105,6 @@ def heading_rows(
     with_time = [i for i in names if any(map(_TIME.match, above[i]))]
     name = (with_time or names)[-1 if comments[block[-1]] or (units is not None and used == 2) else 0]
     return name, units
-
-
-def _trimmed(row: Row) -> Row:
-    """A row without the empty cells at its end."""
-    return row[: max((j + 1 for j, cell in enumerate(row) if cell), default=0)]
 
 
 def _labels(row: Row, numeric: Sequence[bool]) -> int:

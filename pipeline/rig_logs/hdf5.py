@@ -51,8 +51,10 @@ def why_unread(dataset: Any) -> str:
     filters = dataset.id.get_create_plist()
     codes = [filters.get_filter(i)[0] for i in range(filters.get_nfilters())]
     if foreign := [code for code in codes if not h5py.h5z.filter_avail(code)]:
-        name = _FILTERS.get(foreign[0], "unknown")
-        return f"compressed by a filter that is not read here, {name} ({foreign[0]}): write it with gzip or none"
+        return (
+            f"compressed by a filter that is not read here, {_FILTERS.get(foreign[0], 'unknown')} ({foreign[0]}): "
+            "write it with gzip or none"
+        )
     if dataset.dtype.names or dataset.dtype.kind in NUMBERS:
         return ""
     return _KINDS.get(dataset.dtype.kind, f"{dataset.dtype}")

@@ -13,8 +13,7 @@ import h5py
 import numpy as np
 
 from .hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time, why_unread
-from .mat_recorders import MatArray, MatObject, MatStruct, MatValue
-from .mat_source import MatSource
+from .mat_source import MatArray, MatObject, MatSource, MatStruct, MatValue
 from .source import UnreadableLogError
 
 

@@ -121,8 +121,7 @@ class TdmsSource(Source):
         if not step * factor > 0.0 or clock:
             return Entry(name, kind, channel.dtype.name, len(channel))
         key = step * factor, self._recordings(name, channel, step, factor), len(channel)
-        time = self._times.setdefault(key, f"time of {name}")
-        return Entry(name, kind, channel.dtype.name, len(channel), time)
+        return Entry(name, kind, channel.dtype.name, len(channel), self._times.setdefault(key, f"time of {name}"))
 
     def _time_channel(self, channel: Any) -> str:
         """The channel of times among those of as many samples, "" where there is none."""

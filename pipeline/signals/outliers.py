@@ -306,10 +306,6 @@ class Trusted:
         NaN where left out.
     left_out : (int, int, int)
         Samples left out at the rails, without a target, and as spikes.
-    rails : tuple of (float, float)
-        Between which values three samples in a row are a sensor at the end of its range.
-    bounds : (float, float)
-        Values beyond which the sensor has lost its target.
     quality : SignalQuality
         Of the samples that the sensor and the recorder did not lose; its counts are those of all.
     dropouts : Dropouts
@@ -318,8 +314,6 @@ class Trusted:
 
     samples: FloatArray
     left_out: tuple[int, int, int]
-    rails: tuple[tuple[float, float], ...]
-    bounds: tuple[float, float]
     quality: SignalQuality
     dropouts: Dropouts
 
@@ -383,8 +377,6 @@ def trusted(
     return Trusted(
         samples=masked,
         left_out=(rail, lost_target, spike),
-        rails=at,
-        bounds=bounds,
         quality=quality,
         dropouts=dropouts_of_q,
     )

@@ -16,7 +16,7 @@ from ..errors import DataRefusedError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from .columns import CHUNK, ROUNDING, Signal, Stream, chunks, column, select
 from .resampling import LEAST_RATIO, REACH, decimated, interpolated, uniform_grid
-from .timebase import LOCATED, NO_CUTS, advancing, default_gap_limit, nominal_step, segments
+from .timebase import LOCATED, NO_CUTS, default_gap_limit, nominal_step, segments
 
 Method = Literal["decimated", "interpolated"]
 TimeReversal = Literal["refuse", "split", "unwrap"]
@@ -33,7 +33,8 @@ class TimeRows:
     time : FloatArray, shape (N,)
         All stamps [s].
     keep : BoolArray, shape (N,)
-        Rows with a finite stamp later than all before.
+        Rows with a finite stamp later than all finite ones before: of equal stamps the first, and after a step back
+        none until time has passed the point where it turned.
     turns : FloatArray
         Stamps [s] after which time stepped back.
     ends : FloatArray
@@ -111,15 +112,16 @@ def advancing_rows(time: FloatArray, time_reversal: TimeReversal, cuts: FloatArr
         last, reached = np.nan, -np.inf  # the last finite stamp, and the latest
         for rows in chunks(time.size):
             part = time[rows]
-            yield advancing(part, reached)
-            stamps = part[np.isfinite(part)]
+            finite = np.isfinite(part)
+            latest = np.maximum.accumulate(np.concatenate(([reached], np.where(finite, part, -np.inf))))
+            yield finite & (part > latest[:-1])
+            stamps = part[finite]
             if stamps.size:
                 steps = np.diff(stamps, prepend=last)
                 turns.append(np.concatenate(([last], stamps[:-1]))[steps < 0.0])
-                behind = stamps < np.maximum.accumulate(np.concatenate(([reached], stamps)))[:-1]
-                repeated += int(np.count_nonzero((steps == 0.0) & ~behind))
+                repeated += int(np.count_nonzero((steps == 0.0) & (stamps == latest[:-1][finite])))
                 last = float(stamps[-1])
-                reached = max(reached, float(stamps.max()))
+            reached = float(latest[-1])
             usable += stamps.size
 
     keep = column(time.size, flags(), np.bool_)
