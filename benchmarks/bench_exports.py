@@ -30,7 +30,7 @@ from pipeline.models.rbf.model import RbfModel  # noqa: E402
 from pipeline.numerics.arrays import FloatArray  # noqa: E402
 from pipeline.settings.prototype import parse_prototype  # noqa: E402
 from pipeline.store.run_folder import RunFolder  # noqa: E402
-from pipeline.workflow.run_models import identified_models, subject  # noqa: E402
+from pipeline.workflow.run_contents import identified_models, subject  # noqa: E402
 
 REPEATS = 5
 OCTAVE_SECONDS = 3.0  # interpreted, it runs slower than the joint

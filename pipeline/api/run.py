@@ -32,10 +32,16 @@ from ..store.run_folder import RunFolder, in_snapshot
 from ..system.machine import one_thread
 from ..workflow.engine import Unheard
 from ..workflow.inspection import check as check_tool
-from ..workflow.logs import load_motion
 from ..workflow.place import load_settings
 from ..workflow.report_data import instruments_shown, load_datasheet, load_scores
-from ..workflow.run_models import compared_models, identified_models, load_run_model, made_control, subject
+from ..workflow.run_contents import (
+    compared_models,
+    identified_models,
+    load_motion,
+    load_run_model,
+    made_control,
+    subject,
+)
 from ..workflow.si_log import read_si
 from ..workflow.stage_validate import scored_models
 from .in_memory import OF_RUN, frame, free_run_frame, seconds, si_symbols

@@ -12,8 +12,7 @@ from typing import Annotated
 import typer
 
 from ..errors import BatchFailedError, InputError
-from ..system.linear_algebra import load_linear_algebra
-from ..system.machine import settle_machine
+from ..system.machine import load_linear_algebra, settle_machine
 from . import control, inspection, outcome, physics, results, rig, whole_run
 from .boundary import ErrorBoundary, Program, with_options
 from .console import Json, NoReport, Quiet

@@ -206,16 +206,16 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
     """
     motion = motions.full
     _draw(figure, "motion_figure", motions)
-    stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
+    stop = motion.t.size if motion.diverged_at_s is None else int((motion.t < motion.diverged_at_s).sum())
     q = motion.q[:stop]
     if as_json:
         emit_json(
             {
-                "diverged_at_s": motion.diverged_at,
+                "diverged_at_s": motion.diverged_at_s,
                 "t_s": motion.t[:stop],
                 "q_m": q,
-                "qdot_m_per_s": motion.q_dot[:stop],
-                "qddot_m_per_s2": motion.q_ddot[:stop],
+                "qdot_m_per_s": motion.qdot[:stop],
+                "qddot_m_per_s2": motion.qddot[:stop],
                 "phi_rad": motion.phi[:stop],
             }
         )
@@ -229,7 +229,7 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
             ("smallest, largest q [mm]", f"{prefixed(q.min(), 'm', 2)}, {prefixed(q.max(), 'm', 2)}"),
             ("steps, rejected", f"{motion.accepted}, {motion.rejected}"),
             ("processor time [s]", f"{motions.full_seconds:.3f}"),
-            ("diverged at [s]", prefixed(motion.diverged_at, "", 2, "none")),
+            ("diverged at [s]", prefixed(motion.diverged_at_s, "", 2, "none")),
         ],
     )
 
@@ -242,8 +242,8 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
     """
     from ..models.analytical.reduced_order import beam_modes
 
-    if motions.full.diverged_at is not None:
-        raise InputError(f"the motion diverges at {motions.full.diverged_at:.2f} s: lower the voltage")
+    if motions.full.diverged_at_s is not None:
+        raise InputError(f"the motion diverges at {motions.full.diverged_at_s:.2f} s: lower the voltage")
     result = beam_modes(motions.full.qm, joint.l)
     _draw(figure, "modes_figure", joint, result, motions.full.t)
     peaks = abs(result.amplitudes).max(axis=0)

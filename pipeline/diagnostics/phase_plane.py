@@ -50,8 +50,7 @@ def settled(model: DynamicModel, starts: FloatArray, seconds: float, step: float
     v = np.zeros((len(t), inputs))
     if isinstance(model, SimulatesMany):
         return model.simulate_many(t, v, starts)[:, -1]
-    runs = (model.simulate(t, v, float(q), float(rate)) for q, rate in starts)
-    return np.array([run.q[-1] if run.status == "ok" else np.nan for run in runs])
+    return np.array([model.simulate(t, v, float(q), float(rate)).q[-1] for q, rate in starts])
 
 
 def visited_range(data: RunData, side: int | None = None) -> tuple[float, float]:

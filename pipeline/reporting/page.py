@@ -24,7 +24,7 @@ from .figure import MARKS, Figure, Line, Panel, axis_label, extreme_places, slot
 _ASSETS = files(full_name("reporting")) / "assets"
 _DASHES = {"mark": [], "snap": [4, 3]}  # of upright lines, by their kind
 LEVELS = 65534  # codes 0 … 65534; 65535 stands for no sample
-MISSING = 65535
+MISSING = LEVELS + 1
 DEFLATION = 6  # of deflate; 9 takes ten times as long and saves 0.5 %
 LONGEST = 60_000  # samples a series may have before it is stored by the extremes of its buckets
 

@@ -53,7 +53,7 @@ def _equilibria(result: "Characteristics") -> Panel:
         line
         for state, branches in result.diagrams.items()
         for branch in branches
-        for line in _by_stability(_STATES[state], _role(state), branch.q, branch.parameter, branch.stable)
+        for line in _by_stability(_STATES[state], _role(state), branch.y[:, 0], branch.parameter, branch.stable)
     ]
     for text, limit in (("bistable from", result.z_b_min), ("switchable to", result.z_b_max)):
         if limit is not None and limit <= _HIGHEST:
@@ -176,13 +176,15 @@ def modes_figure(joint: "JointParameters", modes: "BeamModes", t: FloatArray) ->
 
 def _static_path(joint: "JointParameters") -> tuple[tuple[Line, ...], tuple[Line, ...]]:
     """The static path q_m(q), bending as shares of w(l) and axial, and the polynomials fitted to it."""
-    from numpy.polynomial.polynomial import polyval
+    from numpy.polynomial.polynomial import polyfit, polyval
 
-    from ..models.analytical.reduced_order import polynomial_shapes
     from ..models.analytical.statics import static_path
 
     path = static_path(joint, np.linspace(-PATH_REACH, PATH_REACH, 161), np.zeros(2))
-    fitted = polyval(path.q / PATH_REACH, polynomial_shapes(path, PATH_DEGREE).T)
+    # One polynomial in q for each Ritz coordinate, as the paper fits them (figure 6b)
+    place = path.q / np.max(np.abs(path.q))
+    shapes = np.stack([polyfit(place, column, PATH_DEGREE) for column in path.qm.T], axis=1)
+    fitted = polyval(path.q / PATH_REACH, shapes)
     polynomial = f"polynomials of degree {PATH_DEGREE}"
     lines = [
         (
@@ -219,7 +221,7 @@ def motion_figure(motions: "Motions") -> Figure:
                         Line("reduced to q", "both", full.t, b, "dashed"),
                     ),
                 )
-                for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot))
+                for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.qdot, reduced.qdot))
             ),
         ),
     )
