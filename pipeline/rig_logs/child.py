@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from ..errors import disk_failure
 from ..system.isolation import Send, limit
-from ..system.package import module_at
+from ..system.package import object_at
 from .source import (
     MEGABYTE,
     CsvOptions,
@@ -292,6 +292,6 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     for begins, what in _KNOWN_BUT_NOT_READ if module == "csv" else ():
         if start.startswith(begins) if isinstance(begins, tuple) else begins(start):
             raise UnreadableLogError(what)
-    source: Source = module_at(f"rig_logs.{module}").open_log(path, csv, limits)
+    source: Source = object_at(f"rig_logs.{module}:open_log")(path, csv, limits)
     starts = source.starts or stated_beside(source)
     return StartTimes(source, starts) if len(set(starts.values())) > 1 else source
