@@ -17,7 +17,7 @@ from pipeline.numerics.metrics import nrmse
 from pipeline.store import layout
 from pipeline.store.run_folder import RunFolder
 from pipeline.system.machine import one_thread
-from pipeline.workflow.logs import load_logs
+from pipeline.workflow.run_contents import load_logs
 from pipeline.workflow.steps.identify import training
 
 VARIANTS = (("hybrid", "none"), ("hybrid", "always"), ("rbf", "auto"))

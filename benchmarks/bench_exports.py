@@ -30,7 +30,7 @@ from pipeline.models.rbf.model import RbfModel  # noqa: E402
 from pipeline.numerics.arrays import FloatArray  # noqa: E402
 from pipeline.settings.prototype import parse_prototype  # noqa: E402
 from pipeline.store.run_folder import RunFolder  # noqa: E402
-from pipeline.workflow.run_models import identified_models, subject  # noqa: E402
+from pipeline.workflow.run_contents import identified_models, subject  # noqa: E402
 
 REPEATS = 5
 OCTAVE_SECONDS = 3.0  # interpreted, it runs slower than the joint
@@ -83,14 +83,14 @@ def octave_run(what: Subject, folder: Path) -> tuple[FloatArray, float]:
 
 def lookup_run(what: Subject) -> FloatArray:
     """Displacement by m q̈ = −F(q) − d(q) q̇ + ½ C'(q) v² with the lookup tables, as Simulink would give it."""
-    tables = {table.name: table for table in curve_tables(what)}
+    tables = {table["name"]: table for table in curve_tables(what)}
     assert isinstance(what.model, WITH_CURVES)
     t, mass, h = what.t - what.t[0], what.model.mass_kg, 1e-3
     fine = np.arange(2 * round(t[-1] / h) + 1) * 0.5 * h
     u = CubicSpline(t, what.v)(np.minimum(fine, t[-1])) ** 2
 
     def at(name: str, q: float) -> float:
-        return float(np.interp(q, tables[name].q, tables[name].values))
+        return float(np.interp(q, tables[name]["q"], tables[name]["values"]))
 
     def slope(x: FloatArray, u: FloatArray) -> FloatArray:
         force = 0.5 * (at("dC1_dq", x[0]) * u[0] + at("dC2_dq", x[0]) * u[1]) - at("F", x[0]) - at("d", x[0]) * x[1]

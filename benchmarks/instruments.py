@@ -28,9 +28,8 @@ from pipeline.signals.noise import noise_std
 from pipeline.store import layout
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard, bring_up_to_date
-from pipeline.workflow.logs import load_motion
 from pipeline.workflow.run import Planned, of_stages, plan
-from pipeline.workflow.run_models import identified_models, load_run_model
+from pipeline.workflow.run_contents import identified_models, load_motion, load_run_model
 from pipeline.workflow.stage_instruments import instrument_rows
 
 KINDS = ("foreign", "same", "worn")

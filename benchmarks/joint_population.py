@@ -19,7 +19,7 @@ from population_estimate import estimate_symmetric_population, information_of, w
 
 from pipeline.fitting.homotopy import COUPLED
 from pipeline.fitting.population import Information
-from pipeline.models.rbf.candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
+from pipeline.models.rbf.candidates import FRICTION, SYMMETRIES, Candidate, candidate, first_candidate
 from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.prior import ASSET, joint_prior, mirror_image
@@ -30,8 +30,8 @@ from pipeline.settings.prototype import load_prototype
 from pipeline.signals.log import Log
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard
-from pipeline.workflow.logs import load_logs
 from pipeline.workflow.run import run_prototype, run_stage
+from pipeline.workflow.run_contents import load_logs
 from pipeline.workflow.steps.identify import training
 
 LIMIT = 60.0
@@ -42,7 +42,7 @@ Fitted = tuple[ParameterLayout, Information, FloatArray, FloatArray]
 
 
 def usual() -> Candidate:
-    structure = replace(first_candidate(RbfChoice("lags+slip"), pair=True, angle=False, fine=True).structure, arc=True)
+    structure = replace(first_candidate(FRICTION["lags+slip"], pair=True, angle=False, fine=True).structure, arc=True)
     return candidate(structure, SYMMETRIES[0])
 
 

@@ -15,7 +15,7 @@ from pipeline.errors import DataRefusedError
 from pipeline.models.free_runs import free_run
 from pipeline.models.model_type import model_type
 from pipeline.signals.log import Log
-from pipeline.workflow.logs import load_logs
+from pipeline.workflow.run_contents import load_logs
 from pipeline.workflow.steps.identify import training
 
 LENGTHS = (5.0, 10.0, 20.0, 37.5)

@@ -1,5 +1,6 @@
 """Pages that are made from the code while the site is built, and stand nowhere else: `mkdocs.yml` names this file."""
 
+import dataclasses
 import json
 import sys
 import types
@@ -15,10 +16,12 @@ from typer.testing import CliRunner
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from cli import app
+from pipeline.device.device import JOINT
 from pipeline.settings.logs import Channel, Channels
 from pipeline.settings.prototype import Prototype, Quantity
 from pipeline.store import schemas
 from pipeline.store.columns import FACT_COLUMNS, SCHEMA_VERSION
+from pipeline.units.units import SiUnit
 
 
 def on_files(files: typing.Any, config: typing.Any) -> typing.Any:
@@ -119,10 +122,8 @@ def mistakes_page() -> str:
 def tables() -> list[schemas.Schema]:
     """The columns of every Parquet file, for a joint in m with two voltages."""
     every = [value for value in vars(schemas).values() if isinstance(value, schemas.Schema)]
-    return [
-        schemas.resolve(schema, displacement="m", inputs=("V", "V"), phi=True, velocity=True, tubes=True)
-        for schema in (*every, *schemas.STUDIES.values())
-    ]
+    measured = dataclasses.replace(JOINT, velocity=SiUnit(1.0, "m/s"))
+    return [schemas.schema_of(schema, measured, phi=True, tubes=True) for schema in (*every, *schemas.STUDIES.values())]
 
 
 def columns_page() -> str:

@@ -6,7 +6,8 @@ import re
 import sys
 import warnings
 from collections.abc import Sequence
-from typing import ClassVar, Self
+from traceback import walk_stack
+from typing import ClassVar
 
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
 _NO_MEMORY = re.compile(
@@ -29,8 +30,6 @@ class DebistError(Exception):
 class InputError(DebistError):
     """Bad usage or bad input: settings, raw logs, units, options."""
 
-    exit_code = 2
-
 
 class SeveralMistakesError(InputError):
     """Several things are wrong at once; each has a line of its own where there is room for lines.
@@ -42,13 +41,12 @@ class SeveralMistakesError(InputError):
     """
 
     def __init__(self, where: str, mistakes: Sequence[str]) -> None:
-        self._given = (where, mistakes)
+        super().__init__(where, mistakes)  # by which it is pickled
         self.lines = (f"{where}: {len(mistakes)} mistakes", *mistakes)
-        super().__init__(f"{self.lines[0]}: {'; '.join(f'({i}) {text}' for i, text in enumerate(mistakes, 1))}")
 
-    def __reduce__(self) -> tuple[type[Self], tuple[str, Sequence[str]]]:
-        """Pickle the error by the arguments that it was raised with."""
-        return type(self), self._given
+    def __str__(self) -> str:
+        """All mistakes in one line."""
+        return f"{self.lines[0]}: {'; '.join(f'({i}) {text}' for i, text in enumerate(self.lines[1:], 1))}"
 
     @classmethod
     def of(cls, where: str, mistakes: Sequence[str]) -> InputError:
@@ -86,20 +84,15 @@ class BatchFailedError(DebistError):
 
 def warn_user(text: str) -> None:
     """Give a `UserWarning` at the line that called debist; the program prints it on stderr."""
-    frame = sys._getframe()
-    level = 1
-    outside = 1
-    while frame.f_back is not None:
-        if str(frame.f_globals.get("__name__")).partition(".")[0] in ("pipeline", "debist"):
-            outside = level + 1
-        frame, level = frame.f_back, level + 1
-    warnings.warn(f"{WARNING}{text}", stacklevel=outside)
+    packages = [str(frame.f_globals.get("__name__")).partition(".")[0] for frame, _ in walk_stack(sys._getframe())]
+    own = [level for level, package in enumerate(packages, start=1) if package in ("pipeline", "debist")]
+    warnings.warn(f"{WARNING}{text}", stacklevel=max(own) + 1)
 
 
 def disk_failure(error: Exception) -> str | None:
     """The system's reason for a refused read; None if `error` may also mean damage."""
-    number_text = _IN_HDF5.search(str(error))
-    number = int(number_text[1]) if number_text else error.errno if isinstance(error, OSError) else None
+    stated = _IN_HDF5.search(str(error))
+    number = int(stated[1]) if stated else getattr(error, "errno", None)
     return os.strerror(number) if number in _DISK else None
 
 
@@ -108,8 +101,7 @@ def interrupted(error: BaseException | None) -> bool:
     if error is None or isinstance(error, KeyboardInterrupt):
         return error is not None
     cause = error.__cause__
-    context = error.__context__
-    return interrupted(cause) or (context is not cause and interrupted(context))
+    return interrupted(cause) or (error.__context__ is not cause and interrupted(error.__context__))
 
 
 def memory_failure(error: BaseException | None) -> bool:
@@ -117,11 +109,8 @@ def memory_failure(error: BaseException | None) -> bool:
     if interrupted(error):
         return False  # compiled code that a signal stops says what it also says where memory ends
     while error is not None:
-        if isinstance(error, MemoryError):
-            return True
-        if isinstance(error, ImportError | OSError | SystemError | RuntimeError | ValueError) and _NO_MEMORY.search(
-            str(error)
-        ):
+        may_state_it = isinstance(error, ImportError | OSError | SystemError | RuntimeError | ValueError)
+        if isinstance(error, MemoryError) or (may_state_it and _NO_MEMORY.search(str(error))):
             return True
         error = error.__cause__ or error.__context__
     return False

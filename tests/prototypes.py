@@ -114,10 +114,10 @@ def logs_read_once() -> Iterator[None]:
         content, samples = hashlib.sha256(Path(request["path"]).read_bytes()).hexdigest(), Path(request["samples"])
         key = json.dumps([content, request["channels"], request["csv"], request["limits"]])
         if key not in _READ:
-            done = first(request, *rest)
-            if done.answer is None or "error" in done.answer:  # which names the file
-                return done
-            _READ[key] = done, samples.read_bytes()
+            answer = first(request, *rest)
+            if "error" in answer:  # which names the file
+                return answer
+            _READ[key] = answer, samples.read_bytes()
         samples.write_bytes(_READ[key][1])
         return _READ[key][0]
 

@@ -26,13 +26,13 @@ from ..signals.log import UNKNOWN, Log, RawLog, log_of
 from ..store import layout
 from ..store.columns import TUBE_COLUMNS
 from ..store.run_folder import RunFolder
-from ..workflow.logs import load_motion, motion
 from ..workflow.prior_knowledge import prior_knowledge_in
+from ..workflow.run_contents import load_motion, motion
 from ..workflow.si_log import on_uniform_clocks, with_displacement
 from ..workflow.stage_check import log_signals
 from ..workflow.steps.differentiate import kinematics
 from ..workflow.steps.identify import identified, training
-from ..workflow.steps.ingest import examined, record_columns, resamplings
+from ..workflow.steps.ingest import examined, record_columns
 
 OF_RUN = "debist_log"
 """Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""
@@ -104,10 +104,15 @@ def settings(
         "mass": None if mass is None else {"value": mass, "unit": "kg m^2" if turned else "kg"},
         "parameters": parameters,
     }
-    document: dict[str, Any] = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
     if entry(model) is None and model != AUTO:
         raise InputError(f"no model {model!r}; there are {', '.join((AUTO, *(each.name for each in ENTRIES)))}")
-    document["identify"] = {"models": [model]} if model in (AUTO, *names("identify")) else {}
+    document: dict[str, Any] = {
+        "name": "signals",
+        "logs": {"train": ["signals"]},
+        "channels": channels,
+        "plant": plant,
+        "identify": {"models": [model]} if model in (AUTO, *names("identify")) else {},
+    }
     if not isinstance(more, Mapping):
         raise InputError(
             f"settings is {more!r}; give a mapping of tables, as {{'ingest': {{'sample_interval': 0.005}}}}"
@@ -219,14 +224,15 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
         log = with_displacement(log, device(prototype), parameter_set(prototype, _in_this_folder()))
     measured = log.q[1][np.isfinite(log.q[1])]
     refuse_other_units({"q": float(np.ptp(measured)) if measured.size else 0.0}, prototype)
-    checked = examined(log, prototype, where)
-    fine, coarse = (
-        record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(checked, prototype.ingest)
-    )
+    resamplings, noticed = examined(log, prototype, where)
+    fine, coarse = (record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings)
     moved, _ = kinematics(coarse, fine, prototype)
-    notes = {**checked.notes, "raw_step": checked.raw_step}
-    remarks = tuple(f"{where}: {text}" for text in checked.notes["warnings"])
-    return motion(moved, fine, prototype, notes.get(UNKNOWN, ())), log_signals(where, fine, notes), remarks
+    notes = {**noticed, "raw_step": resamplings[0].report.raw_step}
+    return (
+        motion(moved, fine, prototype, notes.get(UNKNOWN, ())),
+        log_signals(where, fine, notes),
+        tuple(f"{where}: {text}" for text in noticed["warnings"]),
+    )
 
 
 def _in_this_folder() -> Path:
@@ -268,8 +274,13 @@ def identify_signals(
     else:
         models, notes = identified(measured, prototype, parameters, prior)
         model = next(iter(models.values()))
-    remarks_of_all = [*(text for texts in warnings for text in texts), *remarks(findings), *contradictions]
-    notes |= {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}
+    notes["warnings"] = [
+        *(text for texts in warnings for text in texts),
+        *remarks(findings),
+        *contradictions,
+        *notes["warnings"],
+    ]
+    notes["contradictions"] = contradictions
     return model, notes, measured
 
 

@@ -35,7 +35,7 @@ from ..system.machine import one_thread
 from ..units.quantity import axis_scale, moment
 from ..units.units import column_suffix
 from ..workflow.export import MODELS, write_model
-from ..workflow.run_models import subject_on
+from ..workflow.run_contents import subject_on
 from ..workflow.steps.score import ComparedRun, measured_path, score_rows
 from .in_memory import (
     Signals,

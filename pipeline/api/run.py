@@ -32,10 +32,16 @@ from ..store.run_folder import RunFolder, in_snapshot
 from ..system.machine import one_thread
 from ..workflow.engine import Unheard
 from ..workflow.inspection import check as check_tool
-from ..workflow.logs import load_motion
 from ..workflow.place import load_settings
 from ..workflow.report_data import instruments_shown, load_datasheet, load_scores
-from ..workflow.run_models import compared_models, identified_models, load_run_model, made_control, subject
+from ..workflow.run_contents import (
+    compared_models,
+    identified_models,
+    load_motion,
+    load_run_model,
+    made_control,
+    subject,
+)
 from ..workflow.si_log import read_si
 from ..workflow.stage_validate import scored_models
 from .in_memory import OF_RUN, frame, free_run_frame, seconds, si_symbols
@@ -334,8 +340,7 @@ class Run:
         names = self._report.data.model_names
         if unknown := [model for model in models if model not in names]:
             raise InputError(f"{self.root}: has no model {unknown[0]!r}; it has {', '.join(names)}")
-        chosen = of_models(figures[figure], names, models) if models else figures[figure]
-        part = _segment(chosen, start, stop)
+        part = _segment(of_models(figures[figure], names, models) if models else figures[figure], start, stop)
         return plotted(part, names, paper_look(part, typeface), pyplot.figure()).axes
 
     def linear_models(self, v1: float = 0.0, v2: float = 0.0) -> "list[LinearModel]":

@@ -12,8 +12,7 @@ from typing import Annotated
 import typer
 
 from ..errors import BatchFailedError, InputError
-from ..system.linear_algebra import load_linear_algebra
-from ..system.machine import settle_machine
+from ..system.machine import load_linear_algebra, settle_machine
 from . import control, inspection, outcome, physics, results, rig, whole_run
 from .boundary import ErrorBoundary, Program, with_options
 from .console import Json, NoReport, Quiet
@@ -145,5 +144,7 @@ def batch(
             outcomes = run_batch(named, output, progress, debist, execution, shard)
     outcome.emit_outcomes(outcomes, output, as_json=as_json)
     if failed := [result for result in outcomes if result.failed]:
-        names = ", ".join(result.name for result in failed)
-        raise BatchFailedError(f"{len(failed)} of {len(outcomes)} prototypes failed: {names}; {failed[0].reason}")
+        raise BatchFailedError(
+            f"{len(failed)} of {len(outcomes)} prototypes failed: {', '.join(result.name for result in failed)}; "
+            f"{failed[0].reason}"
+        )

@@ -79,7 +79,16 @@ def emit_table(
     Where the terminal is too narrow, sentences are wrapped, and columns of numbers that do not fit follow below with
     the first column beside them; no number is cut or broken.
     """
+    from rich.box import SIMPLE_HEAD
     from rich.cells import cell_len
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    class Printer(Console):
+        def on_broken_pipe(self) -> None:
+            """Raise, where rich would end the process."""
+            raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))  # for `pipeline.commands.boundary`
 
     words = len(header) if numeric_from is None else numeric_from
     cells = [[printable(cell) for cell in row] for row in rows]
@@ -92,32 +101,19 @@ def emit_table(
         if sum(fitted[i] + _GAP for i in (*blocks[-1], k)) + _GAP > _width() and len(blocks[-1]) > 1:
             blocks.append([0])
         blocks[-1].append(k)
-    for number, block in enumerate(blocks):
-        _print_table(
-            "" if number else printable(title),
-            [(header[k], k >= words, widths[k] == fitted[k]) for k in block],
-            [[row[k] for k in block] for row in cells],
-        )
-
-
-def _print_table(title: str, columns: Sequence[tuple[str, bool, bool]], rows: Iterable[Sequence[str]]) -> None:
-    """Print columns that fit: the heading of each, whether it holds numbers, and whether it must not be wrapped."""
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
-    from rich.text import Text
-
-    class Printer(Console):
-        def on_broken_pipe(self) -> None:
-            """Raise, where rich would end the process."""
-            raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))  # for `pipeline.commands.boundary`
-
-    table = Table(title=Text(title) if title else None, title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
-    for name, numbers, whole in columns:
-        table.add_column(Text(name), justify="right" if numbers else "left", no_wrap=whole, overflow="fold")
-    for row in rows:
-        table.add_row(*map(Text, row))
-    Printer(width=_width(), highlight=False).print(table)
+    for block in blocks:
+        heading = Text(printable(title)) if title and block is blocks[0] else None
+        table = Table(title=heading, title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+        for k in block:
+            table.add_column(
+                Text(header[k]),
+                justify="right" if k >= words else "left",
+                no_wrap=widths[k] == fitted[k],
+                overflow="fold",
+            )
+        for row in cells:
+            table.add_row(*(Text(row[k]) for k in block))
+        Printer(width=_width(), highlight=False).print(table)
 
 
 def brief(reasons: Sequence[str]) -> str:

@@ -63,20 +63,24 @@ def linearise(
     if as_json:
         emit_json({"files": files, **linear})
         return
-    rows, still = [], not any(voltages)  # ring-downs were measured without voltage
+    rows = []
     for point in linear["equilibria"]:
         side = "left" if point is linear["equilibria"][0] else "right"
-        measured = (
-            linear["measured"][side] if point["stable"] and still else {"frequency_Hz": None, "damping_ratio": None}
-        )
+        rests = point["stable"] and not any(voltages)  # ring-downs were measured without voltage
+        measured = linear["measured"][side] if rests else {"frequency_Hz": None, "damping_ratio": None}
         poles = point["poles_1_s"]
         # The unstable pole, and the slowest pair that rings.
         telling = [*(pole for pole in poles if pole[0] > 0.0), *[pole for pole in poles if pole[1] > 1.0][:1]]
-        slowest = ", ".join(f"{re:.2f}" if abs(im) < 1e-9 else f"{re:.2f} ± {im:.2f}i" for re, im in telling)
-        ringing = (prefixed(point["frequency_Hz"], "", 2), prefixed(measured["frequency_Hz"], "", 2))
-        damping = (prefixed(point["damping_ratio"], "", 3), prefixed(measured["damping_ratio"], "", 3))
         rows.append(
-            (prefixed(point["q_m"], "m", 3), "stable" if point["stable"] else "unstable", *ringing, *damping, slowest)
+            (
+                prefixed(point["q_m"], "m", 3),
+                "stable" if point["stable"] else "unstable",
+                prefixed(point["frequency_Hz"], "", 2),
+                prefixed(measured["frequency_Hz"], "", 2),
+                prefixed(point["damping_ratio"], "", 3),
+                prefixed(measured["damping_ratio"], "", 3),
+                ", ".join(f"{re:.2f}" if abs(im) < 1e-9 else f"{re:.2f} ± {im:.2f}i" for re, im in telling),
+            )
         )
     emit_table(
         f"{run}: equilibria at {v1}, {v2}",
@@ -150,14 +154,14 @@ def pulse(
     files = control.write_pulse(run, design, output or run / layout.EXPORTS / f"pulse-to-{snap.to}.csv", force=force)
     if as_json:
         emit_json({"files": files, **design})
-        return
-    low, high = design["settling_90_s"]
-    emit_text(
-        f"to the {snap.to}: {_settles(design['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
-        f"{prefixed(design['overshoot_m'], 'm', 2)} mm, switches with probability "
-        f"{design['switching_probability']:.2f}, peak {prefixed(design['largest_voltage_V'], 'k', 2)} kV"
-    )
-    typer.echo("\n".join(map(str, files)))
+    else:
+        low, high = design["settling_90_s"]
+        emit_text(
+            f"to the {snap.to}: {_settles(design['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), "
+            f"overshoot {prefixed(design['overshoot_m'], 'm', 2)} mm, switches with probability "
+            f"{design['switching_probability']:.2f}, peak {prefixed(design['largest_voltage_V'], 'k', 2)} kV"
+        )
+        typer.echo("\n".join(map(str, files)))
 
 
 @app.command()

@@ -147,11 +147,10 @@ def emit_fleet_progress(folder: Path, members: "Sequence[MemberState]", *, as_js
             }
         )
     else:
-        stamps = [member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "" for member in members]
         emit_table(
             str(folder),
             ("prototype", "state", "since", "reason"),
-            [(m.name, m.state, since, m.reason) for m, since in zip(members, stamps, strict=True)],
+            [(m.name, m.state, m.since.strftime("%Y-%m-%d %H:%M:%SZ") if m.since else "", m.reason) for m in members],
             numeric_from=None,
         )
         counted = ", ".join(f"{count} {state}" for state, count in counts.items() if count)

@@ -206,16 +206,16 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
     """
     motion = motions.full
     _draw(figure, "motion_figure", motions)
-    stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
+    stop = motion.t.size if motion.diverged_at_s is None else int((motion.t < motion.diverged_at_s).sum())
     q = motion.q[:stop]
     if as_json:
         emit_json(
             {
-                "diverged_at_s": motion.diverged_at,
+                "diverged_at_s": motion.diverged_at_s,
                 "t_s": motion.t[:stop],
                 "q_m": q,
-                "qdot_m_per_s": motion.q_dot[:stop],
-                "qddot_m_per_s2": motion.q_ddot[:stop],
+                "qdot_m_per_s": motion.qdot[:stop],
+                "qddot_m_per_s2": motion.qddot[:stop],
                 "phi_rad": motion.phi[:stop],
             }
         )
@@ -229,7 +229,7 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
             ("smallest, largest q [mm]", f"{prefixed(q.min(), 'm', 2)}, {prefixed(q.max(), 'm', 2)}"),
             ("steps, rejected", f"{motion.accepted}, {motion.rejected}"),
             ("processor time [s]", f"{motions.full_seconds:.3f}"),
-            ("diverged at [s]", prefixed(motion.diverged_at, "", 2, "none")),
+            ("diverged at [s]", prefixed(motion.diverged_at_s, "", 2, "none")),
         ],
     )
 
@@ -242,8 +242,8 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
     """
     from ..models.analytical.reduced_order import beam_modes
 
-    if motions.full.diverged_at is not None:
-        raise InputError(f"the motion diverges at {motions.full.diverged_at:.2f} s: lower the voltage")
+    if motions.full.diverged_at_s is not None:
+        raise InputError(f"the motion diverges at {motions.full.diverged_at_s:.2f} s: lower the voltage")
     result = beam_modes(motions.full.qm, joint.l)
     _draw(figure, "modes_figure", joint, result, motions.full.t)
     peaks = abs(result.amplitudes).max(axis=0)
@@ -257,11 +257,13 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
             }
         )
     else:
-        pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
         emit_table(
             "Modes of the beam",
             ("mode", "energy share [%]", "largest amplitude [mm]"),
-            [(str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4)) for number, (share, peak) in pairs],
+            [
+                (str(number), prefixed(share, "%", 5), prefixed(peak, "m", 4))
+                for number, (share, peak) in enumerate(zip(result.energy_share, peaks, strict=True), start=1)
+            ],
         )
 
 
@@ -324,9 +326,11 @@ def calibrate(
     if as_json:
         emit_json(physics.calibration_document(fit))
         return
-    entries = zip(fit.names, fit.values, fit.standard_errors, strict=True)
     emit_table(
         f"Calibrated; error of q {prefixed(fit.rmse, 'm', 3)} mm",
         ("parameter", "value", "±", "unit"),
-        [(name, f"{value:.5g}", f"{error:.2g}", QUANTITIES[name].unit) for name, value, error in entries],
+        [
+            (name, f"{value:.5g}", f"{error:.2g}", QUANTITIES[name].unit)
+            for name, value, error in zip(fit.names, fit.values, fit.standard_errors, strict=True)
+        ],
     )

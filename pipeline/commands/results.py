@@ -141,10 +141,12 @@ def paper(
     with Progress(quiet=quiet or as_json) as progress:
         recipe = run_paper(source, output, progress)
     if as_json:
-        emit_json({"page": str(recipe.page), "figures": str(recipe.root / "paper"), "table_2": recipe.table})
+        emit_json(
+            {"page": str(recipe.root / "paper.html"), "figures": str(recipe.root / "paper"), "table_2": recipe.table}
+        )
     else:
         emit_table_2(recipe.table)
-        typer.echo(f"page: {recipe.page}\nfigures: {recipe.root / 'paper'}")
+        typer.echo(f"page: {recipe.root / 'paper.html'}\nfigures: {recipe.root / 'paper'}")
 
 
 def study(

@@ -136,27 +136,16 @@ def excite(
     """
     from ..settings.file import read_options
     from ..workflow.studies import excitation
-    from ..workflow.studies.excitation_design import Requirements
     from .inspection import emit_design
 
     rare = read_options(file, excitation.DesignFile)
-    voltage = parse_quantity(max_voltage, ("V",), "--max-voltage")
-    source = excitation.ExcitationSource(parameters, rare.joints, rare.seed)
-    wanted = Requirements(
-        duration=parse_quantity(duration, ("s",), "--duration"),
-        rest=rare.rest_s,
-        kinds=rare.kinds,
-        candidates=rare.candidates,
-        basis_functions=rare.basis_functions,
-    )
     with StatusLine("designing", quiet=quiet) as line:
         design, files = excitation.excite(
             output,
-            source,
-            wanted,
-            rare.rate_Hz,
-            voltage=voltage,
-            field=1e6 * rare.max_field_V_per_um,
+            parameters,
+            rare,
+            duration=parse_quantity(duration, ("s",), "--duration"),
+            voltage=parse_quantity(max_voltage, ("V",), "--max-voltage"),
             report=partial(line.show, "designing"),
         )
     if as_json:

@@ -239,10 +239,6 @@ B_MAX = 30e-3
 """b_max [m] of eq. 17: z_b = b_max − b is how far the mounts are screwed together."""
 
 
-LARGEST_FILE = 100_000
-"""Bytes; a parameter file has a few hundred."""
-
-
 def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequence[str] = ()) -> "JointParameters":
     """A parameter set by name or from a TOML file, with single values replaced.
 
@@ -274,8 +270,6 @@ def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequen
 def _from_file(path: Path) -> "JointParameters":
     """A TOML file: ``base`` names a shipped set, the rest are ``name = "value unit"``, sides in [left] and [right]."""
     try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise InputError(f"{path}: is no parameter file (over {LARGEST_FILE} bytes)")
         content = read_toml(path)
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise InputError(f"{path}: cannot be read as a parameter file ({error})") from error
@@ -302,7 +296,6 @@ def _override(text: str) -> tuple[str, float]:
 
 
 def _in_si(name: str, text: str, where: str) -> float:
-
     return parse_quantity(text, (quantity_of(name).unit,), where)
 
 

@@ -89,13 +89,12 @@ def write_controller(
         folder,
         sources | {f"{NAME}.m": render("controller.m.j2", fields | _functions("c.", matlab_function, matlab_sequence))},
     )
-    estimated = [
-        (estimate.name, f"estimate for the next period: {estimate.meaning}", "output", estimate.unit)
-        for estimate in ESTIMATES
-    ]
     more = {
         "guid": identity(prototype, model, origin, sources[f"{NAME}.c"]),
-        "variables": [*_VARIABLES, *estimated],
+        "variables": [
+            *_VARIABLES,
+            *((e.name, f"estimate for the next period: {e.meaning}", "output", e.unit) for e in ESTIMATES),
+        ],
         "title": f"Controller of the joint {prototype}",
     }
     files = {name: asset(name) for name in ("fmi2.h", "fmu_common.h")}

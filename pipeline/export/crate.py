@@ -64,8 +64,13 @@ def write_crate(
         _entity(crate, PROFILE, "CreativeWork", "Process Run Crate", version=PROFILE.rsplit("/", 1)[1])
     ]
     with tempfile.TemporaryDirectory(prefix="debist-") as place:
-        texts = {f"{name}.toml": settings, NAME: environment_text(run.manifest.versions), **more}
-        objects, results = _files(crate, run, texts, inputs, Path(place))
+        objects, results = _files(
+            crate,
+            run,
+            {f"{name}.toml": settings, NAME: environment_text(run.manifest.versions), **more},
+            inputs,
+            Path(place),
+        )
         software = {
             name: _entity(crate, f"#{name}", "SoftwareApplication", name, softwareVersion=number)
             for name, number in run.manifest.versions.items()
@@ -128,14 +133,15 @@ def _files(
 
 
 def _file(crate: Any, source: Path, name: str, title: str, **more: str) -> Any:
-    kind = _FORMATS.get(source.suffix) or mimetypes.guess_type(name)[0] or "application/octet-stream"
     return crate.add_file(
         source,
         dest_path=name,
         properties={
             "name": title,
             **more,
-            "encodingFormat": kind,
+            "encodingFormat": _FORMATS.get(source.suffix)
+            or mimetypes.guess_type(name)[0]
+            or "application/octet-stream",
             "contentSize": str(source.stat().st_size),
             "sha256": file_sha256(source),
         },

@@ -206,7 +206,7 @@ def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Rea
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
         """State equation of a run."""
-        return {"dx": lagged_rates(model.equation, x, u)}
+        return {"dx": lagged_rates(model, x, u)}
 
     squared = model.inputs == "squared"
     return Realisation(
@@ -214,7 +214,7 @@ def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Rea
         constants={
             "basis": model.basis,
             "centres": model.centres,
-            "weights": model.equation.weights,
+            "weights": np.ascontiguousarray(model.weights.T) / model.mass_kg,
             "bend": 0.5 / model.width**2,
             "lag": model.lag_s,
             "low": low,

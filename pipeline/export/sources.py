@@ -30,8 +30,9 @@ def write_c(subject: Subject, folder: Path) -> Exported:
 def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False) -> dict[str, str]:
     """Header and source by file name; with `flow` the rates for an integrator with steps of its own are in it."""
     fields = model_fields(subject, realisation)
-    chosen = [name for name in realisation.functions if flow or name != "flow"]
-    fields["functions"] = [c_function(name, realisation.functions[name], SCALARS) for name in chosen]
+    fields["functions"] = [
+        c_function(name, graph, SCALARS) for name, graph in realisation.functions.items() if flow or name != "flow"
+    ]
     return {
         f"{subject.identifier}.h": render("model.h.j2", fields),
         f"{subject.identifier}.c": render("model.c.j2", fields),
@@ -140,9 +141,9 @@ def variables(subject: Subject) -> dict[str, Any]:
     }
     units = {"q_bp": v.q_unit, "t": "s", "q": v.q_unit, "qdot": f"{v.q_unit}/s", "v": v.v_units[0]}
     for table in curve_tables(subject):
-        arrays["q_bp"] = table.q[None, :]
-        arrays[f"{table.name}_table"] = table.values[None, :]
-        units[f"{table.name}_table"] = table.unit.replace("·", ".")
+        arrays["q_bp"] = table["q"][None, :]
+        arrays[f"{table['name']}_table"] = table["values"][None, :]
+        units[f"{table['name']}_table"] = table["unit"].replace("·", ".")
     if "q_bp" in arrays:
         arrays["mass"] = float(getattr(subject.model, "mass_kg", 1.0))
         units["mass"] = MASS[v.q_unit].replace("·", ".").replace("²", "2")
@@ -176,7 +177,7 @@ def document(subject: Subject) -> dict[str, Any]:
             "validity": vars(subject.validity),
             "description": subject.model.describe(),
             "equations": _equations(subject),
-            "curves": [vars(table) for table in curve_tables(subject)],
+            "curves": curve_tables(subject),
             "check": {
                 "t_s": t,
                 "v": v,

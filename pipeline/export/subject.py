@@ -141,23 +141,16 @@ BREAKPOINTS = 201
 """With this number linear interpolation is off by less than a thousandth of a curve's range."""
 
 
-@dataclass(frozen=True)
-class CurveTable:
-    """One curve over the range of the training logs."""
+def curve_tables(subject: Subject) -> list[dict[str, Any]]:
+    """Restoring force F, damping d, and what the inputs do; none for a model without curves.
 
-    name: str
-    unit: str
-    q: FloatArray
-    values: FloatArray
-
-
-def curve_tables(subject: Subject) -> list[CurveTable]:
-    """Restoring force F, damping d, and what the inputs do; none for a model without curves."""
+    Each has a `name`, a `unit`, and the arrays `q` over the range of the training logs, and `values`, shape (201,).
+    """
     if not isinstance(subject.model, HasCurves):
         return []
     q = np.linspace(*subject.validity.q, BREAKPOINTS)
     return [
-        CurveTable(name, subject.curve_units[name.split("_")[0].rstrip("12")], q, values)
+        {"name": name, "unit": subject.curve_units[name.split("_")[0].rstrip("12")], "q": q, "values": values}
         for name, values in subject.model.curves(q).items()
     ]
 

@@ -123,7 +123,7 @@ class HasCurveDraws(Protocol):
 
 
 @runtime_checkable
-class HasDraws(Protocol):
+class HasDraws(DynamicModel, Protocol):
     """A model that simulates draws from the posterior of its parameters."""
 
     def simulate_draws(
@@ -154,10 +154,6 @@ class HasOutcomeDraws(Protocol):
         count : int
             Number of draws.
         """
-
-
-class DrawnModel(DynamicModel, HasDraws, Protocol):
-    """A dynamic model with draws."""
 
 
 _NotNegative = Annotated[float, Field(ge=0.0, le=1e6)]
@@ -203,6 +199,11 @@ def from_first(model: DynamicModel, record: Log) -> FreeRun:
     """The free run of a model over a whole record from its first sample, gaps included."""
     v = record.drive_of(fine=model.fine_voltages)
     return model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
+
+
+def gain_curves(gains: Iterable[FloatArray], *, squared: bool) -> dict[str, FloatArray]:
+    """Gains g_k of the inputs by the names of their curves: dC1_dq … = 2 g_k (eq. 33) where `squared`, else g1 …."""
+    return {f"dC{k}_dq" if squared else f"g{k}": 2.0 * g if squared else g for k, g in enumerate(gains, start=1)}
 
 
 def predictor(model: DynamicModel) -> Predict:

@@ -17,7 +17,7 @@ from ..numerics.arrays import FloatArray
 from ..scoring.cross_validation import free_run_error
 from ..scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
 from ..scoring.scores import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
-from ..signals.log import Log
+from ..signals.log import Log, operating_range
 from ..units.units import HORIZONS
 from .base import from_first, predictor
 from .model_type import StoredModel, Training, fitted_samples
@@ -36,8 +36,6 @@ JUDGED_TIME = 2.5
 POORER = 2.0
 """Times the error of the equations on what both were fitted to, beyond which a network does not replace them: a single
 slow passage of the last quarter may go wrong with equations that follow all others within 0.01 %."""
-
-ABLATION = ("equations_alone", "equations_with_rbf", "rbf_alone")
 
 Fit = Callable[[Training], StoredModel]
 
@@ -81,7 +79,7 @@ class Choice:
             "excess_of_the_other": None if self.excess is None else asdict(self.excess),
             "interval_of_hybrid": None if self.interval is None else asdict(self.interval),
             "basis_functions": self.model.describe().get("basis_functions"),
-            "ablation": dict.fromkeys(ABLATION)
+            "ablation": dict.fromkeys(("equations_alone", "equations_with_rbf", "rbf_alone"))
             | getattr(self.model, "diagnostics", {}).get("ablation", {})
             | ({"rbf_alone": self.held_out["rbf"]} if "rbf" in self.held_out else {}),
         }
@@ -118,22 +116,27 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
     if (UNKNOWN_BOUND * held_out["hybrid"] if interval is None else interval.high) < NETWORK_ERROR:
         reason = f"the joint's equations predict held-out training data to {_percent(held_out['hybrid'])} of the range"
         return Choice(model, reason, held_out, None, interval)
-    return _compared(training, model, rbf, errors, interval)
+    return _compared(training, model, rbf, errors, held_out, interval)
 
 
 def _compared(
-    training: Training, model: StoredModel, rbf: Fit, hybrid_errors: FloatArray, interval: Interval | None
+    training: Training,
+    model: StoredModel,
+    rbf: Fit,
+    hybrid_errors: FloatArray,
+    held_out: dict[str, float],
+    interval: Interval | None,
 ) -> Choice:
     """The hybrid joint or the network, after that has been judged on the same."""
-    held_out = {"hybrid": _rms(hybrid_errors)}
     try:
         network = rbf(_within(replace(training, records=_first_parts(training)), JUDGED_TIME))
     except DataRefusedError as refused:
         return Choice(model, f"rbf is no candidate: {refused}", held_out, None, interval)
     errors = _errors(network, training.records)
     held_out["rbf"] = _rms(errors)
-    block = _block(training, errors, hybrid_errors)
-    excess = rms_difference_interval(errors, hybrid_errors, block, np.random.default_rng(SEED))
+    excess = rms_difference_interval(
+        errors, hybrid_errors, _block(training, errors, hybrid_errors), np.random.default_rng(SEED)
+    )
     if held_out["hybrid"] <= held_out["rbf"]:
         return Choice(model, "smaller error on held-out training data", held_out, excess, interval)
     if not (UNKNOWN_BOUND * held_out["rbf"] < held_out["hybrid"] if excess is None else excess.high < 0.0):
@@ -163,8 +166,8 @@ def _block(training: Training, *errors: FloatArray) -> int:
 
 def _within(training: Training, limit: float) -> Training:
     """The training data with a time limit [s] of at most this length."""
-    limit = min(training.identify.time_limit, limit)
-    return replace(training, identify=training.identify.model_copy(update={"time_limit": limit}))
+    update = {"time_limit": min(training.identify.time_limit, limit)}
+    return replace(training, identify=training.identify.model_copy(update=update))
 
 
 def _rms(errors: FloatArray) -> float:
@@ -176,13 +179,14 @@ def _errors(model: StoredModel, records: Sequence[Log], *, held_out: bool = True
 
     NaN where masked; at most 1, as where the run diverged.
     """
-    valid = [record.q[record.valid] for record in records]
-    span = max(float(q.max()) for q in valid) - min(float(q.min()) for q in valid)
-    errors = []
-    for record in records:
-        error = np.minimum(np.nan_to_num(np.abs(from_first(model, record).q - record.q), nan=np.inf) / span, 1.0)
-        errors.append(np.where(record.valid, error, np.nan)[fitted_samples(len(record.t)) if held_out else 0 :])
-    return np.concatenate(errors)
+    span = float(np.ptp(operating_range(records)))
+    errors = [np.nan_to_num(np.abs(from_first(model, record).q - record.q), nan=np.inf) / span for record in records]
+    return np.concatenate(
+        [
+            np.where(r.valid, np.minimum(error, 1.0), np.nan)[fitted_samples(len(r.t)) if held_out else 0 :]
+            for r, error in zip(records, errors, strict=True)
+        ]
+    )
 
 
 LOST = 0.15
@@ -214,7 +218,6 @@ def main_model(models: Mapping[str, StoredModel], training: Training) -> tuple[s
     lost = {
         name: max((_lost(model, record) for record in training.records), default=0.0) for name, model in models.items()
     }
-    chaotic = bool(models[first].describe().get("chaotic"))
     best = min(lost, key=lambda name: lost[name])
     if lost[first] > LOST >= lost[best]:
         return (
@@ -223,10 +226,10 @@ def main_model(models: Mapping[str, StoredModel], training: Training) -> tuple[s
         )
     if first == "rbf":
         own = _by_horizon(models[first], training)
+        chaotic = models[first].describe().get("chaotic")
         for name, model in models.items():
             if name != first and (chaotic or lost[name] < lost[first]) and _surely(_by_horizon(model, training), own):
-                horizons = sorted({round(error.horizon_s, 3) for error in own})
-                after = " and ".join(f"{horizon:g} s" for horizon in horizons)
+                after = " and ".join(f"{horizon:g} s" for horizon in sorted({round(e.horizon_s, 3) for e in own}))
                 return name, f"{name} predicts the training logs surely better than {first} after {after}"
     return first, ""
 
@@ -237,20 +240,25 @@ def _percent(error: float) -> str:
 
 def _lost(model: StoredModel, record: Log) -> float:
     """Error of a free run over the range of q in its log, at most 1: that of one that diverged."""
-    measured = np.where(record.valid, record.q, np.nan)
-    return free_run_error(measured, from_first(model, record).q, float(np.ptp(record.known_q)))
+    return free_run_error(
+        np.where(record.valid, record.q, np.nan), from_first(model, record).q, float(np.ptp(record.known_q))
+    )
 
 
 def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:
     """Errors after the horizons of scores that the samples have, log by log."""
     errors: list[HorizonError] = []
     for record in training.records:
-        interval = record.interval
-        length = float(record.t[-1] - record.t[0])
-        times = [time for time, _ in HORIZONS.values() if SHORTEST_HORIZON * interval <= time <= length / 2.0]
+        half = float(record.t[-1] - record.t[0]) / 2.0
+        times = [time for time, _ in HORIZONS.values() if SHORTEST_HORIZON * record.interval <= time <= half]
         q, speed = (np.where(record.valid, signal, np.nan) for signal in (record.q, record.qdot))
-        path = MeasuredPath(record.t, record.drive_of(fine=model.fine_voltages), q, speed)
-        errors += horizon_errors(predictor(model), path, times, plant=None, most_starts=STARTS)
+        errors += horizon_errors(
+            predictor(model),
+            MeasuredPath(record.t, record.drive_of(fine=model.fine_voltages), q, speed),
+            times,
+            plant=None,
+            most_starts=STARTS,
+        )
     return errors
 
 

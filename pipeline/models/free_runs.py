@@ -25,7 +25,7 @@ from ..errors import InputError
 from ..numerics.arrays import FloatArray
 from ..signals.log import EDGE, MOST_SAMPLES, Log, operating_range, within
 from ..store.columns import TUBE_COLUMNS
-from .base import DrawnModel, DynamicModel, FreeRun, HasDraws, HasTubes, TubeScale
+from .base import DynamicModel, FreeRun, HasDraws, HasTubes, TubeScale
 
 COVERAGE = 0.9
 """Probability with which a sample of another log lies in the tubes."""
@@ -78,8 +78,7 @@ def tube_scale(
     apart = APART * span
     ratio = np.abs(free - measured) / _spread(free, ensemble, floor, apart)
     ratio = ratio[np.isfinite(ratio)]
-    quantile = float(np.quantile(ratio, COVERAGE)) if ratio.size else 1.0
-    return TubeScale(margin * quantile, floor, apart)
+    return TubeScale(margin * (float(np.quantile(ratio, COVERAGE)) if ratio.size else 1.0), floor, apart)
 
 
 def tubes(free: FloatArray, ensemble: FloatArray, scale: TubeScale) -> Tubes:
@@ -108,8 +107,8 @@ def _spread(free: FloatArray, ensemble: FloatArray, floor: float, apart: float) 
     """√(s² + s₀²), shape (N,)."""
     distance = ensemble - free
     near = np.abs(distance) <= apart
-    count = np.maximum(np.count_nonzero(near, axis=0), 1)
-    return np.asarray(np.sqrt(np.sum(np.where(near, distance, 0.0) ** 2, axis=0) / count + floor**2))
+    squares = np.sum(np.where(near, distance, 0.0) ** 2, axis=0)
+    return np.asarray(np.sqrt(squares / np.maximum(np.count_nonzero(near, axis=0), 1) + floor**2))
 
 
 def free_run(log: Log, model: DynamicModel) -> FreeRun:
@@ -122,13 +121,13 @@ def free_run(log: Log, model: DynamicModel) -> FreeRun:
     model : DynamicModel
         Model to simulate.
     """
-    q, qdot, qddot = (np.full(len(log.t), np.nan) for _ in range(3))
+    q, qdot, qddot = motion = np.full((3, len(log.t)), np.nan)
     for rows, part in zip(log.part_rows(), log.parts(), strict=True):
         made = model.simulate(*start_of(part, model))
-        q[rows], qdot[rows], qddot[rows] = made.q, made.qdot, made.qddot
+        motion[:, rows] = made.q, made.qdot, made.qddot
         if made.status != "ok":
-            return FreeRun(t=log.t, q=q, qdot=qdot, qddot=qddot, status=made.status, diverged_at_s=made.diverged_at_s)
-    return FreeRun(t=log.t, q=q, qdot=qdot, qddot=qddot, status="ok", diverged_at_s=None)
+            return FreeRun(log.t, q, qdot, qddot, made.status, made.diverged_at_s)
+    return FreeRun(log.t, q, qdot, qddot, "ok")
 
 
 def drawn_runs(log: Log, model: DynamicModel) -> FloatArray | None:
@@ -146,8 +145,7 @@ def drawn_runs(log: Log, model: DynamicModel) -> FloatArray | None:
 
 def tube_columns(tubes: Tubes) -> dict[str, FloatArray]:
     """Tubes by the columns of the predictions."""
-    ends = (tubes.low, tubes.high, tubes.other_low, tubes.other_high)
-    return dict(zip((column.key for column in TUBE_COLUMNS), ends, strict=True))
+    return dict(zip((column.key for column in TUBE_COLUMNS), vars(tubes).values(), strict=True))
 
 
 def tubes_of(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel) -> Tubes | None:
@@ -212,14 +210,14 @@ def followed_velocity(log: Log, v: FloatArray, model: DynamicModel) -> float:
     return best
 
 
-def scale_on(records: Sequence[Log], model: DrawnModel, floor: float, margin: float, least: float = 0.0) -> TubeScale:
+def scale_on(records: Sequence[Log], model: HasDraws, floor: float, margin: float, least: float = 0.0) -> TubeScale:
     """Scale of the tubes, from the errors on the training logs. Cost: 33 runs of each log.
 
     Parameters
     ----------
     records : sequence of Log
         The training logs.
-    model : DrawnModel
+    model : HasDraws
         Model fitted to them.
     floor : float
         RMS error of q [m or rad] on the training data.

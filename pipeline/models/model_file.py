@@ -115,29 +115,25 @@ Rising = Annotated[FloatArray, Table("M"), AfterValidator(_rising)]
 Span = Annotated[FloatArray, Table("2"), AfterValidator(_rising)]
 
 
-def _of_joint(values: dict[str, float]) -> dict[str, float]:
-    """Parameters of a joint that are all there and of no absurd size; their signs are checked where a set is made."""
-    if values.keys() != set(VECTOR_NAMES):
+ABSURD = 1e4
+"""Factor between a parameter of the set `nominal` and one that no joint has."""
+_VALUES: TypeAdapter[dict[str, float]] = TypeAdapter(dict[str, Real])
+
+
+def _set_of(values: Any) -> Any:
+    """The parameter set of its values by name, which are all there and of no absurd size."""
+    if isinstance(values, JointParameters):
+        return values
+    numbers = _VALUES.validate_python(values, strict=True)
+    if numbers.keys() != set(VECTOR_NAMES):
         raise ValueError("does not hold the parameters of this version")
-    for name, value in values.items():
+    for name, value in numbers.items():
         usual = abs(NOMINAL.value(name)) or 1.0
         low = usual / ABSURD if QUANTITIES[name].sign == "positive" else -usual * ABSURD
         if not low <= value <= usual * ABSURD:
             raise ValueError(f"{name} = {value:g} is no size of a joint")
-    return values
-
-
-ABSURD = 1e4
-"""Factor between a parameter of the set `nominal` and one that no joint has."""
-_VALUES: TypeAdapter[dict[str, float]] = TypeAdapter(Annotated[dict[str, Real], AfterValidator(_of_joint)])
-
-
-def _set_of(values: Any) -> Any:
-    """The parameter set of its values by name."""
-    if isinstance(values, JointParameters):
-        return values
     try:
-        return NOMINAL.with_values(_VALUES.validate_python(values, strict=True))
+        return NOMINAL.with_values(numbers)
     except InputError as error:
         raise ValueError(str(error)) from error
 
@@ -168,11 +164,10 @@ def _facts(value: Any, levels: int = _DEEPEST) -> Any:
         if not levels or len(value) > _MOST_FACTS:
             raise ValueError("is nested too deeply or has too many entries")
         return {str(key): _facts(entry, levels - 1) for key, entry in value.items()}
-    if isinstance(value, str | bool | int | float):
-        if isinstance(value, str) and len(value) > _LONGEST_TEXT:
-            raise ValueError("holds a text that is too long")
-        return value
-    if not isinstance(value, np.ndarray | np.generic | list | tuple) or np.asarray(value).dtype.kind not in "biufU":
+    if isinstance(value, str) and len(value) > _LONGEST_TEXT:
+        raise ValueError("holds a text that is too long")
+    known = isinstance(value, str | bool | int | float | np.ndarray | np.generic | list | tuple)
+    if not known or np.asarray(value).dtype.kind not in "biufU":
         raise ValueError("holds something else than texts and numbers")
     return value
 
@@ -216,7 +211,7 @@ def read_part(part: type[PartT], tree: Mapping[str, Any], name: str, command: st
     Parameters
     ----------
     part : type
-        A `FilePart`, or a dataclass of pydantic with `STORED`.
+        A `ModelFile`, or a dataclass of pydantic with `STORED`.
     tree : mapping
         Contents of the file.
     name : str
@@ -244,29 +239,23 @@ def tree_of(part: Any) -> dict[str, Any]:
     """Dictionary of arrays, numbers and texts, from which `read_part` restores the part."""
     if isinstance(part, JointParameters):
         return {name: part.value(name) for name in VECTOR_NAMES}
-    fields = type(part).__pydantic_fields__
-    entries = {name: getattr(part, name) for name, field in fields.items() if not field.exclude}
-    return {name: tree_of(entry) if is_dataclass(entry) else entry for name, entry in entries.items()}
+    entries = ((n, getattr(part, n)) for n, field in type(part).__pydantic_fields__.items() if not field.exclude)
+    return {name: tree_of(entry) if is_dataclass(entry) else entry for name, entry in entries}
 
 
-class FilePart(BaseModel):
-    """Entries of a file; a subclass names them, and in `sizes` the least and largest length of each axis.
+class ModelFile(BaseModel):
+    """Entries of a model's file; a subclass names them, and in `sizes` the least and largest length of each axis.
 
     The text below a field is its line of help; without one that of the class is.
     """
 
     model_config = ConfigDict(strict=True, frozen=True, **STORED)
     sizes: ClassVar[Sizes] = {}
+    diagnostics: Facts = {}
 
     @model_validator(mode="after")
     def _fit(self) -> Self:
         return fitting(self)
-
-
-class ModelFile(FilePart):
-    """The tree of a model."""
-
-    diagnostics: Facts = {}
 
     def to_tree(self) -> dict[str, Any]:
         """The contents as a dictionary of arrays, numbers and texts."""
@@ -356,9 +345,12 @@ def columns_of(device: Device, files: Mapping[str, type[Any]]) -> Columns:
     files : mapping of str to type
         The declaration of each group of the file.
     """
-    mass = MASS[device.displacement.symbol] if device.known_mass is not None else "1"
-    stiffness = {"N": "N/m", "N·m": "N·m/rad"}.get(device.curve_units["F"], "1/s²")
-    units = {"q": device.displacement.symbol, "v": device.inputs[0].symbol, "m": mass, "c": stiffness}
+    units = {
+        "q": device.displacement.symbol,
+        "v": device.inputs[0].symbol,
+        "m": MASS[device.displacement.symbol] if device.known_mass is not None else "1",
+        "c": {"N": "N/m", "N·m": "N·m/rad"}.get(device.curve_units["F"], "1/s²"),
+    }
     return partial(column_of, units=units | device.curve_units, files=files)
 
 

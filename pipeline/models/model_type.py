@@ -19,6 +19,7 @@ from ..store.trees import read_tree
 from ..system.package import object_at
 from ..system.worker_pool import OnProgress, silent
 from .base import DynamicModel
+from .model_file import read_part
 
 FITTED_SHARE = 0.75
 """Share of each training log that candidates are fitted to when they are judged on the rest."""
@@ -72,12 +73,10 @@ class KnownCurves:
         InputError
             A curve has fewer than four points there.
         """
+        inside = (self.q >= low) & (self.q <= high)
         named = {"F": self.force} | {f"input {k}": gain for k, gain in enumerate(self.gains, start=1)}
         for name, curve in named.items():
-            if curve is None:
-                continue
-            points = np.count_nonzero(np.isfinite(curve) & (self.q >= low) & (self.q <= high))
-            if points < LEAST_POINTS:
+            if curve is not None and (points := np.count_nonzero(np.isfinite(curve) & inside)) < LEAST_POINTS:
                 raise InputError(
                     f"the measured curve of {name} has {points} points where the training data are ({low:.4g} to "
                     f"{high:.4g}), at least {LEAST_POINTS} are needed; check q and its unit in the file of plant.curves"
@@ -85,8 +84,8 @@ class KnownCurves:
 
     def per_unit_mass(self, mass: float) -> "KnownCurves":
         """Forces over the moving mass [kg]."""
-        force = None if self.force is None else self.force / mass
-        return KnownCurves(self.q, force, tuple(None if gain is None else gain / mass for gain in self.gains))
+        force, *gains = (None if curve is None else curve / mass for curve in (self.force, *self.gains))
+        return KnownCurves(self.q, force, tuple(gains))
 
 
 @dataclass(frozen=True)
@@ -150,14 +149,14 @@ class ModelType:
     ----------
     fit : callable
         Training data → model.
-    read : callable
-        Tree of arrays (`StoredModel.to_tree`) → model.
+    file : type
+        Class of the model, which declares its tree (`pipeline.models.model_file`).
     equations : str
         ``module:function`` that writes its equations for C, MATLAB and FMU; empty if it cannot be exported.
     """
 
     fit: Callable[[Training], StoredModel]
-    read: Callable[[dict[str, Any]], DynamicModel]
+    file: type[StoredModel]
     equations: str = ""
 
 
@@ -175,8 +174,9 @@ def model_type(name: str) -> ModelType:
     """
     listed = entry(name)
     if listed is None:
-        every = ", ".join(sorted(model.name for model in ENTRIES))
-        raise InputError(f"there is no model {name!r}; choose one of {every}")
+        raise InputError(
+            f"there is no model {name!r}; choose one of {', '.join(sorted(model.name for model in ENTRIES))}"
+        )
     return cast(ModelType, object_at(listed.model_type))
 
 
@@ -212,7 +212,7 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
             "`hybrid`: run `debist run PROTOTYPE.toml -o RUN` again"
         )
     try:
-        return family.read(dict(tree))
+        return read_part(family.file, tree, name, next(listed.part for listed in ENTRIES if listed.name == name))
     except (TypeError, ValueError, ArithmeticError, InputError) as error:
         raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist run` again") from None
 

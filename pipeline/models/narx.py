@@ -13,7 +13,6 @@ the simplest within one standard error of the least error of free runs on held-o
 import itertools
 import warnings
 from collections.abc import Iterator, Sequence
-from functools import partial
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -38,7 +37,6 @@ from .model_file import (
     Span,
     Table,
     Unit,
-    read_part,
 )
 from .model_type import ModelType
 from .polynomial_dynamics import monomials
@@ -159,7 +157,7 @@ class NarxModel(ModelFile):
             The record has another sample interval than the equation.
         """
         _check_interval(t, self.interval_s, self.name)
-        q, reached = self.run(v, q0, qdot0)
+        q, reached = self.run(v, np.array([q0]), qdot0)
         qdot, qddot = np.full((2, q.size), np.nan)
         qdot[:reached] = finite_difference(q[:reached], self.interval_s, 1)
         qddot[:reached] = finite_difference(q[:reached], self.interval_s, 2)
@@ -174,11 +172,10 @@ class NarxModel(ModelFile):
         unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, np.arange(len(seen))))
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             first = max(int(unmeasured[start]) + 1, start - reach)
-            past = seen[first : start + 1]
-            run, _ = self.run(v[first : start + count + 1], float(past[-1]), float(speed[start]), past)
+            run, _ = self.run(v[first : start + count + 1], seen[first : start + 1], float(speed[start]))
             yield run[start - first :]
 
-    def run(self, v: FloatArray, q0: float, qdot0: float, seen: FloatArray | None = None) -> tuple[FloatArray, int]:
+    def run(self, v: FloatArray, seen: FloatArray, qdot0: float) -> tuple[FloatArray, int]:
         """Free run at the equation's own sample interval; before what was seen q followed a parabola of slope q̇0.
 
         Its bend is the acceleration that the equation itself gives, so that increments, which are velocities half a
@@ -188,11 +185,10 @@ class NarxModel(ModelFile):
         ----------
         v : FloatArray, shape (N, K)
             Inputs at the samples [V].
-        q0, qdot0 : float
-            Initial displacement [m] and velocity [m/s].
-        seen : FloatArray, shape (M,), optional
-            Displacement [m] of the first M samples where it was measured, of which the last is q0: the run begins
-            there.
+        seen : FloatArray, shape (M,)
+            Displacement [m] of the first M samples, at the last of which the run begins.
+        qdot0 : float
+            Velocity [m/s] there.
 
         Returns
         -------
@@ -203,15 +199,14 @@ class NarxModel(ModelFile):
         """
         q = np.full(len(v), np.nan)
         first = float(qdot0) * self.interval_s
-        begin = 0 if seen is None else len(seen) - 1
+        begin = len(seen) - 1
         u = self._lagged(v)
         ages = np.arange(self.structure[1])
-        q[begin] = q0
-        x = np.concatenate([[q0], np.full(ages.size, first), u[begin]]) / self.scales
+        q[begin] = seen[-1]
+        x = np.concatenate([seen[-1:], np.full(ages.size, first), u[begin]]) / self.scales
         delta = np.array(first - (ages + 0.5) * _change(self.exponents, self.coefficients, x), dtype=np.float64)
-        if seen is not None:
-            past = np.diff(seen)[::-1][: ages.size]
-            delta[: past.size] = past
+        past = np.diff(seen)[::-1][: ages.size]
+        delta[: past.size] = past
         return q, int(_run(self.exponents, self.coefficients, self.scales, self.bounds, u, q, delta, begin))
 
     def _lagged(self, v: FloatArray) -> FloatArray:
@@ -339,11 +334,10 @@ def _pursuit(library: NarxModel, grams: Sequence[FloatArray]) -> dict[int, NarxM
 
 
 def _error(model: NarxModel, x: Log, span: float) -> float:
-    q, _ = model.run(x.v, float(x.q[0]), float(x.qdot[0]))
-    return free_run_error(x.q, q, span)
+    return free_run_error(x.q, model.run(x.v, x.q[:1], float(x.qdot[0]))[0], span)
 
 
 NARX = ModelType(
     lambda data: identify_narx(data.segments, data.device, most=data.compare.candidates),
-    partial(read_part, NarxModel, name="narx", command="compare"),
+    NarxModel,
 )

@@ -28,7 +28,7 @@ _PARTS = {
     "equations_with_rbf": "with basis functions",
     "rbf_alone": "rbf from data alone",
 }
-"""Parts that an ablation leaves out (`pipeline.models.choose.ABLATION`), in words."""
+"""Parts that an ablation leaves out (`pipeline.models.choose.Choice.to_json`), in words."""
 
 
 Rows = list[tuple[str, ...]]

@@ -373,8 +373,10 @@ def entries(figure: Figure, models: Sequence[str], *, marks: bool = False) -> li
     for panel in figure.panels:
         for label, style in _of(panel, models):
             styles.setdefault(label, style)
-    ordered = sorted(styles.items(), key=lambda entry: _place(entry[1]))
-    return ordered + [(name, MARKS[name]) for name in figure.marks if marks and name in MARKS]
+    return [
+        *sorted(styles.items(), key=lambda entry: _place(entry[1])),
+        *((name, MARKS[name]) for name in figure.marks if marks and name in MARKS),
+    ]
 
 
 def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:

@@ -82,9 +82,11 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         _inputs(data, log),
     ]
     notes = log.record_notes
-    raw = ""
-    if "raw_rows" in notes:
-        raw = f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
+    raw = (
+        f" (the raw log has {grouped(notes['raw_rows'])} rows, one every {quantity(notes['raw_step'], 's')})"
+        if "raw_rows" in notes
+        else ""
+    )
     shaded = " Shaded: masked rows." if _masked(t, log.record["segment"]) else ""
     return _timeline(
         data,

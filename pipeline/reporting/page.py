@@ -24,7 +24,7 @@ from .figure import MARKS, Figure, Line, Panel, axis_label, extreme_places, slot
 _ASSETS = files(full_name("reporting")) / "assets"
 _DASHES = {"mark": [], "snap": [4, 3]}  # of upright lines, by their kind
 LEVELS = 65534  # codes 0 … 65534; 65535 stands for no sample
-MISSING = 65535
+MISSING = LEVELS + 1
 DEFLATION = 6  # of deflate; 9 takes ten times as long and saves 0.5 %
 LONGEST = 60_000  # samples a series may have before it is stored by the extremes of its buckets
 
@@ -88,8 +88,15 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
         f"default-src 'none'; script-src '{csp_hash(script)}'; style-src '{csp_hash(style)}'; img-src data:; "
         "base-uri 'none'; form-action 'none'"
     )
-    ours = {"style": Markup(style), "script": Markup(script)}  # noqa: S704 - files of this package, no input
-    return environment.get_template(template).render(context, policy=policy, **ours) + "\n"
+    return (
+        environment.get_template(template).render(
+            context,
+            policy=policy,
+            style=Markup(style),  # noqa: S704 - files of this package, no input
+            script=Markup(script),  # noqa: S704 - likewise
+        )
+        + "\n"
+    )
 
 
 def _commands(text: str) -> Markup:

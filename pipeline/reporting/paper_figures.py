@@ -53,7 +53,7 @@ def _equilibria(result: "Characteristics") -> Panel:
         line
         for state, branches in result.diagrams.items()
         for branch in branches
-        for line in _by_stability(_STATES[state], _role(state), branch.q, branch.parameter, branch.stable)
+        for line in _by_stability(_STATES[state], _role(state), branch.y[:, 0], branch.parameter, branch.stable)
     ]
     for text, limit in (("bistable from", result.z_b_min), ("switchable to", result.z_b_max)):
         if limit is not None and limit <= _HIGHEST:
@@ -176,13 +176,15 @@ def modes_figure(joint: "JointParameters", modes: "BeamModes", t: FloatArray) ->
 
 def _static_path(joint: "JointParameters") -> tuple[tuple[Line, ...], tuple[Line, ...]]:
     """The static path q_m(q), bending as shares of w(l) and axial, and the polynomials fitted to it."""
-    from numpy.polynomial.polynomial import polyval
+    from numpy.polynomial.polynomial import polyfit, polyval
 
-    from ..models.analytical.reduced_order import polynomial_shapes
     from ..models.analytical.statics import static_path
 
     path = static_path(joint, np.linspace(-PATH_REACH, PATH_REACH, 161), np.zeros(2))
-    fitted = polyval(path.q / PATH_REACH, polynomial_shapes(path, PATH_DEGREE).T)
+    # One polynomial in q for each Ritz coordinate, as the paper fits them (figure 6b)
+    place = path.q / np.max(np.abs(path.q))
+    shapes = np.stack([polyfit(place, column, PATH_DEGREE) for column in path.qm.T], axis=1)
+    fitted = polyval(path.q / PATH_REACH, shapes)
     polynomial = f"polynomials of degree {PATH_DEGREE}"
     lines = [
         (
@@ -219,7 +221,7 @@ def motion_figure(motions: "Motions") -> Figure:
                         Line("reduced to q", "both", full.t, b, "dashed"),
                     ),
                 )
-                for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot))
+                for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.qdot, reduced.qdot))
             ),
         ),
     )
@@ -235,8 +237,12 @@ def basis_figure(q: FloatArray, bells: FloatArray, weights: FloatArray) -> Figur
     """Figure 8b: the basis functions at q (n, M), and c(q) as their weighted sum; weights (M,) [N/m]."""
     functions = tuple(Line(f"{len(weights)} basis functions", "v1", q, bell) for bell in bells.T)
     terms = tuple(Line("its terms", "raw", q, term) for term in (bells * weights).T)
-    total = Line("weighted sum", "rbf-paper", q, bells @ weights, "solid")
-    return _over_q("basis", "Basis functions", Panel("φᵢ", "1", functions), Panel("c", "N/m", (*terms, total)))
+    return _over_q(
+        "basis",
+        "Basis functions",
+        Panel("φᵢ", "1", functions),
+        Panel("c", "N/m", (*terms, Line("weighted sum", "rbf-paper", q, bells @ weights, "solid"))),
+    )
 
 
 def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
@@ -347,11 +353,14 @@ def curves_figure(curves: Mapping[str, Mapping[str, FloatArray]], q: FloatArray)
     """Figure 14: restoring force, damping and both ∂C/∂q by model; every curve is whole within its axes."""
     units = replace(JOINT, known_mass=1.0).curve_units
     shown = (("F", "F", "F"), ("d", "d", "d"), ("dC1_dq", "∂C₁/∂q", "dC"), ("dC2_dq", "∂C₂/∂q", "dC"))
-    panels = tuple(
-        Panel(title, units[unit], tuple(Line(model, model, q, own[key]) for model, own in curves.items()))
-        for key, title, unit in shown
+    return _over_q(
+        "curves",
+        "Characteristic curves",
+        *(
+            Panel(title, units[unit], tuple(Line(model, model, q, own[key]) for model, own in curves.items()))
+            for key, title, unit in shown
+        ),
     )
-    return _over_q("curves", "Characteristic curves", *panels)
 
 
 PERCENT = 100.0
@@ -475,8 +484,7 @@ def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
             )
             for i, (value, rows) in enumerate(rows_of.items())
         )
-        name = "constant F" if drift == 0.0 else f"F + {PERCENT * drift:g} %"
-        panels.append(Panel(name, "%", lines, log=True))
+        panels.append(Panel("constant F" if drift == 0.0 else f"F + {PERCENT * drift:g} %", "%", lines, log=True))
     return Figure(
         "study-online",
         "Online identification",

@@ -154,8 +154,14 @@ def plotted(figure: Figure, models: Sequence[str], look: Look | None = None, can
             rows, columns, sharex=columns == 1 and not own, squeeze=False, gridspec_kw={"height_ratios": heights}
         )
         for number, (panel, on) in enumerate(zip(figure.panels, axes.flat, strict=False)):
-            bottom = number >= len(figure.panels) - 1 or columns > 1 or own
-            _panel(figure, panel, on, models, labelled=bottom, wide=look.width / columns > 5.0)
+            _panel(
+                figure,
+                panel,
+                on,
+                models,
+                labelled=number >= len(figure.panels) - 1 or columns > 1 or own,
+                wide=look.width / columns > 5.0,
+            )
             if look.letters and len(figure.panels) > 1:
                 on.set_title(f"({chr(ord('a') + number)})", loc="left")
         for spare in axes.flat[len(figure.panels) :]:
@@ -192,10 +198,9 @@ def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, lab
             zero(0.0, color="#a9b1bb", linewidth=0.4, zorder=0.5)
     for name, positions in figure.marks.items():
         colour, dashes = _MARK_COLOURS[MARKS.get(name, Style("mark")).kind]
-        segments = [np.array([[at * fx, 0.0], [at * fx, 1.0]]) for at in positions]
         on.add_collection(
             LineCollection(
-                segments,
+                [np.array([[at * fx, 0.0], [at * fx, 1.0]]) for at in positions],
                 colors=colour,
                 linestyles=[dashes],
                 linewidths=0.4,
@@ -229,14 +234,13 @@ def _content(on: Axes, panel: Panel, models: Sequence[str], fx: float, fy: float
     for points in panel.points:
         colour = slot_colour(slot(points.role, models))
         fill = {"dot": colour, "ring": "#ffffff"}.get(points.marker, "none")
-        edge = "#ffffff" if points.marker == "dot" else colour
         on.plot(
             points.x * fx,
             points.y * fy,
             linestyle="none",
             marker=_MARKERS[points.marker],
             markerfacecolor=fill,
-            markeredgecolor=edge,
+            markeredgecolor="#ffffff" if points.marker == "dot" else colour,
             zorder=3,
             clip_on=False,
         )
@@ -260,8 +264,11 @@ def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, *, about:
         powers = high > MOST_PLAIN * low
         axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: log_label(value, powers=powers)))
     else:
-        steps = [1, 2, 5, 10] if whole else [1, 2, 2.5, 5, 10]
-        axis.set_major_locator(ticker.MaxNLocator(about, steps=steps, min_n_ticks=3, integer=whole))
+        axis.set_major_locator(
+            ticker.MaxNLocator(
+                about, steps=[1, 2, 5, 10] if whole else [1, 2, 2.5, 5, 10], min_n_ticks=3, integer=whole
+            )
+        )
     (on.set_xlim if which == "x" else on.set_ylim)(low, high)
 
 
@@ -307,8 +314,14 @@ def _sample(style: Style) -> Artist:
     if style.kind == "band":
         return Patch(facecolor=colour, alpha=BAND_OPACITY)
     if style.kind in _MARKERS:
-        fill = {"dot": colour, "ring": "#ffffff"}.get(style.kind, "none")
-        return Line2D([], [], linestyle="none", marker=_MARKERS[style.kind], color=colour, markerfacecolor=fill)
+        return Line2D(
+            [],
+            [],
+            linestyle="none",
+            marker=_MARKERS[style.kind],
+            color=colour,
+            markerfacecolor={"dot": colour, "ring": "#ffffff"}.get(style.kind, "none"),
+        )
     width = WIDTHS[style.kind]
     return Line2D([], [], color=colour, linewidth=width, dashes=_dashes(style.slot, style.dash, width))
 

@@ -60,7 +60,6 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     views = {
         f"{log.key}-{kind}": _without_q(figures[f"{log.key}-{kind}"]) for kind in SECTION_TITLES for log in data.logs
     }
-    interactive = [first, *views.values()]
     shown = {first.name, *(f"{log.key}-{kind}" for kind in LOG_FIGURES for log in data.logs)}
     charts: dict[str, list[dict[str, Any]]] = {kind: [] for kind in ("residual", "study", "control", "")}
     for name, figure in figures.items():
@@ -132,7 +131,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
                 *([("studies", "Studies")] if charts["study"] else []),
                 ("provenance", "Provenance"),
             ],
-            "viewer_json": json_for_script(viewer_data(interactive, models)),
+            "viewer_json": json_for_script(viewer_data([first, *views.values()], models)),
         },
     )
 

@@ -209,15 +209,13 @@ def lines(table: NrmseTable) -> list[list[str]]:
         *(f"{HEADINGS[s]} [%]" for s in table.signals),
         *(column.heading for column in table.extras),
     ]
-    rows = [
-        [
-            row.log,
-            row.model,
-            *(cell.text + BEST * cell.best + TIED * cell.tied for cell in row.cells),
-        ]
-        for row in table.rows
+    return [
+        heading,
+        *(
+            [row.log, row.model, *(cell.text + BEST * cell.best + TIED * cell.tied for cell in row.cells)]
+            for row in table.rows
+        ),
     ]
-    return [heading, *rows]
 
 
 def disarmed(value: Any) -> Any:

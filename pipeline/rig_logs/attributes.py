@@ -71,15 +71,16 @@ def note_on_rate(name: str, number: float, rate: float) -> str:
     return f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:.9g}"
 
 
-_GROUP_OF = re.compile(r"(^|[./])[^./]*$")
+GROUP_OF = re.compile(r"(^|[./])[^./]*$")
+"""Last part of a name, behind its group."""
 
 
 def rates_beside(channel: str, rates: Mapping[str, float]) -> Mapping[str, float]:
     """The rates that stand in the group of a channel, else in the nearest one around it; all where none does."""
     group = channel
     while group:
-        group = _GROUP_OF.sub("", group)
-        if beside := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
+        group = GROUP_OF.sub("", group)
+        if beside := {name: rate for name, rate in rates.items() if GROUP_OF.sub("", name) == group}:
             return beside
     return rates
 
@@ -102,17 +103,13 @@ def unit_among(attributes: Mapping[str, Any], column: int = 0, columns: int = 1)
 
 def description_among(attributes: Mapping[str, Any]) -> str:
     """Description of a channel among its attributes, on one line; "" where none has one."""
-    for name in filter(_DESCRIPTION.fullmatch, attributes):
-        text = plain(attributes[name])
-        if isinstance(text, str) and text.strip():
-            return " ".join(text.split())
-    return ""
+    texts = (plain(attributes[name]) for name in filter(_DESCRIPTION.fullmatch, attributes))
+    return next((" ".join(text.split()) for text in texts if isinstance(text, str) and text.strip()), "")
 
 
 def texts_among(attributes: Mapping[str, Any]) -> str:
     """All attributes that are texts, as one line."""
-    texts = (plain(value) for value in attributes.values())
-    return "; ".join(" ".join(text.split()) for text in texts if isinstance(text, str))
+    return "; ".join(" ".join(text.split()) for text in map(plain, attributes.values()) if isinstance(text, str))
 
 
 def monitor_ratio(*texts: str) -> float:
@@ -136,8 +133,11 @@ def rates_among(attributes: Mapping[str, Any], place: str) -> dict[str, tuple[fl
 
 def starts_among(attributes: Mapping[str, Any], place: str) -> dict[str, float]:
     """Numbers among attributes that state when a channel begins [s], by their names; `place` stands before these."""
-    numbers = {name: _number(attributes[name]) for name in filter(_START.fullmatch, attributes)}
-    return {f"{place}.{name}" if place else name: number for name, number in numbers.items() if number is not None}
+    return {
+        f"{place}.{name}" if place else name: number
+        for name in filter(_START.fullmatch, attributes)
+        if (number := _number(attributes[name])) is not None
+    }
 
 
 def is_unit(name: str) -> bool:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from ..units.units import SECONDS, time_unit
+from .attributes import GROUP_OF
 
 Role = Literal["time", "q", "v1", "v2"]
 
@@ -43,8 +44,6 @@ _CLOCK = re.compile(r"t|time|zeit|timestamp|clock|xvalue", re.IGNORECASE)
 """Rest of the name of a clock that is named after its channel …"""
 _BETWEEN_WORDS = re.compile(r"[\W_]+")
 """… without this."""
-_GROUP = re.compile(r"(?:^|[./])[^./]*$")
-"""Last part of a name, behind its group."""
 _NAME_SUFFIX = re.compile(r"(?:[_ \[(]|\s*/\s*)(?P<unit>[A-Za-zµμ%°]+)[\])]?$")
 
 
@@ -176,7 +175,9 @@ def _clocks(names: Sequence[str], times: Sequence[str], sizes: Mapping[str, int]
     behind = len(times) > 1 and names[0] not in times and names[-1] in times
     for i, name in enumerate(names):
         alike = [time for time in times if sizes[time] == sizes[name]]
-        grouped = [time for time in alike if _GROUP.sub("", name) and _GROUP.sub("", time) == _GROUP.sub("", name)]
+        grouped = [
+            time for time in alike if GROUP_OF.sub("", name) and GROUP_OF.sub("", time) == GROUP_OF.sub("", name)
+        ]
         near = [time for time in alike if time in names[i:]][:1] if behind else [t for t in alike if t in names[:i]]
         called = [time for time in alike if _after(time, name)]
         if name not in times and (alike or not times):

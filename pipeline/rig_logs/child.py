@@ -24,24 +24,24 @@ from numpy.typing import NDArray
 
 from ..errors import disk_failure
 from ..system.isolation import Send, limit
-from ..system.package import module_at
+from ..system.package import object_at
 from .source import (
     MEGABYTE,
     CsvOptions,
     Entry,
     Limits,
     Source,
+    StartTimes,
     UnreadableChannelError,
     UnreadableLogError,
     for_any_variable,
     left_out,
     missing_channel,
     read_start,
-    with_starts,
+    stated_beside,
 )
 
 _LONGEST_ERROR = _LONGEST_TEXT = 2000
-_NO_SPACE = "the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
     "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS",
 }  # fmt: skip
@@ -56,10 +56,6 @@ _OF_A_CHANNEL = (UnreadableChannelError, KeyError, TypeError, NotImplementedErro
 
 def read_log(send: Send, request: dict[str, Any]) -> None:
     """Answer a request; runs in a process of its own (see `pipeline.system.isolation`)."""
-    send({"answer": _answer(send, request)})
-
-
-def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
     limits = Limits(**request["limits"])
     path = Path(request["path"])
     for name in set(os.environ) - _ENVIRONMENT:
@@ -67,7 +63,8 @@ def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
     size = path.stat().st_size
     limit(limits.memory(size), limits.seconds(size), limits.data_bytes + (1 << 22))
     try:
-        return _read(path, request, limits, send)
+        send({"answer": _read(path, request, limits, send)})
+        return
     except UnreadableLogError as error:
         reason = f"{path}: {error}"
     except (MemoryError, *_OF_LIBRARIES) as error:
@@ -78,7 +75,7 @@ def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
             reason = f"{path}: reading it needs more than {most} MB of memory, or than `ulimit -v` leaves"
         elif system is not None:
             reason = f"{path}: cannot be read: {system}"
-    return {"error": " ".join(reason.split())[:_LONGEST_ERROR]}  # libraries write paragraphs; a failure is one line
+    send({"answer": {"error": " ".join(reason.split())[:_LONGEST_ERROR]}})  # of libraries it may be a paragraph
 
 
 def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> dict[str, Any]:
@@ -111,7 +108,10 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
             *left_out({name: f"{error}" for name, error in failed.items()}),
         ],
         "warnings": source.warnings,
-        **_stated(source),
+        "rates": source.rates,
+        "frequencies": source.frequencies,
+        "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
+        "heading": source.heading[:_LONGEST_TEXT],
         "listed": [entry.name for entry in entries if entry.name not in failed],
         "channels": [
             {
@@ -123,16 +123,6 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
             }
             for name, entry in wanted
         ],
-    }
-
-
-def _stated(source: Source) -> dict[str, Any]:
-    """What the log states beside its channels: rates, descriptions, heading."""
-    return {
-        "rates": source.rates,
-        "frequencies": source.frequencies,
-        "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
-        "heading": source.heading[:_LONGEST_TEXT],
     }
 
 
@@ -154,8 +144,7 @@ def _wanted(
             way_out = "" if ":" in texts[name] or ";" in texts[name] else "; export it as numbers"
             raise UnreadableLogError(f"channel {name!r} holds no plain numbers, but {texts[name]}{way_out}")
         if name not in by_alias:
-            remarks = "".join(f"; {warning}" for warning in warnings)
-            raise UnreadableLogError(missing_channel(name, [entry.name for entry in entries]) + remarks)
+            raise UnreadableLogError("; ".join([missing_channel(name, [entry.name for entry in entries]), *warnings]))
     return [(name, by_alias[name]) for name in names]
 
 
@@ -176,11 +165,12 @@ class _Spool:
 
     def __init__(self, path: Path, file: FileIO, declared: int, limits: Limits) -> None:
         self.places: defaultdict[str, list[list[int]]] = defaultdict(list)
-        self._path = path
-        self._largest = limits.largest(path.stat().st_size)
+        size = path.stat().st_size
+        self._largest = limits.largest(size)
         self._file = file
+        self._beyond = f"of samples in a file of {size / 1e6:.3g} MB, beyond the limit of {self._largest / 1e6:.0f} MB"
         if declared > self._largest:
-            raise UnreadableLogError(f"{self._beyond(f'declares {declared / 1e6:.0f} MB')}; refused unread")
+            raise UnreadableLogError(f"declares {declared / 1e6:.0f} MB {self._beyond}; refused unread")
 
     def write(self, name: str, samples: NDArray[Any]) -> None:
         """Append a part of an entry."""
@@ -189,7 +179,7 @@ class _Spool:
         content = np.ascontiguousarray(samples, dtype="<f8").data.cast("B")
         position = self._file.tell()
         if position + len(content) > self._largest:
-            raise UnreadableLogError(self._beyond("holds more"))
+            raise UnreadableLogError(f"holds more {self._beyond}")
         places = self.places[name]
         if places and places[-1][0] + 8 * places[-1][1] == position:
             places[-1][1] += len(samples)
@@ -199,32 +189,13 @@ class _Spool:
             try:
                 content = content[self._file.write(content) :]
             except OSError as error:
-                raise UnreadableLogError(_NO_SPACE) from error
-
-    def _beyond(self, what: str) -> str:
-        size = self._path.stat().st_size / 1e6
-        largest = self._largest / 1e6
-        return f"{what} of samples in a file of {size:.3g} MB, beyond the limit of {largest:.0f} MB"
+                raise UnreadableLogError(
+                    "the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
+                ) from error
 
 
 _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
 _HDF5 = b"\x89HDF\r\n\x1a\n"
-_KNOWN_BUT_NOT_READ = {
-    **dict.fromkeys((b"{", b"[[", b"[{", b"[\n", b"[ "), "JSON; export the log as CSV"),
-    b"# Created by Octave": "Octave's text format; save it by `save -v7 NAME.mat`",
-    b"    -1\n    58": "a universal file (UFF 58); export the log as CSV or MAT",
-    **dict.fromkeys((b"CDF\x01", b"CDF\x02", b"CDF\x05"), "classic netCDF; convert it by `nccopy -k nc4`"),
-    **dict.fromkeys((b"ARROW1", b"FEA1"), "Arrow or Feather; write it as Parquet (pyarrow.parquet.write_table)"),
-    **dict.fromkeys((b"\x89MCAP", b"#ROSBAG"), "a bag of ROS; export its topics as CSV or Parquet"),
-    **dict.fromkeys((b"\x80\x03", b"\x80\x04", b"\x80\x05"), "a pickle of Python; save its arrays by numpy.savez"),
-    **dict.fromkeys((b"7z\xbc\xaf", b"Rar!", b"\x28\xb5\x2f\xfd", b"\x1f\x9d"), "an archive; unpack it"),
-    b"RIFF": "a WAVE or AVI file; export its samples as CSV or MAT",
-    b"SQLite format 3": "a database; export its table as CSV",
-    b"LOGG": "a CAN trace (BLF); export its signals as MDF4",
-    **dict.fromkeys((b"<?xml", b"%PDF", b"\x89PNG", b"\xff\xd8\xff"), "no table of numbers; export the log as CSV"),
-    b"version https://git-lfs": "a pointer of Git LFS; fetch the log itself by `git lfs pull`",
-    **dict.fromkeys((b"<!DOCTYPE html", b"<!doctype html", b"<html"), "a web page; download the log itself"),
-}
 
 
 @dataclass(frozen=True)
@@ -278,23 +249,36 @@ def _is_matlab4(start: bytes) -> bool:
     return False
 
 
-_KNOWN_BY_MORE: tuple[tuple[Callable[[bytes], object], str], ...] = (
+_KNOWN_BUT_NOT_READ: tuple[tuple[Callable[[bytes], object] | tuple[bytes, ...], str], ...] = (
+    ((b"{", b"[[", b"[{", b"[\n", b"[ "), "this is JSON; export the log as CSV"),
+    ((b"# Created by Octave",), "this is Octave's text format; save it by `save -v7 NAME.mat`"),
+    ((b"    -1\n    58",), "this is a universal file (UFF 58); export the log as CSV or MAT"),
+    ((b"CDF\x01", b"CDF\x02", b"CDF\x05"), "this is classic netCDF; convert it by `nccopy -k nc4`"),
+    ((b"ARROW1", b"FEA1"), "this is Arrow or Feather; write it as Parquet (pyarrow.parquet.write_table)"),
+    ((b"\x89MCAP", b"#ROSBAG"), "this is a bag of ROS; export its topics as CSV or Parquet"),
+    ((b"\x80\x03", b"\x80\x04", b"\x80\x05"), "this is a pickle of Python; save its arrays by numpy.savez"),
+    ((b"7z\xbc\xaf", b"Rar!", b"\x28\xb5\x2f\xfd", b"\x1f\x9d"), "this is an archive; unpack it"),
+    ((b"RIFF",), "this is a WAVE or AVI file; export its samples as CSV or MAT"),
+    ((b"SQLite format 3",), "this is a database; export its table as CSV"),
+    ((b"LOGG",), "this is a CAN trace (BLF); export its signals as MDF4"),
+    ((b"<?xml", b"%PDF", b"\x89PNG", b"\xff\xd8\xff"), "this is no table of numbers; export the log as CSV"),
+    ((b"version https://git-lfs",), "this is a pointer of Git LFS; fetch the log itself by `git lfs pull`"),
+    ((b"<!DOCTYPE html", b"<!doctype html", b"<html"), "this is a web page; download the log itself"),
     (lambda start: start[257:262] == b"ustar", "this is an archive; unpack it"),
     (
         _COMTRADE.match,
         "this is the configuration of a COMTRADE record; export the record with its scale factors applied as CSV",
     ),
-    (
-        lambda start: start.startswith(b"MATLAB"),
-        "it begins like a MAT file, and the rest is damaged or missing",
-    ),
+    ((b"MATLAB",), "it begins like a MAT file, and the rest is damaged or missing"),
     (_is_matlab4, "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"),
 )
-"""Formats that are refused by more than the bytes with which they begin."""
+"""Formats that are refused, by the bytes with which they begin, or by a test of the first ones."""
 
 
 def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     """Open a raw log with the reader of its format.
+
+    Where it states a rate and a start for each channel, and these differ, each has its own time.
 
     Raises
     ------
@@ -305,11 +289,9 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     if not start:
         raise UnreadableLogError("the file is empty")
     module = next((form.module for form in FORMATS if form.begins(start)), "csv")
-    for magic, what in _KNOWN_BUT_NOT_READ.items():
-        if module == "csv" and start.startswith(magic):
-            raise UnreadableLogError(f"this is {what}")
-    for is_such, what in _KNOWN_BY_MORE:
-        if module == "csv" and is_such(start):
+    for begins, what in _KNOWN_BUT_NOT_READ if module == "csv" else ():
+        if start.startswith(begins) if isinstance(begins, tuple) else begins(start):
             raise UnreadableLogError(what)
-    source: Source = module_at(f"rig_logs.{module}").open_log(path, csv, limits)
-    return with_starts(source)
+    source: Source = object_at(f"rig_logs.{module}:open_log")(path, csv, limits)
+    starts = source.starts or stated_beside(source)
+    return StartTimes(source, starts) if len(set(starts.values())) > 1 else source

@@ -1,38 +1,43 @@
 """CSV logs: Arrow's reader under the dialect that was found or configured."""
 
+import mmap
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import pyarrow as pa
-import pyarrow.compute as pc
 from numpy.typing import NDArray
 from pyarrow import csv
 
-from ..store.arrow_columns import doubles
+from ..store.arrow_columns import doubles, to_numpy
 from .attributes import note_on_rate
-from .csv_cells import (
+from .csv_dialect import SAMPLE_BYTES, find_dialect
+from .csv_heading import stated_frequencies, stated_rates, stated_scales
+from .csv_text import (
     MISSING,
     NUMBER,
     STAMP,
     SWITCH,
     Clock,
+    as_utf8,
+    bytes_written,
     is_behind,
     is_stamp,
     is_value,
     is_word,
     labview_starts,
-    no_number,
+    last_rows,
+    marks_between_thousands,
     plain_number,
     plain_row,
     split_row,
+    text_of,
     unclear_mark,
+    written,
 )
-from .csv_dialect import SAMPLE_BYTES, find_dialect
-from .csv_heading import stated_frequencies, stated_rates, stated_scales
-from .csv_text import as_utf8, text_of, whole_rows, written
 from .source import (
     MEGABYTE,
     CsvOptions,
@@ -48,10 +53,8 @@ _LARGEST_HEAD = 1 << 24
 _FEWEST_LINES = 20
 _MOST_NAMED = 3
 _MARKED = re.compile(r"\d([.,])\d")
-_EMPTY = "empty cells only in the first rows; no sensor, or another channel?"
-_FIRST_YEAR = "1678"
-_LAST_YEAR = "2261"
-"""Years whose times a count of nanoseconds since 1970 holds."""
+_YEARS = ("1678", "2261")
+"""First and last year whose times a count of nanoseconds since 1970 holds."""
 
 
 class CsvSource(Source):
@@ -71,7 +74,6 @@ class CsvSource(Source):
         self._dialect = find_dialect(start, whole=len(start) < size, options=options)
         self._block = max(MEGABYTE, 2 * size)
         self._columns = unique_names(list(self._dialect.header))
-        self._origins: dict[str, int] = {}
         preamble = self._dialect.preamble
         delimiter = self._dialect.delimiter
         rates = stated_rates(preamble, delimiter)
@@ -82,8 +84,9 @@ class CsvSource(Source):
         self._remarks = list[str]()
         self._firsts = dict(zip(self._columns, self._dialect.firsts, strict=True))
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
-        local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
-        self._clocks = _clocks(self._firsts, local)
+        self._clocks = _clocks(
+            self._firsts, (name for name in self._stamped if not STAMP.fullmatch(self._firsts[name]))
+        )
         texts = self._left_out()
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
         headed = dict(zip(self._columns, self._dialect.headings, strict=True))
@@ -100,7 +103,8 @@ class CsvSource(Source):
     def _left_out(self) -> dict[str, str]:
         """Content of the columns that are no numbers, by name."""
         return {
-            name: text or (repr(cell[:40]) if cell else _EMPTY)
+            name: text
+            or (repr(cell[:40]) if cell else "empty cells only in the first rows; no sensor, or another channel?")
             for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True)
             if text or not cell or not is_value(cell, self._dialect.decimal)
         }
@@ -202,49 +206,41 @@ class CsvSource(Source):
             return number
         is_time = is_stamp(cell)
         is_switch = {cell.lower(), self._firsts[column].lower()} <= SWITCH
-        if is_time and column in self._stamped and cell[:4].isdecimal() and not _FIRST_YEAR <= cell[:4] <= _LAST_YEAR:
+        if is_time and column in self._stamped and cell[:4].isdecimal() and not _YEARS[0] <= cell[:4] <= _YEARS[1]:
             raise UnreadableLogError(
                 f"row {line}: {cell!r} in column {column!r} is the time of a clock that was not set: delete that row"
             )
         if cell.lower() in MISSING or (is_time and column in self._stamped) or is_switch:
             return cell
         if is_time or not is_word(cell):
-            text = no_number(cell, column, self._dialect.decimal)
-            raise UnreadableLogError(f"a row does not fit the table: row {line}: {text}")
+            what = f"a row does not fit the table: row {line}: {cell!r} in column {column!r}"
+            if marks := marks_between_thousands(cell):
+                raise UnreadableLogError(f"{what} has {marks}")
+            raise UnreadableLogError(
+                f"{what} is no number with the decimal mark {self._dialect.decimal!r}: repair or delete that row, or "
+                "leave the cell empty for a missing value"
+            )
         self._words.setdefault(f"{cell[:20]!r} in {column!r}", [0, line])[0] += 1
         return ""
 
     def _lines(self) -> Iterator[tuple[int, str]]:
         """The lines of data that are not empty, with their numbers, counted from 1."""
-        with text_of(self._path, self._complete_rows(), self._dialect.encoding) as lines:
+        with text_of(self._path, self._length, self._dialect.encoding) as lines:
             for number, line in enumerate(lines, 1):
                 if number > self._dialect.first_data_row and line.strip():
                     yield number, line.rstrip("\n")
 
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
-
+        """Several columns by Arrow's reader, of the file itself or of its rows written anew."""
         clocks = _clocks(self._firsts, self._clocks)
-        looked_at = self._dialect.numeric[0] and not self._rewritten
-        # Words in the first column show that a row is none of numbers.
-        every = [*names, *(name for name in self._columns[:1] if looked_at and name not in names)]
-        for batch in self._batches(every, {name: self._kind(name) for name in every}):
-            for name, column in zip(names, batch.columns, strict=False):
-                samples = pa.chunked_array([column])
-                if name in clocks:
-                    yield name, clocks[name].seconds(samples)
-                elif pa.types.is_timestamp(samples.type):
-                    yield name, self._since_first(name, samples)
-                else:
-                    yield name, doubles(samples.cast(pa.float64()))
-
-    def _batches(self, names: Sequence[str], kinds: dict[str, Any]) -> Any:
-        """The rows of some columns in these types of Arrow, block by block."""
         dialect = self._dialect
         plain = self._rewritten
-        return csv.open_csv(
-            written(self._plain_rows(names), self)
+        # Words in the first column show that a row is none of numbers.
+        every = names if plain or not dialect.numeric[0] else list(dict.fromkeys([*names, self._columns[0]]))
+        batches = csv.open_csv(
+            written(self._plain_rows(every), self)
             if plain
-            else as_utf8(self._path, self._complete_rows(), dialect.encoding, self),
+            else as_utf8(self._path, self._length, dialect.encoding, self),
             read_options=csv.ReadOptions(
                 use_threads=False,
                 block_size=self._block,
@@ -255,13 +251,23 @@ class CsvSource(Source):
                 delimiter="\t" if plain else dialect.delimiter, quote_char=False if plain else '"'
             ),
             convert_options=csv.ConvertOptions(
-                column_types=kinds,
-                include_columns=names,
+                column_types={name: self._kind(name) for name in every},
+                include_columns=every,
                 decimal_point="." if plain else dialect.decimal,
                 null_values=_NULLS,
                 strings_can_be_null=True,
             ),
         )
+        for batch in batches:
+            for name, column in zip(names, batch.columns, strict=False):
+                samples = pa.chunked_array([column])
+                if name in clocks:
+                    yield name, clocks[name].seconds(samples)
+                elif pa.types.is_timestamp(samples.type):
+                    ticks = to_numpy(samples.cast(pa.int64()).fill_null(-(1 << 63)))  # which NumPy takes for no time
+                    yield name, self.counted(name, ticks.view("M8[ns]"))
+                else:
+                    yield name, doubles(samples.cast(pa.float64()))
 
     def _kind(self, name: str) -> Any:
         """Arrow's type of a column: numbers, switches, or time stamps, with a zone where they state one."""
@@ -275,21 +281,39 @@ class CsvSource(Source):
             return pa.bool_()
         return pa.float64() if self._dialect.has_marks or self._rewritten else pa.int64()
 
-    def _since_first(self, name: str, stamps: Any) -> NDArray[Any]:
-        """Time stamps [s] since the first one of the first column of such."""
-        ticks = stamps.cast(pa.int64())
-        if name not in self._origins and len(seen := ticks.drop_null()):
-            first = next(iter(self._origins), name)
-            self._origins[name] = self._origins.get(first, seen[0].as_py())
-            self.notes.append(f"time of {name!r} counts from {self._firsts[first]}")
-        since = pc.subtract(ticks, int(self._origins.get(name, 0))).cast(pa.float64(), safe=False)
-        return doubles(since) / 1e9
+    @cached_property
+    def _length(self) -> int:
+        """Bytes of the file that are whole rows.
 
-    def _complete_rows(self) -> int:
-        """Bytes of the file that are whole rows."""
-        length, notes = whole_rows(self._path, self._dialect)
-        self.warnings += [note for note in notes if note not in self.warnings]
-        return length
+        Zeros at its end are left out, and a last row without a line end, which may be cut off within a number.
+
+        Raises
+        ------
+        UnreadableLogError
+            That row lacks cells, or a character is cut in two: the file is truncated.
+        """
+        with self._path.open("rb") as file:
+            content = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+        dialect = self._dialect
+        size = len(content)
+        if not dialect.encoding.startswith("utf-16") and (size := bytes_written(content)) < len(content):
+            self.warnings.append(
+                f"{len(content) - size} zero bytes at the end are left out; did the recorder lose its power?"
+            )
+        try:
+            rows, length = last_rows(content, size, dialect.encoding)
+        except UnicodeDecodeError as error:
+            raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
+        last = split_row(rows[-1], dialect.delimiter) if length else []
+        if not length or dialect.is_remark(rows[-1], last):
+            return size
+        if len(last) < len(self._columns):
+            raise UnreadableLogError(
+                f"truncated: it ends within a row ({len(last)} of {len(self._columns)} cells); "
+                "delete that row if the log shall be used up to there"
+            )
+        self.warnings.append("the last row has no line end and may be cut off within a number: left out")
+        return size - length
 
 
 def _clocks(firsts: Mapping[str, str], names: Iterable[str]) -> dict[str, Clock]:
@@ -298,12 +322,10 @@ def _clocks(firsts: Mapping[str, str], names: Iterable[str]) -> dict[str, Clock]
     return {name: Clock(firsts[name], origins) for name in names}
 
 
-def _spellings(text: str) -> set[str]:
-    """The ways in which a missing value is written; infinities are numbers, not missing ones."""
-    return set() if "inf" in text else {text, text.upper(), text.capitalize(), {"nan": "NaN"}.get(text, text)}
-
-
-_NULLS = sorted({form for text in MISSING for form in _spellings(text)})
+_NULLS = sorted(
+    {"NaN"} | {form for text in MISSING if "inf" not in text for form in (text, text.upper(), text.capitalize())}
+)
+"""The ways in which a missing value is written; infinities are numbers, not missing ones."""
 
 
 open_log = CsvSource

@@ -3,25 +3,10 @@
 import codecs
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from .csv_cells import (
-    COMMENT,
-    MISSING,
-    NUMBER,
-    SECONDS,
-    is_before_decimals,
-    is_behind,
-    is_stamp,
-    is_value,
-    is_word,
-    marks_between_thousands,
-    rows_of,
-    split_row,
-    unclear_mark,
-)
 from .csv_heading import (
     bare_line,
     cells_above,
@@ -30,10 +15,25 @@ from .csv_heading import (
     names_and_units,
     rows_by_key,
 )
-from .csv_text import text_encoding
+from .csv_text import (
+    COMMENT,
+    MISSING,
+    NUMBER,
+    SECONDS,
+    is_behind,
+    is_stamp,
+    is_value,
+    is_word,
+    marks_between_thousands,
+    rows_of,
+    split_row,
+    text_encoding,
+    unclear_mark,
+)
 from .source import CsvOptions, UnreadableLogError
 
 _MOST_ROWS = 400
+_THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
 _NOTES = re.compile(r"(?i)((comment|remark|note|event|marker|message)s?|kommentar|bemerkung|anmerkung|notiz|ereignis)?")
 """Names of a column whose cells are notes on single rows, or no name."""
 _CANDIDATES = (
@@ -55,20 +55,26 @@ class SampleTable:
     """Flags of the columns that have numbers in the sample."""
     ragged: bool
 
+    def _marked(self, columns: Sequence[bool]) -> Iterator[str]:
+        """The numbers with a decimal mark in some columns."""
+        body = (row for row in self.rows[self.first :] if len(row) == len(columns))
+        cells = (cell for row in body for cell, wanted in zip(row, columns, strict=True) if wanted)
+        return (cell for cell in cells if self.decimal in cell and not is_stamp(cell) and is_value(cell, self.decimal))
+
     @property
     def has_marks(self) -> bool:
         """True if a number has the decimal mark."""
-        body = (row for row in self.rows[self.first :] if len(row) == len(self.numeric))
-        return any(
-            self.decimal in cell and not is_stamp(cell) and is_value(cell, self.decimal) for row in body for cell in row
-        )
+        return any(self._marked([True] * len(self.numeric)))
 
     @property
     def shows_mark(self) -> bool:
-        """True if a number shows that the mark stands before decimals. A file has one mark, so that decides for all."""
-        body = (row for row in self.rows[self.first :] if len(row) == len(self.numeric))
-        numbers = (cell for row in body for cell, numeric in zip(row, self.numeric, strict=True) if numeric)
-        return any(is_before_decimals(cell, self.decimal) for cell in numbers if cell.lower() not in MISSING)
+        """True if a number shows that the mark stands before decimals. A file has one mark, so that decides for all.
+
+        As in 0.04, there are not three digits behind it.
+        """
+        return any(
+            cell.lower() not in MISSING and not _THOUSANDS.fullmatch(cell) for cell in self._marked(self.numeric)
+        )
 
 
 def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
@@ -94,13 +100,14 @@ def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) ->
 
     Of two with one delimiter it is that whose mark surely stands before decimals.
     """
-    tables = [_table(lines[:most], *marks, options.header_row) for marks in _candidates(lines, options)]
+    tables = (_table(lines[:most], *marks, options.header_row) for marks in _candidates(lines, options))
     readable = [table for table in tables if table is not None]
     if not readable and len(lines) > most:
         return find_table(lines, options, len(lines))
     if not readable:
         way_out = "if it is one, set [ingest.csv] encoding, delimiter, decimal and header_row"
-        if _is_single_column(lines):
+        cells = [line.strip(' \t"') for line in lines[:_MOST_ROWS] if line.strip()]
+        if 2 * sum(is_value(cell, ".") for cell in cells) > len(cells):  # most lines are one number each
             way_out = (
                 "it holds a single one; if input and displacement stand in files of their own, join them as columns of "
                 "one file"
@@ -113,12 +120,6 @@ def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) ->
         table for table in readable if (table.delimiter, sum(table.numeric)) == (best.delimiter, sum(best.numeric))
     ]
     return next((table for table in alike if len(alike) > 1 and table.shows_mark), best)
-
-
-def _is_single_column(lines: list[str]) -> bool:
-    """True if most lines are one number each."""
-    cells = [line.strip(' \t"') for line in lines[:_MOST_ROWS] if line.strip()]
-    return 2 * sum(is_value(cell, ".") for cell in cells) > len(cells)
 
 
 def _candidates(lines: list[str], options: CsvOptions) -> list[tuple[str, str]]:
@@ -153,8 +154,9 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     keys = keys and not any(len(row) == width and any(row) and _NOTES.fullmatch(row[0]) for row in rows[:begins][-2:])
     data = [fit and not (keys and row[0]) and _in_place(row, clocks) for row, fit in zip(rows, fits, strict=True)]
     filled = [_filled(row, likely, decimal) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
-    behind = {i: rows[j] for i, j in pairwise(fitting) if not filled[j]}
-    only_text = {i for i, row in behind.items() if any(row) and not any(map(NUMBER.match, row))}
+    only_text = {
+        i for i, j in pairwise(fitting) if not filled[j] and any(rows[j]) and not any(map(NUMBER.match, rows[j]))
+    }
     only_text |= {i for i, row in enumerate(rows[1:]) if len(row) == 1 and row[0].endswith(":")}  # a key
     blank = {i for i in fitting if all(cell.lower() in MISSING for cell in rows[i])}  # or a line below the heading
     first = next((i for i in fitting if filled[i] >= 2 and i not in only_text | blank), None)
@@ -168,8 +170,14 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
         wanted or (any(column) and all(is_value(cell, decimal) for cell in column))
         for wanted, column in zip(likely, columns, strict=True)
     )
-    ragged = any(len(rows[i]) > width for i in fitting if i >= first)
-    return SampleTable(delimiter=delimiter, decimal=decimal, rows=rows, first=first, numeric=numeric, ragged=ragged)
+    return SampleTable(
+        delimiter=delimiter,
+        decimal=decimal,
+        rows=rows,
+        first=first,
+        numeric=numeric,
+        ragged=any(len(rows[i]) > width for i in fitting if i >= first),
+    )
 
 
 def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:
@@ -232,7 +240,6 @@ class Dialect:
     """True if rows need more than to be split at the delimiter, as where some have a comment behind them."""
     above: frozenset[tuple[str, ...]]
     """The rows of names and units, which a logger may write once more where it begins anew."""
-    is_labview: bool
 
     def is_remark(self, line: str, cells: Sequence[str]) -> bool:
         """True if a line among rows of numbers is none of them: a comment, an event, a statistic, a row from above."""
@@ -247,7 +254,7 @@ class Dialect:
 
     def check_same_segment(self, cells: Sequence[str], line: int) -> None:
         """Refuse a further segment of a LabVIEW measurement, which has a header and a start of its own."""
-        if self.is_labview and cells[0] in ("Channels", _LABVIEW):
+        if cells[0] in ("Channels", _LABVIEW) and any(line.startswith(_END_OF_HEADER) for line in self.preamble):
             raise UnreadableLogError(
                 f"line {line} is the header of another segment (LabVIEW's Multi_Headings), whose time begins anew: cut "
                 "the file there, and put the header of the file above each segment"
@@ -323,7 +330,6 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         or (header_row is not None and len(above[header_row]) == width + 1),
         above=frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
         - {("",) * width},
-        is_labview=any(line.startswith(_END_OF_HEADER) for line in lines[: table.first]),
     )
 
 
@@ -395,8 +401,7 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
             cells = []
         while len(cells) > width and (not cells[-1] or "=" in cells[-1]):  # as of an oscilloscope, behind the names
             del cells[-1]
-        wider = table.delimiter == " " or COMMENT.match(line)
-        rows.append(cells_above(line, cells, width) if wider else cells)
+        rows.append(cells_above(line, cells, width) if table.delimiter == " " or COMMENT.match(line) else cells)
     return rows, [bool(COMMENT.match(line)) for line in lines]
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from ..units.units import PLAIN
 from .attributes import number_with_unit, possible_rate, scales_among, stated_rate
-from .csv_cells import COMMENT, NUMBER, is_stamp, split_row
+from .csv_text import COMMENT, NUMBER, is_stamp, split_row
 from .source import UnreadableLogError, unique_names
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
@@ -77,7 +77,7 @@ def heading_rows(
     block: list[int] = []
     used = len(numeric) - [*numeric][::-1].index(True)
     for i in range(len(above) - 1, -1, -1):
-        row = _trimmed(above[i])
+        row = above[i][: max((j + 1 for j, cell in enumerate(above[i]) if cell), default=0)]
         if not block and row and row[0].startswith(";"):  # a comment below the names
             continue
         if not row and (not block or len(above[i]) < used):
@@ -103,13 +103,7 @@ def heading_rows(
     if not names:
         return None, None
     with_time = [i for i in names if any(map(_TIME.match, above[i]))]
-    name = (with_time or names)[-1 if comments[block[-1]] or (units is not None and used == 2) else 0]
-    return name, units
-
-
-def _trimmed(row: Row) -> Row:
-    """A row without the empty cells at its end."""
-    return row[: max((j + 1 for j, cell in enumerate(row) if cell), default=0)]
+    return (with_time or names)[-1 if comments[block[-1]] or (units is not None and used == 2) else 0], units
 
 
 def _labels(row: Row, numeric: Sequence[bool]) -> int:
@@ -187,7 +181,8 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
         return tuple(f"column {j + 1}" for j in range(width)), ("",) * width
     names = []
     units = []
-    by_strokes = _with_units_behind_strokes(headings)
+    behind = [match["unit"] for match in map(_BEHIND_STROKE.match, headings) if match]
+    by_strokes = len(behind) > 1 and all(unit in PLAIN or unit.lower() in _UNITS - {"v", "a", "k"} for unit in behind)
     matches = [_UNIT_IN_NAME.match(heading) or _unit_behind(heading, by_strokes) for heading in headings[:width]]
     bare = Counter(match["name"] if match else heading for match, heading in zip(matches, headings, strict=False))
     written = Counter(headings[:width])
@@ -201,15 +196,12 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
 
 
 def _unit_behind(heading: str, by_strokes: bool) -> re.Match[str] | None:
-    """A name with its unit as in ``Weg in mm``, ``Weg / mm``, ``Weg, mm`` or ``Weg <mm>``; None for others."""
+    """A name with its unit as in ``Weg in mm``, ``Weg / mm``, ``Weg, mm`` or ``Weg <mm>``; None for others.
+
+    By strokes also as in ``Weg/mm``, where several headings are so, and no paths of channels.
+    """
     match = _UNIT_BEHIND.match(heading) or (_BEHIND_STROKE.match(heading) if by_strokes else None)
     return match if match and match["unit"].lower() in _UNITS - {"1"} else None
-
-
-def _with_units_behind_strokes(headings: Row) -> bool:
-    """True if headings are as ``t/s``, ``Weg/mm``, and no paths of channels."""
-    units = [match["unit"] for match in map(_BEHIND_STROKE.match, headings) if match]
-    return len(units) > 1 and all(unit in PLAIN or unit.lower() in _UNITS - {"v", "a", "k"} for unit in units)
 
 
 _HORIZONTAL = "Horizontal Units"

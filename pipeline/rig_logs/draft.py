@@ -12,7 +12,7 @@ from ..errors import InputError
 from ..settings.prototype import Ingest
 from ..signals.findings import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
 from ..signals.noise import LEAST_PER_PERIOD, advised_interval
-from ..signals.signal_quality import BOTH_SIGNS, takes_both_signs
+from ..signals.signal_quality import BOTH_SIGNS, SignalQuality, takes_both_signs
 from ..signals.timebase import seldom
 from ..system.names import check_log_name, check_name, log_name, slug, true_name
 from ..units.units import DISPLACEMENT, FILL_IN, SECONDS, to_si
@@ -173,8 +173,10 @@ def _velocity_lines(log: Inspection) -> list[str]:
     taken = {suggestion.only for suggestion in log.suggestions}.union(log.apart)
     units = {channel.name: channel.unit.strip("[]() ") for channel in log.channels if channel.name not in taken}
     called = [name for name, unit in units.items() if _RATE.search(unit) or (not unit and _VELOCITY.search(name))]
-    entries = [_entry("qdot", name, units[name] or FILL_IN) for name in called[:1]]
-    return [f"# {entry}  # where that is q's measured velocity" for entry in entries]
+    return [
+        f"# {_entry('qdot', name, units[name] or FILL_IN)}  # where that is q's measured velocity"
+        for name in called[:1]
+    ]
 
 
 def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
@@ -299,7 +301,7 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
             monitor = f"; a monitor of 1:{ratio:g} by the log"
         elif ratio > 1.0 and unit == FILL_IN:
             monitor = f"; the log names 1:{ratio:g}: V of a monitor take scale = {ratio:g}"
-        elif role in ("v1", "v2") and unit == "V" and _may_be_a_monitor(channel):
+        elif role in ("v1", "v2") and unit == "V" and _may_be_a_monitor(channel.quality):
             monitor = "; of a 1:1000 monitor? then also scale = 1000"
         if role in ("v1", "v2") and _seldom(channel, log):
             return [
@@ -313,9 +315,8 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
     return [f"{_entry(role, FILL_IN, FILL_IN)}  # {wanted}"]
 
 
-def _may_be_a_monitor(channel: InspectedChannel) -> bool:
+def _may_be_a_monitor(quality: SignalQuality) -> bool:
     """True if a voltage is as small as the monitor of a high-voltage amplifier and has one sign."""
-    quality = channel.quality
     both_signs = takes_both_signs(quality.smallest, quality.largest)  # as a motor's voltage
     return not both_signs and max(-quality.smallest, quality.largest) <= _MONITOR
 
@@ -343,8 +344,7 @@ def _seldom(channel: InspectedChannel, log: Inspection) -> bool:
     base = None if channel.time_base is None else log.time_bases[channel.time_base]
     step, lasts = (1.0, quality.n) if base is None else (base.step, base.stop - base.start)
     finest = max(Ingest().sample_interval, min((each.step for each in log.time_bases), default=0.0))
-    far = base is not None and step > COARSEST_STEP * finest
-    return far or seldom(quality.n - quality.not_finite, step, lasts)
+    return (base is not None and step > COARSEST_STEP * finest) or seldom(quality.n - quality.not_finite, step, lasts)
 
 
 def _unit(channel: InspectedChannel, role: Role) -> tuple[str, str]:
@@ -390,8 +390,7 @@ def _prototype_name(log: Path) -> str:
     """A name that the settings allow: the log's without what it is for, or its folder's where nothing else is left."""
     stem = log.stem
     if purposes(stem):
-        parts = (part for part in _BETWEEN.split(stem) if part and not purpose_of(part.strip("0123456789")))
-        stem = "_".join(parts)
+        stem = "_".join(part for part in _BETWEEN.split(stem) if part and not purpose_of(part.strip("0123456789")))
         if not stem or purposes(stem):
             stem = log.absolute().parent.name
     try:

@@ -19,7 +19,6 @@ from . import child
 from .attributes import NOT_APPLIED
 from .source import CsvOptions, Limits, missing_channel
 
-_READER_IMPORTS = ("numpy", full_name("system.isolation"), full_name("rig_logs.child"))
 _READER = child.read_log
 _PATIENCE = 10
 
@@ -104,8 +103,11 @@ class Recording:
     def unapplied(self, name: str) -> list[str]:
         """The notes on numbers beside a channel that look like its calibration."""
         group = name.rpartition(".")[0]
-        notes = [note for note in self.notes if NOT_APPLIED in note]
-        return [note for note in notes if repr(name) in note or (group and note.startswith(f"{group}."))]
+        return [
+            note
+            for note in self.notes
+            if NOT_APPLIED in note and (repr(name) in note or (group and note.startswith(f"{group}.")))
+        ]
 
 
 def read_recording(
@@ -143,7 +145,6 @@ def read_recording(
     """
     limits = limits or Limits()
     _check_is_file(path)
-    size = path.stat().st_size
     with tempfile.TemporaryDirectory(prefix="debist-", ignore_cleanup_errors=True) as folder:
         samples = Path(folder) / "samples"
         request = {
@@ -153,61 +154,62 @@ def read_recording(
             "limits": asdict(limits),
             "samples": str(samples),
         }
-        done = read_in_child(request, _PATIENCE * limits.seconds(size), progress)
-        if done.late:
-            raise InputError(f"{path}: reading it does not end; damaged, or on a stalled file system")
-        if done.answer is None:
-            raise InputError(f"{path}: its reader {_cause_of_death(done, limits, size)}")
-        if "error" in done.answer:
-            raise InputError(str(done.answer["error"]))
+        answer = read_in_child(request, limits, progress)
+        if "error" in answer:
+            raise InputError(str(answer["error"]))
         with samples.open("rb") as data:
-            return _recording(path, done.answer, data)
+            return _recording(path, answer, data)
 
 
 def _check_is_file(path: Path) -> None:
     try:
         mode = path.stat().st_mode
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise InputError(f"{path}: cannot be read ({reason})") from error
+        raise InputError(f"{path}: cannot be read ({getattr(error, 'strerror', None) or error})") from error
     if not stat.S_ISREG(mode):
         raise InputError(f"{path}: is {'a directory' if stat.S_ISDIR(mode) else 'no regular file'}, not a log")
     if not os.access(path, os.R_OK):
         raise InputError(f"{path}: cannot be read (no permission)")
 
 
-@dataclass(frozen=True)
-class Done:
-    """End of a reader: its answer, or the cause of its death, and the last line of its standard error."""
+def read_in_child(
+    request: dict[str, Any], limits: Limits, progress: Callable[[float], None] | None = None
+) -> dict[str, Any]:
+    """Have a request answered by `pipeline.rig_logs.child.read_log` in a process of its own.
 
-    answer: dict[str, Any] | None
-    ended_by: str = ""
-    late: bool = False
-    last_line: str = ""
-
-
-def read_in_child(request: dict[str, Any], time_limit: float, progress: Callable[[float], None] | None = None) -> Done:
-    """Have a request answered by `pipeline.rig_logs.child.read_log` in a process of its own."""
-    preload(_READER_IMPORTS)
-    with Isolated(_READER, request, time_limit=time_limit) as reader:
+    Raises
+    ------
+    InputError
+        The process died, or did not end in time.
+    """
+    size = Path(request["path"]).stat().st_size
+    preload(("numpy", full_name("system.isolation"), full_name("rig_logs.child")))
+    with Isolated(_READER, request, time_limit=_PATIENCE * limits.seconds(size)) as reader:
         for message in reader:
             if isinstance(message, dict) and isinstance(message.get("answer"), dict):
-                return Done(message["answer"])
+                return dict(message["answer"])
             if progress is not None and isinstance(message, dict):
                 progress(float(message.get("share", 0.0)))
-        code = reader.exit_code()
-        return Done(None, death(code) if code < 0 else "", reader.late, reader.words().strip().rpartition("\n")[2])
+        raise InputError(f"{request['path']}: {_cause_of_death(reader, limits, size)}")
 
 
-def _cause_of_death(done: Done, limits: Limits, size: int) -> str:
-    if done.ended_by == "SIGXCPU":
-        return f"was ended after {limits.seconds(size)} s of processor time; the file is too large or damaged"
-    if done.ended_by.startswith("SIGKILL"):
-        return f"was killed; for want of memory (it may take {limits.memory(size) >> 20} MB)? run again alone"
-    if done.ended_by:
-        return f"died of {done.ended_by}; the file is damaged"
-    reason = done.last_line[:200] or "no reason given"
-    return f"failed ({reason}); the file is damaged or not what it claims to be"
+def _cause_of_death(reader: Isolated, limits: Limits, size: int) -> str:
+    code = reader.exit_code()
+    signal = death(code) if code < 0 else ""
+    if reader.late:
+        return "reading it does not end; damaged, or on a stalled file system"
+    if signal == "SIGXCPU":
+        return (
+            f"its reader was ended after {limits.seconds(size)} s of processor time; the file is too large or damaged"
+        )
+    if signal.startswith("SIGKILL"):
+        return (
+            f"its reader was killed; for want of memory (it may take {limits.memory(size) >> 20} MB)? run again alone"
+        )
+    if signal:
+        return f"its reader died of {signal}; the file is damaged"
+    reason = reader.words().strip().rpartition("\n")[2][:200] or "no reason given"
+    return f"its reader failed ({reason}); the file is damaged or not what it claims to be"
 
 
 def _recording(path: Path, answer: dict[str, Any], data: IO[bytes]) -> Recording:

@@ -127,8 +127,9 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     Cost: the reading, and some ten passes over each channel (about 0.1 s per million samples).
     """
     if path.suffix.lower() == ".toml":
-        check = f"`debist check {shell_word(path)}`"
-        raise InputError(f"{path}: is a settings file; {check} looks at the logs that it names")
+        raise InputError(
+            f"{path}: is a settings file; `debist check {shell_word(path)}` looks at the logs that it names"
+        )
     recording, codes = _without_codes(read_recording(path, csv=csv))
     own_time = any(channel.time is not None for channel in recording.channels)
     notes = [*recording.notes, *recording.warnings]
@@ -245,19 +246,20 @@ def _roles(
     unnamed = [channel for channel in usual if rates and not is_called("time", channel.name)]
     longest = max(counts.values(), default=0)
     left_out = {name for name, count in counts.items() if _FAR_SHORTER * count < longest}
-    left_out = left_out.union(rates, (each.name for each in unnamed if _counts_samples(each.samples)))
+    numbered = (each.name for each in unnamed if each.samples.size > 1 and np.all(np.diff(each.samples[:CHUNK]) == 1.0))
+    left_out = left_out.union(rates, numbered)
     offered = [channel for channel in usual if channel.name not in left_out]
     rising = () if own_time else [channel.name for channel in offered if _rises_evenly(channel.samples)]
-    named = [(channel.name, channel.unit) for channel in offered]
-    roles = suggest(named, own_time=own_time, rising=rising, counts=counts, described=recording.descriptions)
+    roles = suggest(
+        [(channel.name, channel.unit) for channel in offered],
+        own_time=own_time,
+        rising=rising,
+        counts=counts,
+        described=recording.descriptions,
+    )
     time = next((role.only for role in roles if role.role == "time" and role.only is not None), None)
     others = () if time is None else (channel.name for channel in offered if counts[channel.name] != counts[time])
     return roles, (*sorted(left_out & counts.keys()), *others)
-
-
-def _counts_samples(samples: FloatArray) -> bool:
-    """True if a column is the number of each sample."""
-    return samples.size > 1 and bool(np.all(np.diff(samples[:CHUNK]) == 1.0))
 
 
 def _rises_evenly(samples: FloatArray) -> bool:
@@ -302,12 +304,15 @@ def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuali
         notes.append(str(error))
         return None
     if quality.backward:
-        places = counted(quality.backward, "place")
-        at = stamped(quality.backward_at[0])
-        notes.append(f"time steps back at {places}, first after {at} s: ingest refuses it; see [ingest] time_reversal")
+        notes.append(
+            f"time steps back at {counted(quality.backward, 'place')}, first after {stamped(quality.backward_at[0])} "
+            "s: ingest refuses it; see [ingest] time_reversal"
+        )
     if quality.repeated > MOST_REPEATED * quality.n:
-        share = 100.0 * quality.repeated / quality.n
-        notes.append(f"{share:.0f} % of the time stamps repeat: too coarse a clock; set sample_rate in place of time")
+        notes.append(
+            f"{100.0 * quality.repeated / quality.n:.0f} % of the time stamps repeat: too coarse a clock; set "
+            "sample_rate in place of time"
+        )
     stamps.append(time)
     bases.append(quality)
     return len(bases) - 1

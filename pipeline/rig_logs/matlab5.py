@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from scipy.io import loadmat
 from scipy.io.matlab import MatlabFunction, MatlabObject, MatlabOpaque, varmats_from_mat
 
-from .mat_recorders import MatArray, MatObject, MatStruct, MatValue
-from .mat_source import MatSource
+from .mat_source import MatArray, MatObject, MatSource, MatStruct, MatValue
 from .source import CsvOptions, Limits, UnreadableLogError
 
 _HEADER = 128

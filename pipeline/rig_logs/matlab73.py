@@ -13,8 +13,7 @@ import h5py
 import numpy as np
 
 from .hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time, why_unread
-from .mat_recorders import MatArray, MatObject, MatStruct, MatValue
-from .mat_source import MatSource
+from .mat_source import MatArray, MatObject, MatSource, MatStruct, MatValue
 from .source import UnreadableLogError
 
 
@@ -44,8 +43,7 @@ def open_log(path: Path, *_: object) -> MatSource:
         Truncated, damaged, or with links and storage that lead out of the file.
     """
     file = open_hdf5(path)
-    names = [name for name in file if not name.startswith("#")]
-    return MatSource("v7.3", {name: _value(child_of(file, name)) for name in names}, path)
+    return MatSource("v7.3", {name: _value(child_of(file, name)) for name in file if not name.startswith("#")}, path)
 
 
 def _value(item: Any) -> MatValue:

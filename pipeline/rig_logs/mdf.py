@@ -87,9 +87,8 @@ class MdfSource(Source):
                 mapped.madvise(mmap.MADV_DONTNEED)
 
     def _samples(self, name: str, group: int, index: int, first: int, count: int) -> NDArray[Any]:
-        is_master = index == self._mdf.masters_db.get(group)
         try:
-            if is_master:
+            if index == self._mdf.masters_db.get(group):
                 samples: NDArray[Any] = self._mdf.get_master(group, record_offset=first, record_count=count)
                 samples = samples * self._factors[group] if group in self._factors else samples
                 invalid: NDArray[Any] | None = None
@@ -115,6 +114,7 @@ class MdfSource(Source):
     def _list(self) -> None:
         groups: list[Any] = self._mdf.groups
         masters_of: dict[int, int] = self._mdf.masters_db
+        version = "4" if self._mdf.version >= "4" else "3"
         places = [(group, index) for group, content in enumerate(groups) for index in range(len(content.channels))]
         names = unique_names([groups[group].channels[index].name for group, index in places])
         masters = {
@@ -125,19 +125,21 @@ class MdfSource(Source):
         }
         for name, (group, index) in zip(names, places, strict=True):
             channel = groups[group].channels[index]
-            kind = _number_type(channel, self._mdf.version)
-            if kind is None or (text := _texts_in_place(channel, self._mdf.version)):
-                self.texts[name] = text if kind else "no plain numbers"
+            if why := _why_unread(channel, groups[group].channels[masters_of.get(group, index)], version):
+                self.texts[name] = why
                 continue
-            if any(_has_formula(groups[group].channels[i].conversion) for i in {index, masters_of.get(group, index)}):
-                self.texts[name] = _FORMULA
-                continue
-            count = int(groups[group].channel_group.cycles_nr)
-            master = None if group in self._timeless or name in clocks else masters.get(group)
             self._places[name] = (group, index)
             if text := _words(channel):
                 self.descriptions[name] = text
-            self._entries.append(Entry(name, clocks.get(name, _unit(channel)), kind, count, master))
+            self._entries.append(
+                Entry(
+                    name,
+                    unit=clocks.get(name, _unit(channel)),
+                    dtype=f"{_KINDS[version][channel.data_type]}{channel.bit_count}",
+                    count=int(groups[group].channel_group.cycles_nr),
+                    time=None if group in self._timeless or name in clocks else masters.get(group),
+                )
+            )
         self.heading = _words(self._mdf.header)
         self.notes += left_out(self.texts)
 
@@ -161,12 +163,15 @@ _TEXTS = {"4": (7, 8, 9, 10, 11), "3": (11, 12, 132, 133)}
 """Conversions to texts and dates."""
 
 
-def _texts_in_place(channel: Any, version: str) -> str:
-    """Reason why a channel of numbers has no numeric physical value; "" where it has."""
+def _why_unread(channel: Any, clock: Any, version: str) -> str:
+    """Reason why a channel over this clock has no numeric physical value; "" where it has."""
+    if channel.data_type not in _KINDS[version]:
+        return "no plain numbers"
     conversion = channel.conversion
-    if conversion is None or conversion.conversion_type not in _TEXTS["4" if version >= "4" else "3"]:
-        return ""
-    return "" if _is_partly_text(conversion) else "its numbers stand for texts: export it as numbers"
+    stands_for_texts = conversion is not None and conversion.conversion_type in _TEXTS[version]
+    if stands_for_texts and not _is_partly_text(conversion):
+        return "its numbers stand for texts: export it as numbers"
+    return _FORMULA if _has_formula(conversion) or _has_formula(clock.conversion) else ""
 
 
 def _is_partly_text(conversion: Any) -> bool:
@@ -187,18 +192,15 @@ def _words(block: Any) -> str:
     return " ".join(re.sub(r"<[^>]*>", " ", str(text)).strip("\0").split())
 
 
-_KINDS_4 = {0: "uint", 1: "uint", 2: "int", 3: "int", 4: "float", 5: "float"}
-_KINDS_3 = {
-    **dict.fromkeys((0, 9, 13), "uint"),
-    **dict.fromkeys((1, 10, 14), "int"),
-    **dict.fromkeys((2, 3, 11, 12, 15, 16), "float"),
+_KINDS = {
+    "4": {0: "uint", 1: "uint", 2: "int", 3: "int", 4: "float", 5: "float"},
+    "3": {
+        **dict.fromkeys((0, 9, 13), "uint"),
+        **dict.fromkeys((1, 10, 14), "int"),
+        **dict.fromkeys((2, 3, 11, 12, 15, 16), "float"),
+    },
 }
-
-
-def _number_type(channel: Any, version: str) -> str | None:
-    """The type of the stored numbers, None for texts, byte arrays, dates and structures."""
-    kind = (_KINDS_4 if version >= "4" else _KINDS_3).get(channel.data_type)
-    return f"{kind}{channel.bit_count}" if kind else None
+"""Types of stored numbers by version; others are texts, byte arrays, dates and structures."""
 
 
 open_log = MdfSource

@@ -48,8 +48,7 @@ class ParquetSource(Source):
             )
         except (pa.ArrowInvalid, OSError) as error:
             raise UnreadableLogError(f"Parquet cannot open it: {error}") from error
-        columns = zip(unique_names(self._file.schema_arrow.names), self._file.schema_arrow, strict=True)
-        self._columns = dict(columns)
+        self._columns = dict(zip(unique_names(self._file.schema_arrow.names), self._file.schema_arrow, strict=True))
         leaves = [leaf for name, field in self._columns.items() for leaf in _leaves(name, field, ())]
         unique = unique_names([".".join((name, *path)) for name, path, _ in leaves])
         self._places = {label: (name, path) for label, (name, path, _) in zip(unique, leaves, strict=True)}
@@ -74,9 +73,10 @@ class ParquetSource(Source):
 
     def entries(self) -> list[Entry]:
         """Every column of numbers, of time stamps or of durations."""
-        rows = self._file.metadata.num_rows
         return [
-            Entry(name, "s" if _is_time(field.type) else self._units[name], str(field.type), rows)
+            Entry(
+                name, "s" if _is_time(field.type) else self._units[name], str(field.type), self._file.metadata.num_rows
+            )
             for name, field in self._fields.items()
             if name not in self.texts
         ]
@@ -113,8 +113,7 @@ def _numbers(name: str, column: Any, counted: Counted) -> NDArray[Any]:
         ticks = column.cast(pa.int32() if pa.types.is_time32(kind) else pa.int64())
         column = ticks.cast(pa.int64()).cast(pa.duration(kind.unit))
     samples = np.full(len(column), np.nan)
-    is_filled = column.is_valid().to_numpy()
-    samples[is_filled] = counted(name, column.drop_null().to_numpy())
+    samples[column.is_valid().to_numpy()] = counted(name, column.drop_null().to_numpy())
     return samples
 
 

@@ -197,9 +197,13 @@ class Counted(dict[str, Any]):
     """
 
     def origin(self, name: str, first: Any) -> Any:
-        """Origin of a channel whose first sample this is: that of a clock before it, else the sample itself."""
+        """Origin of a channel whose first sample this is: that of a clock before it, else the sample itself.
+
+        Of counts a clock is one so near that float64 holds what is between them.
+        """
         clocks = (each for each in self.values() if type(each) is type(first) and each != 0)
-        return self.setdefault(name, next((each for each in clocks if _is_near(each, first)), first))
+        near = (each for each in clocks if isinstance(first, np.datetime64) or abs(first - each) < EXACT)
+        return self.setdefault(name, next(near, first))
 
     def __call__(self, name: str, samples: NDArray[Any]) -> NDArray[Any]:
         """A part of a channel, from its first sample on where that is a time stamp or too large to be held exactly.
@@ -233,11 +237,6 @@ class Counted(dict[str, Any]):
         ]
 
 
-def _is_near(origin: Any, first: Any) -> bool:
-    """True if a sample lies so near to an origin that float64 holds what is between them."""
-    return isinstance(first, np.datetime64) or abs(first - origin) < EXACT
-
-
 def left_out(texts: Mapping[str, str]) -> list[str]:
     """A note on channels that are no numbers, with the text on each; none where there are none."""
     named = [f"{name!r} ({text})" for name, text in list(texts.items())[: 2 * _MOST_NAMED]]
@@ -249,11 +248,11 @@ def not_listed(shapes: Mapping[str, tuple[int, ...]]) -> list[str]:
     """A note on arrays that are neither vectors nor matrices of channels; none where there are none."""
     sizes = [f"{name} is {' × '.join(map(str, shape))}" for name, shape in shapes.items()]
     more = [f"{len(sizes) - _MOST_NAMED} more like them"] if len(sizes) > _MOST_NAMED else []
-    channels = ", ".join([*sizes[:_MOST_NAMED], *more])
-    way_out = (
-        f"only vectors and matrices of at most {MOST_COLUMNS} columns, or rows, are read: save each channel as a vector"
+    note = (
+        f"{', '.join([*sizes[:_MOST_NAMED], *more])}; only vectors and matrices of at most {MOST_COLUMNS} columns, or "
+        "rows, are read: save each channel as a vector"
     )
-    return [f"{channels}; {way_out}"] if sizes else []
+    return [note] if sizes else []
 
 
 def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
@@ -345,8 +344,10 @@ class StartTimes(View):
         clocks: dict[tuple[float, float], str] = {}
         self._time = {name: clocks.setdefault(clock, f"time of {name}") for name, clock in starts.items()}
         self._clocks = {time: clock for clock, time in clocks.items()}
-        begins = ", ".join(f"{start:g}" for start, _ in clocks)
-        self.notes.append(f"channels begin at {begins} s, as the log states: each has its own time")
+        self.notes.append(
+            f"channels begin at {', '.join(f'{start:g}' for start, _ in clocks)} s, as the log states: each has its "
+            "own time"
+        )
 
     def entries(self) -> list[Entry]:
         """The times, and the channels."""
@@ -368,13 +369,7 @@ class StartTimes(View):
                 yield time, start + step * np.arange(first, rows[name])
 
 
-def with_starts(source: Source) -> Source:
-    """The log itself, or with a time for each channel where it states a rate and a start for each, and these differ."""
-    starts = source.starts or _stated_beside(source)
-    return StartTimes(source, starts) if len(set(starts.values())) > 1 else source
-
-
-def _stated_beside(source: Source) -> dict[str, tuple[float, float]]:
+def stated_beside(source: Source) -> dict[str, tuple[float, float]]:
     """Start and step [s] that numbers beside a channel or its group state: ``q.t0`` and ``q.dt`` those of ``q.Y``."""
     starts = {_PLACE_OF.sub("", name): start for name, start in source.stated_starts.items()}
     rates = {_PLACE_OF.sub("", name): rate for name, rate in source.rates.items() if starts}

@@ -63,8 +63,7 @@ class WorkbookSource(View):
                 writer.writerow([_text(cell, number, mark, clock) for cell, number, clock in cells])
         super().__init__(CsvSource(written, replace(options, encoding="utf-8", delimiter=",", decimal=mark)))
         self.format = "workbook"
-        others = ", ".join(repr(other) for other in book.sheet_names if other != name)
-        if others:
+        if others := ", ".join(repr(other) for other in book.sheet_names if other != name):
             self.warnings.append(f"of the sheets {name!r} is read, {others} not")
         if numbers is None and any(kinds):
             self.warnings.append("times of such a workbook are rounded to 1 ms; XLSX holds more digits")

@@ -10,10 +10,11 @@ from pathlib import Path
 from typing import Any, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
 
 from ..errors import InputError, SeveralMistakesError
 from ..system.names import shell_word
-from ..system.plain_files import LARGEST_SETTINGS, read_plain, read_toml
+from ..system.plain_files import read_plain, read_toml
 
 STRUCTURE = ("friction", "force", "damping", "drag", "stops", "gain", "drive", "effect", "hold")
 """Keys of `[identify]` that became the table `[identify.structure]`."""
@@ -27,25 +28,25 @@ _DEFAULTS: dict[str, dict[str, Any]] = {
 }
 """Keys that are gone, and the value that the program has now in any case."""
 
-_GONE = {
-    "differentiate.reweighted": "leave it out: the penalty is always lifted where the acceleration jumps",
-    "differentiate.rate": 'leave it out; for "signals" give [ingest] record_interval the value of sample_interval',
-    "differentiate.method": 'write method = "savitzky-golay", or leave it out',
-    "identify.basis": "leave it out: `rbf-paper` has Gaussians",
-    "identify.rbf_basis_functions": "leave it out: inner validation chooses the number",
-    "identify.rbf_smoothing": "leave it out: inner validation chooses the width",
-    "identify.rbf_prior": "leave it out: inner validation chooses the prior",
-}
 
+def replacement(key: str, value: Any, gone: Mapping[str, str]) -> str | None:
+    """The line for a key, or value, that an earlier release had; None where none had it.
 
-def replacement(key: str, value: Any) -> str | None:
-    """The line for a key, or value, that an earlier release had; None where none had it."""
+    Parameters
+    ----------
+    key : str
+        Dotted.
+    value : object
+        Its value.
+    gone : mapping of str to str
+        Advice by keys that went.
+    """
     table, _, name = key.partition(".")
     if table == "identify" and name in STRUCTURE:
         return f"{key} is gone; write [identify.structure], and {name} = {value!r:.60} below it".replace("'", '"')
     if key == "differentiate.method" and value != "rts":
         return None
-    return f"{key} is gone; {_GONE[key]}" if key in _GONE else None
+    return f"{key} is gone; {gone[key]}" if key in gone else None
 
 
 def translated(stored: Mapping[str, Any], *, used: bool = False) -> dict[str, Any]:
@@ -76,7 +77,7 @@ def translated(stored: Mapping[str, Any], *, used: bool = False) -> dict[str, An
     return {**stored, **tables}
 
 
-Options = TypeVar("Options", bound=BaseModel)
+Settings = TypeVar("Settings", bound=BaseModel)
 
 _SLIPS = (
     (re.compile(r"=\s*[-+]?\d+,\d"), "numbers have a decimal point, as 40.5"),
@@ -122,7 +123,7 @@ def read_document(path: Path) -> dict[str, Any]:
         raise InputError(f"{path}: {_no_toml(path, error)}") from error
 
 
-def read_options(path: Path | None, schema: type[Options]) -> Options:
+def read_options(path: Path | None, schema: type[Settings]) -> Settings:
     """The rare options of a command, from a TOML file of its own; the defaults where there is no file.
 
     Raises
@@ -134,11 +135,21 @@ def read_options(path: Path | None, schema: type[Options]) -> Options:
         return schema()
     if not path.exists():
         raise InputError(f"{path}: no such file")
-    document = read_document(path)
+    return checked(read_document(path), schema, str(path))
+
+
+def checked(document: dict[str, Any], schema: type[Settings], where: str) -> Settings:
+    """Settings that were read from `where`.
+
+    Raises
+    ------
+    InputError
+        Everything that is wrong, each with the key and a suggestion.
+    """
     try:
         return schema.model_validate(document)
     except ValidationError as error:
-        raise SeveralMistakesError.of(str(path), mistakes(error.errors(include_url=False), schema)) from None
+        raise SeveralMistakesError.of(where, mistakes(error.errors(include_url=False), schema)) from None
 
 
 def _no_toml(path: Path, error: Exception) -> str:
@@ -157,7 +168,7 @@ def _advice(path: Path, error: str) -> str:
         return "; write paths with / or between single quotes"
     if (place := re.search(r"at line (\d+)", error)) is None:
         return ""
-    line = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
+    line = read_plain(path).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
     return next((f"; {advice}" for slip, advice in _SLIPS if slip.search(line)), "")
 
 
@@ -226,7 +237,8 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
     """One error of pydantic's, for the settings that `settings` describes."""
     location = _location(error)
     key = ".".join(location)
-    if error["type"] in ("extra_forbidden", "literal_error") and (instead := replacement(key, error["input"])):
+    gone = getattr(settings, "gone", {})
+    if error["type"] in ("extra_forbidden", "literal_error") and (instead := replacement(key, error["input"], gone)):
         return instead
     if error["type"] == "extra_forbidden":
         return f"unknown key {key!r}; {_hint(location, settings)}"
@@ -242,7 +254,9 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
         if close := difflib.get_close_matches(str(error["input"]), choices, n=1):
             return f"{key}: there is no {given:.60}; did you mean {close[0]!r}?"
     if error["type"] in ("model_type", "model_attributes_type", "dict_type"):
-        wanted = ", ".join(f"{name} = …" for name in _mandatory_at(location, settings))
+        fields = _fields_at(location, settings)
+        mandatory = [name for name, field in fields.items() if field.is_required()]
+        wanted = ", ".join(f"{name} = …" for name in mandatory or fields)
         return f"{key}: must be a table, as {{ {wanted} }} (got {given:.60})"
     message = str(error["msg"]).removeprefix("Value error, ")
     if not key:  # a check of the whole names its keys itself
@@ -255,46 +269,30 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
 
 def _unit_at(location: list[str], settings: type[BaseModel]) -> str:
     """The unit of a number, as the meaning of its key states it in brackets."""
-    table = _table_at(location[:-1], settings)
-    field = table.model_fields.get(location[-1]) if table else None
+    field = _fields_at(location[:-1], settings).get(location[-1])
     unit = _UNIT.search((field and field.description) or "")
     return f"; a number in {unit[1]}" if unit else ""
 
 
 def _hint(location: list[str], settings: type[BaseModel]) -> str:
     *section, key = location
-    keys = _fields_at(section, settings)
+    keys = list(_fields_at(section, settings))
     if close := difflib.get_close_matches(key, keys, n=1, cutoff=0.5):
         return f"did you mean {close[0]!r}?"
     elsewhere = [name for name in settings.model_fields if key in _fields_at([name], settings) and len(section) < 2]
     return f"it belongs into [{elsewhere[0]}]" if elsewhere else f"known here: {', '.join(keys)}"
 
 
-def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:
-    """Names of the keys that the table at a place must have; all of them where none is mandatory."""
-    if (table := _table_at(location, settings)) is None:
-        return []
-    return [name for name, field in table.model_fields.items() if field.is_required()] or list(table.model_fields)
-
-
-def _fields_at(location: list[str], settings: type[BaseModel]) -> list[str]:
-    """Names of the keys of the table at a place; none where there is no table."""
-    table = _table_at(location, settings)
-    return [] if table is None else list(table.model_fields)
-
-
-def _table_at(location: list[str], settings: type[BaseModel]) -> type[BaseModel] | None:
-    """The table at a place, if there is one."""
+def _fields_at(location: list[str], settings: type[BaseModel]) -> dict[str, FieldInfo]:
+    """The fields of the table at a place by their keys; none where there is no table."""
     model = settings
-    for part in location:
-        if part.isdigit():
-            continue
+    for part in (part for part in location if not part.isdigit()):
         annotation = model.model_fields[part].annotation
         tables = [c for c in _within(annotation) if isinstance(c, type) and issubclass(c, BaseModel)]
         if not tables:
-            return None
+            return {}
         model = tables[0]
-    return model
+    return model.model_fields
 
 
 def _within(annotation: Any) -> list[Any]:

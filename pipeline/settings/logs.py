@@ -1,17 +1,36 @@
 """Settings of the raw logs: which files, which parts of them, and which channel is which signal."""
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Strict, Tag, field_validator, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    Strict,
+    Tag,
+    field_validator,
+    model_validator,
+)
 
 from ..errors import InputError
 from ..system.names import true_name
 from ..units.units import DISPLACEMENT, FILL_IN, TIME, parse_quantity
 
+
+def _not_zero(value: float) -> float:
+    if value == 0.0:
+        raise ValueError("must not be 0: the channel would be constant")
+    return value
+
+
 # Numbers are written as numbers: true, "0.01", inf and nan are refused.
 Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
+Factor = Annotated[Number, AfterValidator(_not_zero)]
 Whole = Annotated[int, Strict()]
 
 Role = Literal["train", "validation"]
@@ -22,6 +41,8 @@ class SettingsTable(BaseModel):
     """A table of a settings file: frozen, without unknown keys; each field has its description below it."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
+    gone: ClassVar[Mapping[str, str]] = {}
+    """Keys that an earlier release had, and what to write instead."""
 
 
 class LogColumn(SettingsTable):
@@ -31,7 +52,7 @@ class LogColumn(SettingsTable):
     """Name of the channel in the log."""
     unit: str = Field(min_length=1, max_length=100)
     """Unit of the channel's numbers in pint notation, such as mm, kV, s, deg; mandatory."""
-    scale: Number = 1.0
+    scale: Factor = 1.0
     """Unit per number of the log, for a log in volts of its data acquisition: value = scale · number + offset."""
     offset: Number = 0.0
     """Summand after that, in the channel's unit."""
@@ -44,13 +65,6 @@ class LogColumn(SettingsTable):
     def _filled_in(cls, value: str) -> str:
         if value == FILL_IN:
             raise ValueError("is still to be filled in; `debist inspect LOG` lists the channels of a log")
-        return value
-
-    @field_validator("scale")
-    @classmethod
-    def _not_zero(cls, value: float) -> float:
-        if value == 0.0:
-            raise ValueError("must not be 0: the channel would be constant")
         return value
 
 
@@ -73,19 +87,12 @@ class Channel(LogColumn):
 class Gains(SettingsTable):
     """Factors that make the readings of a log true."""
 
-    q: Number = 1.0
+    q: Factor = 1.0
     """Factor on q."""
-    v1: Number = 1.0
+    v1: Factor = 1.0
     """Factor on the first input."""
-    v2: Number = 1.0
+    v2: Factor = 1.0
     """Factor on the second input."""
-
-    @model_validator(mode="after")
-    def _not_zero(self) -> "Gains":
-        for name, gain in self:
-            if gain == 0.0:
-                raise ValueError(f"{name} must not be 0: the channel would be constant")
-        return self
 
 
 class LogPart(SettingsTable):

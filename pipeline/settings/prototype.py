@@ -5,14 +5,14 @@ The reference page of the settings is generated from the descriptions below.
 """
 
 import difflib
+from functools import partial
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, ValidationError, field_validator, model_validator
+from pydantic import AfterValidator, Field, field_validator, model_validator
 
-from ..errors import SeveralMistakesError
 from ..system.names import check_log_name, check_name, log_name, slug
-from .file import GATES, mistakes, read_document
+from .file import GATES, checked, read_document
 from .logs import ROLES, Channels, Logs, Number, SettingsTable, Whole, log_label
 from .models import AUTO, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
 
@@ -165,10 +165,28 @@ class Structure(SettingsTable):
     """Inputs between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
 
 
+def _known_names(given: tuple[str, ...], choices: tuple[str, ...]) -> tuple[str, ...]:
+    """The names, each once.
+
+    Raises
+    ------
+    ValueError
+        An unknown name.
+    """
+    for name in given:
+        if name not in choices:
+            close = difflib.get_close_matches(name, choices, n=1)
+            hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(choices)}"
+            raise ValueError(f"no model {name!r} here; {hint}")
+    return tuple(dict.fromkeys(given))
+
+
 class Identify(SettingsTable):
     """Identification of models."""
 
-    models: tuple[str, ...] = Field(default=(AUTO, "rbf", "rbf-paper"), min_length=1)
+    models: Annotated[tuple[str, ...], AfterValidator(partial(_known_names, choices=(AUTO, *names("identify"))))] = (
+        Field(default=(AUTO, "rbf", "rbf-paper"), min_length=1)
+    )
     """Models to identify; the first is the main model. "auto": "hybrid" or "rbf", whichever predicts held-out training
     data better; as the first name, it leaves that place to another that holds training logs which this one loses, or
     predicts better by horizon. "hybrid": the joint's equations, with data-driven corrections where these help. "rbf":
@@ -186,16 +204,11 @@ class Identify(SettingsTable):
     samples of the training logs beyond 7,500. It counts evaluations by a stated cost and not the clock,
     so results do not depend on the machine; a fit that it cuts short is reported as not converged."""
 
-    @field_validator("models")
-    @classmethod
-    def _known(cls, value: tuple[str, ...]) -> tuple[str, ...]:
-        return _known_names(value, (AUTO, *names("identify")))
-
 
 class Compare(SettingsTable):
     """Baselines on the same logs."""
 
-    models: tuple[str, ...] | None = None
+    models: Annotated[tuple[str, ...], AfterValidator(partial(_known_names, choices=names("compare")))] | None = None
     """Baselines to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with
     the parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters).
     Names: sindy, sindy-default, narx, analytical, analytical-calibrated."""
@@ -205,11 +218,6 @@ class Compare(SettingsTable):
     curves: str | None = None
     """CSV file of measured characteristic curves, drawn beside those of the models: columns "q [mm]" and any of
     "F [N]", "d [N s/m]", "dC1_dq [nF/m]", "dC2_dq [nF/m]", in the units that the heading names; needs plant.mass."""
-
-    @field_validator("models")
-    @classmethod
-    def _known(cls, value: tuple[str, ...] | None) -> tuple[str, ...] | None:
-        return None if value is None else _known_names(value, names("compare"))
 
 
 LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
@@ -230,8 +238,7 @@ class Quality(SettingsTable):
     @field_validator("accept", mode="before")
     @classmethod
     def _present(cls, value: Any) -> Any:
-        gone = [gate for gate in value if gate in GATES] if isinstance(value, list | tuple) else []
-        if gone:
+        if gone := [gate for gate in value if gate in GATES] if isinstance(value, list | tuple) else []:
             raise ValueError(f"{gone[0]!r} refuses no data any more: leave it out")
         return value
 
@@ -239,7 +246,16 @@ class Quality(SettingsTable):
 class Prototype(SettingsTable):
     """Everything that decides the results of one prototype."""
 
-    name: str
+    gone: ClassVar = {
+        "differentiate.reweighted": "leave it out: the penalty is always lifted where the acceleration jumps",
+        "differentiate.rate": 'leave it out; for "signals" give [ingest] record_interval the value of sample_interval',
+        "differentiate.method": 'write method = "savitzky-golay", or leave it out',
+        "identify.basis": "leave it out: `rbf-paper` has Gaussians",
+        "identify.rbf_basis_functions": "leave it out: inner validation chooses the number",
+        "identify.rbf_smoothing": "leave it out: inner validation chooses the width",
+        "identify.rbf_prior": "leave it out: inner validation chooses the prior",
+    }
+    name: Annotated[str, AfterValidator(check_name)]
     """Name of the prototype; letters of any script, blanks and brackets too. A safe form of it names its folder."""
     logs: Logs
     channels: Channels
@@ -249,11 +265,6 @@ class Prototype(SettingsTable):
     differentiate: Differentiate = Differentiate()
     identify: Identify = Identify()
     compare: Compare = Compare()
-
-    @field_validator("name")
-    @classmethod
-    def _usable(cls, value: str) -> str:
-        return check_name(value)
 
     @model_validator(mode="after")
     def _log_names(self) -> "Prototype":
@@ -266,24 +277,27 @@ class Prototype(SettingsTable):
                     raise ValueError(
                         f"logs.{role}: two logs are named {name!r}, by which a run files them: rename one of the files"
                     )
-        twice = set(map(log_label, self.logs.train)) & set(map(log_label, self.logs.validation))
-        if twice:
+        if twice := set(map(log_label, self.logs.train)) & set(map(log_label, self.logs.validation)):
             raise ValueError(f"logs.validation: {min(twice)!r} is a training log too; validate on a log of its own")
         return self
 
     @model_validator(mode="after")
-    def _joint(self) -> "Prototype":
+    def _consistent(self) -> "Prototype":
+        """Refuse what does not suit the device, and what nothing reads; M and σ_n also decide gates and studies."""
         plant = self.plant
-        lacking = [
-            entry.name for entry in ENTRIES if entry.needs_parameters and entry.name in (self.compare.models or ())
-        ]
-        _refuse(
+        no_rbf = not {AUTO, "rbf"} & {*self.identify.models}
+        no_hybrid = not {AUTO, "hybrid"} & {*self.identify.models}
+        of_rbf = 'is for "rbf", which identify.models does not name'
+        of_hybrid = 'is for "hybrid", which identify.models does not name'
+        of_joint = "is for the joint's two squared voltages; leave it out for this device"
+        rules = (
             *(
                 (
-                    plant.parameters is None,
-                    f"compare.models: {name!r} needs a parameter set; name one as plant.parameters",
+                    plant.parameters is None and entry.name in (self.compare.models or ()),
+                    f"compare.models: {entry.name!r} needs a parameter set; name one as plant.parameters",
                 )
-                for name in lacking
+                for entry in ENTRIES
+                if entry.needs_parameters
             ),
             (
                 "hybrid" in self.identify.models and not self.may_be_a_joint,
@@ -306,32 +320,17 @@ class Prototype(SettingsTable):
                 plant.curves is not None and plant.mass is None,
                 "plant.curves: measured forces move a known mass only; give plant.mass",
             ),
-        )
-        return self
-
-    @model_validator(mode="after")
-    def _read(self) -> "Prototype":
-        """Refuse settings that nothing reads; the paper's M and σ_n also decide gates and studies."""
-        no_rbf = not {AUTO, "rbf"} & {*self.identify.models}
-        no_hybrid = not {AUTO, "hybrid"} & {*self.identify.models}
-        of_rbf = 'is for "rbf", which identify.models does not name'
-        of_hybrid = 'is for "hybrid", which identify.models does not name'
-        of_joint = "is for the joint's two squared voltages; leave it out for this device"
-        _refuse(
             *(
                 (no_rbf and value != AUTO, f"identify.structure.{key}: {of_rbf}")
                 for key, value in self.identify.structure
             ),
-            (
-                no_rbf and self.identify.time_limit != _default(Identify, "time_limit"),
-                f"identify.time_limit: {of_rbf}",
-            ),
-            (no_rbf and self.plant.curves is not None, f"plant.curves: {of_rbf}"),
-            (no_hybrid and self.plant.siblings is not None, f"plant.siblings: {of_hybrid}"),
+            (no_rbf and self.identify.time_limit != RBF_TIME_LIMIT, f"identify.time_limit: {of_rbf}"),
+            (no_rbf and plant.curves is not None, f"plant.curves: {of_rbf}"),
+            (no_hybrid and plant.siblings is not None, f"plant.siblings: {of_hybrid}"),
             (no_hybrid and self.identify.corrections != AUTO, f"identify.corrections: {of_hybrid}"),
             *(
                 (
-                    not self.may_be_a_joint and getattr(self.plant, key) != _default(Plant, key),
+                    not self.may_be_a_joint and getattr(plant, key) != Plant.model_fields[key].default,
                     f"plant.{key}: {of_joint}",
                 )
                 for key in sorted(FILM)
@@ -342,6 +341,9 @@ class Prototype(SettingsTable):
                 "own noise, leave alpha and epsilon out",
             ),
         )
+        for broken, words in rules:
+            if broken:
+                raise ValueError(words)
         return self
 
     @property
@@ -359,36 +361,8 @@ class Prototype(SettingsTable):
         """The baselines to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
             return self.compare.models
-        every = [entry for entry in ENTRIES if entry.part == "compare"]
-        return tuple(entry.name for entry in every if not entry.needs_parameters or self.plant.parameters is not None)
-
-
-def _default(section: type[SettingsTable], key: str) -> Any:
-    """Default of a key."""
-    return section.model_fields[key].default
-
-
-def _refuse(*rules: tuple[bool, str]) -> None:
-    """Raise ValueError with the words of the first rule that is broken: whether it is, and what to do."""
-    for broken, words in rules:
-        if broken:
-            raise ValueError(words)
-
-
-def _known_names(given: tuple[str, ...], choices: tuple[str, ...]) -> tuple[str, ...]:
-    """The names, each once.
-
-    Raises
-    ------
-    ValueError
-        An unknown name.
-    """
-    for name in given:
-        if name not in choices:
-            close = difflib.get_close_matches(name, choices, n=1)
-            hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(choices)}"
-            raise ValueError(f"no model {name!r} here; {hint}")
-    return tuple(dict.fromkeys(given))
+        has_set = self.plant.parameters is not None
+        return tuple(e.name for e in ENTRIES if e.part == "compare" and (has_set or not e.needs_parameters))
 
 
 def load_prototype(path: Path) -> Prototype:
@@ -404,7 +378,4 @@ def parse_prototype(document: dict[str, Any], where: str) -> Prototype:
     InputError
         Everything that is wrong, each with the key and a suggestion.
     """
-    try:
-        return Prototype.model_validate(document)
-    except ValidationError as error:
-        raise SeveralMistakesError.of(where, mistakes(error.errors(include_url=False), Prototype)) from None
+    return checked(document, Prototype, where)

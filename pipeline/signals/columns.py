@@ -220,7 +220,7 @@ def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
 
 _NINES = [10.0**digits - 1.0 for digits in range(3, 7)]
 _WHOLE = [2.0**bits for bits in (15, 16, 31, 32)]
-_CODES = np.array([*_NINES[1:], *(-code for code in (*_NINES, *_WHOLE)), *(end - 1.0 for end in _WHOLE)])
+_CODES = [*_NINES[1:], *(-code for code in (*_NINES, *_WHOLE)), *(end - 1.0 for end in _WHOLE)]
 """Codes that recorders write: nines, positive ones from 9999 on, and the ends of whole numbers of 16 and 32 bits."""
 _HUGE = 0.999e20
 """No measurement is that large: 9.9E37 of instruments, 9.97E36 of netCDF, 1.8E308."""
@@ -251,8 +251,7 @@ def codes_in(
     -----
     Cost: one pass, in chunks.
     """
-    wanted = _CODES if declared is None else np.array(declared, dtype=np.float64)
-    counts = dict.fromkeys(wanted.tolist(), 0)
+    counts = dict.fromkeys(_CODES if declared is None else map(float, declared), 0)
     low = np.inf
     high = -np.inf
     largest = 0.0

@@ -252,8 +252,7 @@ def scale_suspicion(span: float, plausible: tuple[float, float] | None) -> float
     low, high = plausible or (0.0, np.inf)
     if not 0.0 < span < np.inf or low <= span <= high:
         return None
-    prefix = 1000.0 if span > high else 1.0 / 1000.0
-    factor = prefix
+    factor = prefix = 1000.0 if span > high else 1.0 / 1000.0
     while max(low * factor / span, span / (high * factor)) > 1.0 and max(factor, 1.0 / factor) < 1e9:
         factor *= prefix
     return factor

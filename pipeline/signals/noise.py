@@ -126,9 +126,9 @@ def is_stepped(samples: FloatArray) -> bool:
     return of_two and bool(_BALANCED <= high / values.size <= 1.0 - _BALANCED)
 
 
-def _excerpt(samples: FloatArray) -> FloatArray:
-    """The finite ones of the first 2¹⁷ samples."""
-    first = samples[:CHUNK]
+def _excerpt(samples: FloatArray, most: int = CHUNK) -> FloatArray:
+    """The finite ones of the first samples."""
+    first = samples[:most]
     return np.asarray(first[np.isfinite(first)])
 
 
@@ -148,9 +148,7 @@ def held_samples(samples: FloatArray, resolution: float | None) -> int:
     resolution : float or None
         Step of the converter [signal], where there is one.
     """
-    values = samples[: 16 * CHUNK]
-    values = values[np.isfinite(values)]
-    changes = np.flatnonzero(np.abs(np.diff(values)) > 1.5 * (resolution or 0.0))
+    changes = np.flatnonzero(np.abs(np.diff(_excerpt(samples, 16 * CHUNK))) > 1.5 * (resolution or 0.0))
     return 1 if changes.size < _FEWEST else int(np.quantile(np.diff(changes), _SELDOM))
 
 
@@ -275,15 +273,11 @@ def mains_at_another_rate(samples: FloatArray, step: float) -> tuple[Hum, float]
     """
     steps = np.diff(samples[: BLOCKS * CHUNK])
     quiet = np.where(np.abs(steps) <= 2.0 * REACH * noise_level(samples), steps, 0.0)
-    lines = [hum(quiet, step, frequency) for frequency in MAINS]
-    if any(line is not None and line.stands_out for line in lines):
+    in_place = (hum(quiet, step, frequency) for frequency in MAINS)
+    if any(line is not None and line.stands_out for line in in_place):
         return None
-    for factor in (2.0, 0.5):
-        for frequency in MAINS:
-            line = hum(quiet, step, frequency / factor)
-            if line is not None and line.stands_out:
-                return line, factor
-    return None
+    elsewhere = ((hum(quiet, step, frequency / factor), factor) for factor in (2.0, 0.5) for frequency in MAINS)
+    return next(((line, factor) for line, factor in elsewhere if line is not None and line.stands_out), None)
 
 
 def aliased(frequency: float, step: float) -> float:

@@ -306,10 +306,6 @@ class Trusted:
         NaN where left out.
     left_out : (int, int, int)
         Samples left out at the rails, without a target, and as spikes.
-    rails : tuple of (float, float)
-        Between which values three samples in a row are a sensor at the end of its range.
-    bounds : (float, float)
-        Values beyond which the sensor has lost its target.
     quality : SignalQuality
         Of the samples that the sensor and the recorder did not lose; its counts are those of all.
     dropouts : Dropouts
@@ -318,8 +314,6 @@ class Trusted:
 
     samples: FloatArray
     left_out: tuple[int, int, int]
-    rails: tuple[tuple[float, float], ...]
-    bounds: tuple[float, float]
     quality: SignalQuality
     dropouts: Dropouts
 
@@ -379,12 +373,9 @@ def trusted(
             yield np.where((at_rail | spiked)[own], np.nan, part[own])
 
     masked = column(samples.size, parts(), np.float64) if at or noise or measured is not samples else samples
-    rail, lost_target, spike = counts.tolist()
     return Trusted(
         samples=masked,
-        left_out=(rail, lost_target, spike),
-        rails=at,
-        bounds=bounds,
+        left_out=(int(counts[0]), int(counts[1]), int(counts[2])),
         quality=quality,
         dropouts=dropouts_of_q,
     )

@@ -44,8 +44,8 @@ class UniformClock:
     @property
     def described(self) -> str:
         """Rate of the clock, and rounding of its stamps."""
-        rounded = f"rounded to {quantity(self.resolution, 's')}"
-        return f"those of a clock of {1.0 / self.step:.6g} Hz, {rounded}: taken as uniform"
+        rounded = quantity(self.resolution, "s")
+        return f"those of a clock of {1.0 / self.step:.6g} Hz, rounded to {rounded}: taken as uniform"
 
 
 def uniform_clock(time: FloatArray) -> UniformClock | None:
@@ -224,15 +224,12 @@ def _line(stamps: FloatArray, count: IntArray, half: FloatArray, fuzz: float, pa
 
 def _on_lines(time: FloatArray, usable: BoolArray, count: IntArray, lines: list[_Line]) -> FloatArray:
     """The stamps on their lines, and those that are not finite."""
-
-    def on_lines() -> Iterator[FloatArray]:
-        """The finite ones, chunk by chunk."""
-        for line in lines:
-            for rows in chunks(line.rows.stop - line.rows.start):
-                numbers = count[line.rows.start + rows.start : line.rows.start + rows.stop]
-                yield np.asarray(line.start + line.slope * (numbers - line.first), dtype=np.float64)
-
-    uniform = column(count.size, on_lines(), np.float64)
+    on_lines: Iterator[FloatArray] = (
+        np.asarray(line.start + line.slope * (count[line.rows][rows] - line.first), dtype=np.float64)
+        for line in lines
+        for rows in chunks(line.rows.stop - line.rows.start)
+    )
+    uniform: FloatArray = column(count.size, on_lines, np.float64)
     if count.size == time.size:
         return uniform
 
@@ -240,11 +237,8 @@ def _on_lines(time: FloatArray, usable: BoolArray, count: IntArray, lines: list[
         """All stamps, chunk by chunk."""
         passed = 0
         for rows in chunks(time.size):
-            part = np.array(time[rows])
-            there = usable[rows]
-            own = int(np.count_nonzero(there))
-            part[there] = uniform[passed : passed + own]
-            passed += own
-            yield part
+            places = passed + np.cumsum(usable[rows])
+            yield np.where(usable[rows], uniform[places - 1], time[rows])
+            passed = int(places[-1])
 
     return column(time.size, all_rows(), np.float64)

@@ -9,7 +9,6 @@ reach.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import chain, islice
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -39,25 +38,10 @@ IN_A_ROW = 3
 """Samples that make a stay."""
 
 
-@dataclass(frozen=True)
-class Rail:
-    """An end of a sensor's range.
+def rail(values: FloatArray, usual: tuple[float, float], end: int, noise: float) -> tuple[float, float, float] | None:
+    """The end of the sensor's range, where a signal is cut off by it; None where it is not.
 
-    Attributes
-    ----------
-    low, high : float
-        Samples between these, three or more in a row, are at the end of the range.
-    share : float
-        Share of the samples that are.
-    """
-
-    low: float
-    high: float
-    share: float
-
-
-def rail(values: FloatArray, usual: tuple[float, float], end: int, noise: float) -> Rail | None:
-    """The end of the sensor's range, where a signal is cut off by it.
+    Samples between the first two numbers, three or more in a row, are at the end; the third is the share of those.
 
     Parameters
     ----------
@@ -98,9 +82,9 @@ def rail(values: FloatArray, usual: tuple[float, float], end: int, noise: float)
     return None
 
 
-def _rail(values: FloatArray, runs: IntArray, level: float, width: float) -> Rail:
+def _rail(values: FloatArray, runs: IntArray, level: float, width: float) -> tuple[float, float, float]:
     lengths = np.diff(runs, axis=1)
-    return Rail(level - width, level + width, float(lengths[lengths >= IN_A_ROW].sum()) / values.size)
+    return level - width, level + width, float(lengths[lengths >= IN_A_ROW].sum()) / values.size
 
 
 def runs_between(values: FloatArray, low: float, high: float) -> IntArray:
@@ -117,8 +101,8 @@ def runs_between(values: FloatArray, low: float, high: float) -> IntArray:
 
 def in_a_row(inside: BoolArray) -> BoolArray:
     """Mask of the samples inside that lie in a run of three or more of them."""
-    begun = sliding_window_view(np.pad(inside, IN_A_ROW - 1), IN_A_ROW).all(axis=1)
-    return np.asarray(sliding_window_view(begun, IN_A_ROW).any(axis=1))
+    begun = sliding_window_view(np.pad(inside, IN_A_ROW - 1), IN_A_ROW).T.all(axis=0)
+    return np.asarray(sliding_window_view(begun, IN_A_ROW).T.any(axis=0))
 
 
 def _is_exact(
@@ -317,21 +301,19 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     values = select(samples, usable)
     stamps = select(time, usable)
     missing = samples.size - values.size
-    gone = chain.from_iterable(rows.start + np.flatnonzero(~usable[rows]) for rows in chunks(usable.size))
-    located = tuple(time[list(islice(gone, LOCATED))].tolist()) if missing else ()
+    located = tuple(select(time, ~usable)[:LOCATED].tolist())
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
-        nan = float("nan")
         return SignalQuality(
             n=samples.size,
             not_finite=missing,
             lost=lost,
             not_finite_at=located,
-            smallest=nan,
-            largest=nan,
-            mean=nan,
-            usual=(nan, nan),
-            noise=nan,
+            smallest=np.nan,
+            largest=np.nan,
+            mean=np.nan,
+            usual=(np.nan, np.nan),
+            noise=np.nan,
             idle=False,
             low_rail=0.0,
             high_rail=0.0,
@@ -340,12 +322,12 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
             levels=(),
             longest_frozen=0.0,
             frozen_samples=0,
-            frozen_at=nan,
+            frozen_at=np.nan,
             rests=False,
             spikes=0,
             spikes_at=(),
             hum=(),
-            band=Bandwidth(nan, nan),
+            band=Bandwidth(np.nan, np.nan),
         )
     smallest, largest = span(values)
     noise = noise_level(values)
@@ -365,9 +347,9 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         usual=usual,
         noise=noise,
         idle=is_idle(values),
-        low_rail=ends[0].share if ends[0] else 0.0,
-        high_rail=ends[1].share if ends[1] else 0.0,
-        rails=tuple((end.low, end.high) for end in ends if end),
+        low_rail=ends[0][2] if ends[0] else 0.0,
+        high_rail=ends[1][2] if ends[1] else 0.0,
+        rails=tuple(end[:2] for end in ends if end),
         stepped=is_stepped(values),
         levels=_levels(values),
         longest_frozen=ended - began,
@@ -406,14 +388,9 @@ def usual_span(samples: FloatArray) -> tuple[float, float]:
     lowest = np.nan
     highest = np.nan
     for rows in chunks(samples.size, overlap=2):
-        part = samples[rows]
-        first, *others = (part[:-2], part[1:-1], part[2:]) if part.size >= 3 else part[:, None]
-        largest = first
-        smallest = first
-        for other in others:
-            largest, smallest = np.maximum(largest, other), np.minimum(smallest, other)
-        lowest = np.fmin(lowest, np.fmin.reduce(largest))
-        highest = np.fmax(highest, np.fmax.reduce(smallest))
+        stays = sliding_window_view(samples[rows], min(IN_A_ROW, rows.stop - rows.start)).T
+        lowest = np.fmin(lowest, np.fmin.reduce(stays.max(axis=0)))
+        highest = np.fmax(highest, np.fmax.reduce(stays.min(axis=0)))
     # A signal that nowhere stays for three samples reaches its highest value less often than its lowest.
     return float(np.fmin(lowest, highest)), float(np.fmax(lowest, highest))
 
@@ -485,15 +462,12 @@ def _longest_run(values: FloatArray) -> tuple[int, int]:
     longest = 0
     at = 0
     began = 0
-    last = np.nan
-    for rows in chunks(values.size):
-        part = values[rows]
-        changes = rows.start + np.flatnonzero(np.diff(part, prepend=last) != 0.0)
-        last = float(part[-1])
-        edges = np.concatenate(([began], changes))
+    for rows in chunks(values.size, overlap=1):
+        changes = rows.start + 1 + np.flatnonzero(np.diff(values[rows]) != 0.0)
+        edges = np.concatenate(([began], changes, [values.size] if rows.stop == values.size else [])).astype(np.int64)
         lengths = np.diff(edges)
         if lengths.size and lengths.max() > longest:
             longest = int(lengths.max())
             at = int(edges[np.argmax(lengths)])
         began = int(edges[-1])
-    return (longest, at) if longest >= values.size - began else (values.size - began, began)
+    return longest, at

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import DataRefusedError
-from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from ..numerics.arrays import FloatArray, IntArray
 from .columns import chunks, column, differences, finite, select
 
 GAP_STEPS = 5.0
@@ -74,11 +74,6 @@ class TimeQuality:
     repeated_at: tuple[float, ...]
     backward_at: tuple[float, ...]
     gaps_at: tuple[tuple[float, float], ...]
-
-    @property
-    def rate(self) -> float:
-        """Nominal sampling rate, one over the nominal step."""
-        return 1.0 / self.step
 
     @property
     def written_as_minutes(self) -> bool:
@@ -183,23 +178,6 @@ def examine(time: FloatArray) -> TimeQuality:
         backward_at=tuple(backward_at[:LOCATED]),
         gaps_at=tuple(gaps_at[:LOCATED]),
     )
-
-
-def advancing(time: FloatArray, reached: float = -np.inf) -> BoolArray:
-    """Stamps that are finite and later than every finite stamp before them, shape (N,).
-
-    The first of several equal stamps is kept. After a step back, stamps are left out until time has passed
-    the point where it turned.
-
-    Parameters
-    ----------
-    time : FloatArray, shape (N,)
-        Time stamps [s].
-    reached : float
-        Latest finite stamp [s] before these.
-    """
-    stamps = np.concatenate(([reached], np.where(np.isfinite(time), time, -np.inf)))
-    return np.asarray(stamps[1:] > np.maximum.accumulate(stamps)[:-1])
 
 
 def unwrapped(time: FloatArray) -> FloatArray:

@@ -16,7 +16,7 @@ from ..errors import DataRefusedError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from .columns import CHUNK, ROUNDING, Signal, Stream, chunks, column, select
 from .resampling import LEAST_RATIO, REACH, decimated, interpolated, uniform_grid
-from .timebase import LOCATED, NO_CUTS, advancing, default_gap_limit, nominal_step, segments
+from .timebase import LOCATED, NO_CUTS, default_gap_limit, nominal_step, segments
 
 Method = Literal["decimated", "interpolated"]
 TimeReversal = Literal["refuse", "split", "unwrap"]
@@ -33,7 +33,8 @@ class TimeRows:
     time : FloatArray, shape (N,)
         All stamps [s].
     keep : BoolArray, shape (N,)
-        Rows with a finite stamp later than all before.
+        Rows with a finite stamp later than all finite ones before: of equal stamps the first, and after a step back
+        none until time has passed the point where it turned.
     turns : FloatArray
         Stamps [s] after which time stepped back.
     ends : FloatArray
@@ -111,15 +112,16 @@ def advancing_rows(time: FloatArray, time_reversal: TimeReversal, cuts: FloatArr
         last, reached = np.nan, -np.inf  # the last finite stamp, and the latest
         for rows in chunks(time.size):
             part = time[rows]
-            yield advancing(part, reached)
-            stamps = part[np.isfinite(part)]
+            finite = np.isfinite(part)
+            latest = np.maximum.accumulate(np.concatenate(([reached], np.where(finite, part, -np.inf))))
+            yield finite & (part > latest[:-1])
+            stamps = part[finite]
             if stamps.size:
                 steps = np.diff(stamps, prepend=last)
                 turns.append(np.concatenate(([last], stamps[:-1]))[steps < 0.0])
-                behind = stamps < np.maximum.accumulate(np.concatenate(([reached], stamps)))[:-1]
-                repeated += int(np.count_nonzero((steps == 0.0) & ~behind))
+                repeated += int(np.count_nonzero((steps == 0.0) & (stamps == latest[:-1][finite])))
                 last = float(stamps[-1])
-                reached = max(reached, float(stamps.max()))
+            reached = float(latest[-1])
             usable += stamps.size
 
     keep = column(time.size, flags(), np.bool_)
@@ -395,8 +397,7 @@ class Resampling:
         -----
         Cost: one pass over the log, that of `decimated`, O(4 N (k + 1)); memory for some pieces.
         """
-        interval = self.report.interval
-        streams = [Stream(resampled(group, self._grid, interval)) for group in self._log.groups]
+        streams = [Stream(resampled(group, self._grid, self.report.interval)) for group in self._log.groups]
         for first in range(0, self._grid.size, CHUNK):
             last = min(first + CHUNK, self._grid.size)
             values = np.concatenate([stream.read(last - first) for stream in streams])
@@ -429,8 +430,9 @@ def _method(step: float, interval: float) -> Method:
 
 def _valid_runs(grid: FloatArray, holes: FloatArray, reach: float) -> IntArray:
     """First and end index of each run of grid points out of reach of every hole, shape (S, 2)."""
-    near = np.searchsorted(grid, holes[:, 0] - reach, side="right"), np.searchsorted(grid, holes[:, 1] + reach)
-    masked = np.stack(near, axis=1)
+    masked = np.stack(
+        (np.searchsorted(grid, holes[:, 0] - reach, side="right"), np.searchsorted(grid, holes[:, 1] + reach)), axis=1
+    )
     masked = masked[masked[:, 0] < masked[:, 1]]
     ends = np.concatenate(([0], np.maximum.accumulate(masked[:, 1])))  # holes are in order of their beginnings
     starts = np.concatenate((masked[:, 0], [grid.size]))

@@ -59,8 +59,7 @@ def from_numpy(values: Any, kind: Any) -> Any:
     present = np.array([entry is not None for entry in entries], dtype=bool)
     buffers = [None if present.all() else pa.py_buffer(np.packbits(present, bitorder="little"))]
     if kind in _FIXED:
-        fixed = np.array([0 if entry is None else entry for entry in entries], dtype=_FIXED[kind])
-        buffers += [pa.py_buffer(fixed)]
+        buffers += [pa.py_buffer(np.array([0 if entry is None else entry for entry in entries], dtype=_FIXED[kind]))]
     elif kind == pa.bool_():
         buffers += [
             pa.py_buffer(np.packbits(np.array([bool(entry) for entry in entries], dtype=bool), bitorder="little"))

@@ -86,18 +86,6 @@ def refuse_link(path: Path, *, within: Path | None = None) -> None:
                 raise InputError(f"{step}: is a symbolic link; debist writes to no link, remove it and run again")
 
 
-def make_folder(path: Path) -> None:
-    """Make a folder and those on the way to it.
-
-    Raises
-    ------
-    InputError
-        A file has its name, or the system does not let it.
-    """
-    with writing(path):
-        path.mkdir(parents=True, exist_ok=True)
-
-
 def not_written(path: Path, error: OSError) -> InputError:
     """Error of a file that could not be written, with the reason."""
     if isinstance(error, FileExistsError | NotADirectoryError):
@@ -216,7 +204,6 @@ LOCK = ".lock"
 _NOTE = "-holder.json"
 HOLDER = LOCK + _NOTE
 _NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP)
-_LONGEST_NOTE = 4096
 _LONGEST_HOST = 100
 
 
@@ -285,7 +272,7 @@ def _not_locked(root: Path, error: OSError) -> InputError:
 
 def _holder(path: Path) -> str:
     try:
-        note = json.loads(read_plain(path, _LONGEST_NOTE))
+        note = json.loads(read_plain(path))
         host, since = (str(note[key])[:_LONGEST_HOST] for key in ("host", "since"))
         return f"process {int(note['pid'])} on {host} since {since}"
     except (OSError, ValueError, KeyError, TypeError, RecursionError):

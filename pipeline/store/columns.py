@@ -273,16 +273,14 @@ def _of_wells(kind: str, title: str, unit: str, row: str, help_: str, fleet: str
 
 
 def _switches() -> Iterator[FactColumn]:
-    row = "lowest steady input that switches out of it"
-    help_ = "voltage at which the well vanishes (a fold)"
     for membrane in ("v1", "v2"):
         for side, out_of in (("right", "left"), ("left", "right")):
             yield FactColumn(
                 f"switch_{membrane}_to_{side}",
                 f"lowest steady {membrane} that switches to the {side}",
                 "{v}",
-                help_,
-                row=row,
+                "voltage at which the well vanishes (a fold)",
+                row="lowest steady input that switches out of it",
                 side=out_of,  # type: ignore[arg-type]
                 fleet=f"switching {membrane}, to {side}",
             )

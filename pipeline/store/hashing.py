@@ -37,10 +37,11 @@ class ColumnDigest:
     text as length-prefixed UTF-8.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, values: Any = ()) -> None:
         self._digest = hashlib.sha256()
         self.length = 0
         """Number of values."""
+        self.update(values)
 
     def update(self, values: np.ndarray[Any, Any]) -> None:
         """Append values; memory is bounded by one block."""
@@ -52,13 +53,6 @@ class ColumnDigest:
     def hexdigest(self) -> str:
         """The digest of all values so far."""
         return self._digest.hexdigest()
-
-
-def column_digest(values: np.ndarray[Any, Any]) -> str:
-    """SHA-256 of one column's canonical values, as `ColumnDigest` takes it."""
-    digest = ColumnDigest()
-    digest.update(values)
-    return digest.hexdigest()
 
 
 def _canonical(block: np.ndarray[Any, Any]) -> bytes:
@@ -75,7 +69,7 @@ def _canonical(block: np.ndarray[Any, Any]) -> bytes:
 def table_hash(columns: Iterable[tuple[str, str, str, np.ndarray[Any, Any]]]) -> str:
     """Content hash of a table from its columns (name, dtype, unit, values)."""
     return digests_hash(
-        (name, dtype, unit, np.shape(values), column_digest(values)) for name, dtype, unit, values in columns
+        (name, dtype, unit, np.shape(values), ColumnDigest(values).hexdigest()) for name, dtype, unit, values in columns
     )
 
 
@@ -95,7 +89,6 @@ def flatten(tree: Mapping[str, Any], prefix: str = "", separator: str = "/") -> 
         if isinstance(value, Mapping):
             yield from flatten(value, f"{prefix}{key}{separator}", separator)
         elif isinstance(value, list | tuple) and any(isinstance(entry, Mapping) for entry in value):
-            entries = {str(position): entry for position, entry in enumerate(value)}
-            yield from flatten(entries, f"{prefix}{key}{separator}", separator)
+            yield from flatten({str(k): entry for k, entry in enumerate(value)}, f"{prefix}{key}{separator}", separator)
         else:
             yield f"{prefix}{key}", value

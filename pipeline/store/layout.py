@@ -8,6 +8,7 @@ from typing import Any
 from ..settings.logs import ROLES, Log, LogPart, Role, log_label
 from ..settings.prototype import Prototype
 from ..system.names import log_name
+from .columns import STUDY_COLUMNS
 
 CHECK = "check.json"
 MODELS = "model.h5"
@@ -106,13 +107,13 @@ def control(title: str) -> str:
     return f"control/{title}.json"
 
 
-def command_of(name: str) -> str:
-    """The command that makes an artifact which `debist run` does not; empty for those of its stages."""
+def remade(name: str) -> str:
+    """What a lost artifact that no stage of `debist run` makes is made by; empty for those of the stages."""
     folder = name.partition("/")[0]
     title = PurePosixPath(name).stem
-    if folder == STUDIES:
-        return f"study {title}"
-    if folder == "control":
-        pulse = f"pulse --to {title.removeprefix('pulse-to-')}"
-        return f"control {({'linear': 'linearise', 'map': 'map', 'design': 'design'}).get(title, pulse)}"
-    return "paper" if folder in ("paper", PAPER) else ""
+    if folder == STUDIES and title not in STUDY_COLUMNS:
+        return "it is no longer made"
+    pulse = f"pulse --to {title.removeprefix('pulse-to-')}"
+    control = {"linear": "linearise", "map": "map", "design": "design"}.get(title, pulse)
+    commands = {STUDIES: f"study {title}", "control": f"control {control}", "paper": "paper", PAPER: "paper"}
+    return f"`debist {commands[folder]}` makes it anew" if folder in commands else ""

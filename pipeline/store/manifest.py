@@ -268,8 +268,10 @@ def recover(root: Path) -> None:
         if (root / NEXT_MANIFEST).exists():
             manifest = load_manifest(root)
             written = {name: record.sha256 for name, record in manifest.artifacts.items()}
-            texts = {stage_file(stage): stage_text(stage, content) for stage, content in manifest.stages.items()}
-            written |= {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
+            written |= {
+                stage_file(stage): hashlib.sha256(stage_text(stage, content).encode()).hexdigest()
+                for stage, content in manifest.stages.items()
+            }
             staged = {name: staging_place(root / name) for name in written}
             waiting = [name for name, path in staged.items() if path.is_file() and file_sha256(path) == written[name]]
             _complete(root, manifest, waiting)

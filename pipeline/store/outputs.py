@@ -88,11 +88,12 @@ def _place(staged: Path, folder: Path, written: list[Path], about: dict[str, Any
     """
     listed = written_files(folder)
     coming = {name.as_posix(): about | {"sha256": file_sha256(staged / name)} for name in written}
-    own = [
-        name for name in coming if listed.get(name, {}).get("command") == about["command"] and (folder / name).is_file()
-    ]
-    replacing = coming | {name: coming[name] | {"replaces": file_sha256(folder / name)} for name in own}
-    write_text(folder / WRITTEN, _list(listed | replacing))
+    replacing = {
+        name: entry | {"replaces": file_sha256(folder / name)}
+        for name, entry in coming.items()
+        if listed.get(name, {}).get("command") == about["command"] and (folder / name).is_file()
+    }
+    write_text(folder / WRITTEN, _list(listed | coming | replacing))
     for name in written:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         replace(staged / name, folder / name)
@@ -163,9 +164,9 @@ def _named_by(path: Path) -> Path | None:
     for place in (folder, folder.parent, Path()):
         for settings in sorted(place.glob("*.toml"))[:_MOST_SETTINGS]:
             try:
-                logs = read_toml(settings)["logs"]
-                named = [log if isinstance(log, str) else log["file"] for role in logs.values() for log in role]
-                if any((settings.parent / log).samefile(path) for log in named if (settings.parent / log).exists()):
+                logs = [log for role in read_toml(settings)["logs"].values() for log in role]
+                files = [settings.parent / (log if isinstance(log, str) else log["file"]) for log in logs]
+                if any(file.samefile(path) for file in files if file.exists()):
                     return settings
             except (OSError, ValueError, KeyError, TypeError, AttributeError):
                 continue

@@ -14,7 +14,6 @@ from ..errors import CorruptArtifactError, InputError, SupersededError, warn_use
 from ..settings.file import translated
 from ..settings.prototype import Prototype, parse_prototype
 from ..system.names import shell_word
-from ..system.plain_files import open_plain
 from . import layout, tables, trees
 from .atomic import TEMPORARY_MARK, move, reading, refuse_link, sweep, write_bytes, write_text
 from .hashing import file_sha256, json_sha256
@@ -48,26 +47,6 @@ _Read = Callable[[Path], tuple[T, str]]
 """Gives what is wanted of a file, and the SHA-256 of the bytes that it is from."""
 
 
-def _look_up(root: Path, path: Path, size: int, sha256: str, read: _Read[T]) -> tuple[T | None, str | None]:
-    """Result of `read` for a file of the run `root`, or the problem with the file.
-
-    While a commit awaits its completion the file is at its staging place, from which it may just be moved.
-
-    Raises
-    ------
-    InputError
-        The system does not let it be read.
-    """
-    with reading(path):
-        content, problem = _look(path, size, sha256, read)
-        if problem is not None and (root / NEXT_MANIFEST).exists():
-            content, elsewhere = _look(staging_place(path), size, sha256, read)
-            problem = elsewhere and problem
-        if problem is not None:
-            content, problem = _look(path, size, sha256, read)
-    return content, problem
-
-
 def _look(path: Path, size: int, sha256: str, read: _Read[T]) -> tuple[T | None, str | None]:
     try:
         present = path.stat().st_size
@@ -84,13 +63,6 @@ def _look(path: Path, size: int, sha256: str, read: _Read[T]) -> tuple[T | None,
 def _hashed(path: Path) -> tuple[Path, str]:
     """The path itself."""
     return path, file_sha256(path)
-
-
-def _whole(path: Path) -> tuple[bytes, str]:
-    """All bytes."""
-    with open_plain(path) as stream:
-        content = stream.read()
-    return content, hashlib.sha256(content).hexdigest()
 
 
 def _buffered(path: Path) -> tuple[Any, str]:
@@ -217,7 +189,7 @@ class RunFolder:
         UserWarning
             They were made from what was made anew since.
         """
-        return self._intact(name, _whole)
+        return bytes(memoryview(self._intact(name, _buffered)))
 
     def read_table(self, name: str) -> tables.Table:
         """Read a Parquet artifact from bytes that were checked; errors as for `read_bytes`."""
@@ -233,7 +205,7 @@ class RunFolder:
 
     def read_document(self, name: str) -> Document:
         """Read a JSON artifact; errors as for `read_bytes`, also where a key is asked for that is not there."""
-        remedy = f"`debist {layout.command_of(name) or 'run'}` makes it anew"
+        remedy = layout.remade(name) or "`debist run` makes it anew"
         return Document(json.loads(self.read_bytes(name)), str(self.path(name)), remedy)
 
     def read_tree(self, name: str, group: str = "/") -> trees.Tree:
@@ -243,9 +215,7 @@ class RunFolder:
     def _intact(self, name: str, read: _Read[T]) -> T:
         content, problem = self._examine(name, read)
         if problem is not None or content is None:
-            command = layout.command_of(name)
-            stage = self.record(name).recipe.stage
-            remedy = f"`debist {command}` makes it anew" if command else f"redoes stage {stage}"
+            remedy = layout.remade(name) or f"redoes stage {self.record(name).recipe.stage}"
             raise CorruptArtifactError(f"{self.path(name)}: {problem}; `debist run` sets it aside and {remedy}")
         if newer := self._newer(name):
             warn_user(
@@ -266,21 +236,41 @@ class RunFolder:
     def _examine(self, name: str, read: _Read[T]) -> tuple[T | None, str | None]:
         """Result of `read` for the artifact's file, or the problem with the file."""
         record = self.record(name)
-        path = self.path(name)
-        content, problem = _look_up(self.root, path, record.bytes, record.sha256, read)
-        if problem is not None and load_manifest(self.root).artifacts.get(name) != record:
-            raise SupersededError(f"{path}: was replaced by another run while it was read; do it again")
-        return content, problem
+        return self._look_up(
+            self.path(name), record.bytes, record.sha256, read, lambda manifest: manifest.artifacts.get(name)
+        )
 
     def stage_problem(self, stage: str) -> str | None:
         """Problem with the manifest of a stage, or None; errors as for `problem`."""
-        content = self.manifest.stages[stage]
+        text = stage_text(stage, self.manifest.stages[stage]).encode()
+        sha256 = hashlib.sha256(text).hexdigest()
         path = self.path(stage_file(stage))
-        text = stage_text(stage, content).encode()
-        _, problem = _look_up(self.root, path, len(text), hashlib.sha256(text).hexdigest(), _hashed)
-        if problem is not None and load_manifest(self.root).stages.get(stage) != content:
+        return self._look_up(path, len(text), sha256, _hashed, lambda manifest: manifest.stages.get(stage))[1]
+
+    def _look_up(
+        self, path: Path, size: int, sha256: str, read: _Read[T], stated: Callable[[Manifest], object]
+    ) -> tuple[T | None, str | None]:
+        """Result of `read` for a file of which a manifest holds what is `stated`, or the problem with the file.
+
+        While a commit awaits its completion the file is at its staging place, from which it may just be moved.
+
+        Raises
+        ------
+        InputError
+            The system does not let it be read.
+        SupersededError
+            Another process has replaced it since this run was opened.
+        """
+        with reading(path):
+            content, problem = _look(path, size, sha256, read)
+            if problem is not None and (self.root / NEXT_MANIFEST).exists():
+                content, elsewhere = _look(staging_place(path), size, sha256, read)
+                problem = elsewhere and problem
+            if problem is not None:
+                content, problem = _look(path, size, sha256, read)
+        if problem is not None and stated(load_manifest(self.root)) != stated(self.manifest):
             raise SupersededError(f"{path}: was replaced by another run while it was read; do it again")
-        return problem
+        return content, problem
 
     def write_table(self, name: str, schema: Schema, columns: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
         """Write a Parquet artifact; like all that is written, it counts from its commit on.
@@ -296,7 +286,7 @@ class RunFolder:
         notes : mapping
             Notes on the result.
         """
-        return Written(tables.write_table(self._staged(name), schema, columns, within=self.root), notes)
+        return self.write_pieces(name, schema, [columns], notes)
 
     def write_pieces(
         self, name: str, schema: Schema, pieces: Iterable[Mapping[str, Any]], notes: Mapping[str, Any]
@@ -339,6 +329,10 @@ class RunFolder:
         write_text(self._staged(name), text, within=self.root)
         return Written(json_sha256(text), notes)
 
+    def write_json(self, name: str, document: Any, notes: Mapping[str, Any]) -> Written:
+        """Write a JSON artifact."""
+        return self.write_text(name, json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n", notes)
+
     def write_bytes(self, name: str, content: bytes, notes: Mapping[str, Any]) -> Written:
         """Write a binary artifact."""
         write_bytes(self._staged(name), content, within=self.root)
@@ -354,10 +348,13 @@ class RunFolder:
         for name, artifact in written.items():
             staged = staging_place(self.path(name))
             with reading(staged):
-                sha256 = file_sha256(staged)
-                size = staged.stat().st_size
-            notes = to_json(artifact.notes)
-            self.manifest.artifacts[name] = ArtifactRecord(recipe, sha256, artifact.content_hash, size, notes)
+                self.manifest.artifacts[name] = ArtifactRecord(
+                    recipe=recipe,
+                    sha256=file_sha256(staged),
+                    content_hash=artifact.content_hash,
+                    bytes=staged.stat().st_size,
+                    notes=to_json(artifact.notes),
+                )
         self.manifest.versions = recorded_versions()
         stated = self.manifest.stages.get(recipe.stage, {})
         if any(stated.get(name, artifact.content_hash) != artifact.content_hash for name, artifact in written.items()):

@@ -46,7 +46,7 @@ STUDIES = {study: Schema(f"study-{study}", columns) for study, columns in STUDY_
 
 
 def schema_of(schema: Schema, device: Device, *, phi: bool = False, tubes: bool = False) -> Schema:
-    """The schema with a device's units and inputs, see `resolve`.
+    """The schema for a device: its units filled in; second input, φ, measured velocity, tubes left out if absent.
 
     Parameters
     ----------
@@ -59,43 +59,11 @@ def schema_of(schema: Schema, device: Device, *, phi: bool = False, tubes: bool 
     tubes : bool
         With the limits of the tubes.
     """
-    inputs = tuple(unit.symbol for unit in device.inputs)
-    velocity = device.velocity is not None
-    return resolve(
-        schema, displacement=device.displacement.symbol, inputs=inputs, phi=phi, velocity=velocity, tubes=tubes
-    )
-
-
-def resolve(
-    schema: Schema,
-    *,
-    displacement: str,
-    inputs: tuple[str, ...],
-    phi: bool = False,
-    velocity: bool = False,
-    tubes: bool = False,
-) -> Schema:
-    """The schema for a device: its units filled in; second input, φ, measured velocity, tubes left out if absent.
-
-    Parameters
-    ----------
-    schema : Schema
-        Columns with marks for units.
-    displacement : str
-        SI unit of q.
-    inputs : tuple of str
-        SI unit of each input.
-    phi : bool
-        With the tip rotation.
-    velocity : bool
-        With the measured velocity.
-    tubes : bool
-        With the limits of the tubes.
-    """
-    absent = {"v2": len(inputs) < 2, "phi": not phi, "velocity": not velocity}
+    inputs = device.input_symbols
+    absent = {"v2": len(inputs) < 2, "phi": not phi, "velocity": device.velocity is None}
     absent |= dict.fromkeys((column.key for column in TUBE_COLUMNS), not tubes)
     columns = (
-        replace(column, unit=column.unit.format(q=displacement, v=inputs[0], v2=inputs[-1]))
+        replace(column, unit=column.unit.format(q=device.displacement.symbol, v=inputs[0], v2=inputs[-1]))
         for column in schema.columns
         if not absent.get(column.key)
     )

@@ -31,15 +31,16 @@ _ROW_GROUP = 1 << 20
 _WIDEST = 8
 
 
-def write_table(
+def write_pieces(
     target: Path,
     schema: Schema,
-    columns: Mapping[str, Any],
-    note: Mapping[str, str] | None = None,
+    pieces: Iterable[Mapping[str, Any]],
     *,
     within: Path | None = None,
 ) -> str:
-    """Write a table and return its content hash.
+    """Write a table that comes in pieces, one row group at a time, and return its content hash.
+
+    Neither file nor hash depends on the pieces' sizes.
 
     Parameters
     ----------
@@ -47,38 +48,16 @@ def write_table(
         Path of the file.
     schema : Schema
         Resolved for the device; decides order, types and metadata.
-    columns : mapping of str to array-like, each of length N
-        For text and nullable columns, lists with None for null.
-    note : mapping of str to str, optional
-        Further metadata of the file.
+    pieces : iterable of mapping of str to array-like
+        Consecutive rows of all columns; of text and nullable columns lists with None for null.
     within : Path, optional
         As for `atomic_path`.
-    """
-    return write_pieces(target, schema, [columns], note, within=within)
-
-
-def write_pieces(
-    target: Path,
-    schema: Schema,
-    pieces: Iterable[Mapping[str, Any]],
-    note: Mapping[str, str] | None = None,
-    *,
-    within: Path | None = None,
-) -> str:
-    """Write a table that comes in pieces, one row group at a time; neither file nor hash depends on the pieces' sizes.
-
-    Parameters
-    ----------
-    target, schema, note, within
-        As for `write_table`.
-    pieces : iterable of mapping of str to array-like
-        Consecutive rows of all columns.
     """
     fields = [
         pa.field(column.key, _ARROW[column.dtype], metadata={"unit": column.unit, "meaning": column.help})
         for column in schema.columns
     ]
-    columns = pa.schema(fields, metadata={"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}", **(note or {})})
+    columns = pa.schema(fields, metadata={"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}"})
     digests = {column.key: ColumnDigest() for column in schema.columns}
     with (
         atomic_path(target, within=within) as temporary,

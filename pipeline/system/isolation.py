@@ -16,19 +16,13 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Self, TypeVar
 
-from .machine import ONE_THREAD
-
-resource: Any
-try:
-    import resource
-except ImportError:  # Windows has no limits of this kind
-    resource = None
+from .machine import ONE_THREAD, load_linear_algebra, resource
 
 Running = TypeVar("Running", bound="Isolated")
 Send = Callable[[Any], None]
@@ -147,14 +141,9 @@ class Isolated:
 
     def __iter__(self) -> Iterator[Any]:
         """Messages of the process; as nothing is unpickled, it cannot run anything here."""
-        while True:
-            try:
-                if not self.channel.poll(self.seconds_left):
-                    return
-                message = json.loads(self.channel.recv_bytes(_LONGEST_MESSAGE))
-            except (EOFError, OSError, ValueError):
-                return
-            yield message
+        with suppress(EOFError, OSError, ValueError):
+            while self.channel.poll(self.seconds_left):
+                yield json.loads(self.channel.recv_bytes(_LONGEST_MESSAGE))
 
     @property
     def seconds_left(self) -> float | None:
@@ -197,24 +186,15 @@ def death(exit_code: int) -> str:
 
 def process_context() -> Any:
     """Fork server or new interpreters; a process of the server has no server of its own, and is forked itself."""
-    _check_descriptors()
+    with ExitStack() as spare:  # where descriptors run out it fails here; the server would print a traceback of its own
+        for _ in range(_DESCRIPTORS):
+            spare.callback(os.close, os.open(os.devnull, os.O_RDONLY))
     forks = "forkserver" in multiprocessing.get_all_start_methods() and bool(sys.platform == "linux")
     if not forks or len(os.fsencode(tempfile.gettempdir())) > _LONGEST_FOLDER:
         return multiprocessing.get_context("spawn")
     from multiprocessing.forkserver import get_inherited_fds
 
     return multiprocessing.get_context("forkserver" if get_inherited_fds() is None else "fork")
-
-
-def _check_descriptors() -> None:
-    """Fail here where descriptors run out, and not in the server, which prints a traceback of its own."""
-    spare = list[int]()
-    try:
-        while len(spare) < _DESCRIPTORS:
-            spare.append(os.open(os.devnull, os.O_RDONLY))
-    finally:
-        for number in spare:
-            os.close(number)
 
 
 @contextmanager
@@ -290,8 +270,6 @@ def begin() -> None:
     """End this process with its parent, which alone decides what Ctrl-C means."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
-    from .linear_algebra import load_linear_algebra
-
     load_linear_algebra()
 
 

@@ -1,17 +1,30 @@
-"""Settings of numerical libraries that keep results independent of the surroundings; made before NumPy loads."""
+"""Numerical libraries on this machine: settings before they load that keep results independent of the surroundings.
+
+Where the address space is limited (`ulimit -v`), OpenBLAS needs room for its buffer while it is loaded, or at its first
+product. Without that room it tries for ever, or ends the process without an error.
+"""
 
 import importlib.util
+import mmap
 import os
 from collections.abc import Callable
 from contextlib import chdir, suppress
 from functools import wraps
 from pathlib import Path
 from types import ModuleType
-from typing import ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar
+
+resource: Any
+try:
+    import resource
+except ImportError:  # Windows has no limits of this kind
+    resource = None
 
 P = ParamSpec("P")
 T = TypeVar("T")
 ONE_THREAD = tuple(f"{library}_NUM_THREADS" for library in ("OMP", "OPENBLAS", "MKL"))
+BUFFERS = 2**28
+"""Address space [bytes] that OpenBLAS and what is imported with it need; tried at limits from 120 to 700 MB."""
 
 
 def settle_machine() -> None:
@@ -26,6 +39,39 @@ def settle_machine() -> None:
         os.environ.pop(name, None)
     if matplotlib := importlib.util.find_spec("matplotlib"):
         os.environ["MATPLOTLIBRC"] = str(Path(matplotlib.origin or "").parent / "mpl-data")
+
+
+def is_limited() -> bool:
+    """True under a limit of address space."""
+    return resource is not None and resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY
+
+
+def claim_room(size: int) -> None:
+    """Claim so much address space [bytes] for a moment, if it is limited.
+
+    Raises
+    ------
+    OSError
+        There is less.
+    """
+    if is_limited():
+        mmap.mmap(-1, size).close()
+
+
+def load_linear_algebra() -> None:
+    """Have OpenBLAS take its memory now, if the address space is limited.
+
+    Raises
+    ------
+    OSError
+        There is too little.
+    """
+    if is_limited():
+        claim_room(BUFFERS)
+        import numpy as np
+        from scipy.linalg.blas import dgemm
+
+        dgemm(1.0, np.eye(3), np.eye(3) @ np.eye(3))
 
 
 def cores() -> int:

@@ -49,8 +49,7 @@ def slug(name: str) -> str:
     """
     if SAFE.fullmatch(name) and name.split(".")[0].strip().lower() not in _RESERVED and not name.endswith("."):
         return name
-    spelt = "".join(map(_spelt, unicodedata.normalize("NFC", name)))
-    short = re.sub(r"-{2,}", "-", spelt).strip("-.")
+    short = re.sub(r"-{2,}", "-", "".join(map(_spelt, unicodedata.normalize("NFC", name)))).strip("-.")
     digest = hashlib.sha256(name.encode()).hexdigest()[:8]
     if not re.search(r"[A-Za-z0-9]", short) or short.split(".")[0].lower() in _RESERVED:
         return f"name-{digest}"

@@ -1,7 +1,6 @@
 """Places in this package by name, whatever the package is called: `pipeline` in a checkout, `debist` installed."""
 
 import importlib
-from types import ModuleType
 from typing import Any
 
 PACKAGE = __name__.partition(".")[0]
@@ -12,15 +11,10 @@ def full_name(place: str) -> str:
     return f"{PACKAGE}.{place}"
 
 
-def module_at(place: str) -> ModuleType:
-    """The module at a place, imported."""
-    return importlib.import_module(full_name(place))
-
-
 def object_at(place: str) -> Any:
     """Object at ``module:attribute``, such as ``models.narx:NARX``."""
     module, _, attribute = place.partition(":")
-    return getattr(module_at(module), attribute)
+    return getattr(importlib.import_module(full_name(module)), attribute)
 
 
 def program_version() -> str:

@@ -11,7 +11,8 @@ from io import BufferedReader
 from pathlib import Path
 from typing import Any
 
-LARGEST_SETTINGS = 1 << 20
+_LARGEST = 1 << 20
+"""Bytes of settings, notes and other small files."""
 
 
 def open_plain(path: Path) -> BufferedReader:
@@ -33,7 +34,7 @@ def open_plain(path: Path) -> BufferedReader:
     return path.open("rb")
 
 
-def read_plain(path: Path, most: int) -> bytes:
+def read_plain(path: Path, most: int = _LARGEST) -> bytes:
     """The bytes of a regular file of at most `most` bytes.
 
     Raises
@@ -58,7 +59,7 @@ def read_toml(path: Path) -> dict[str, Any]:
     UnicodeDecodeError, tomllib.TOMLDecodeError
         It is not UTF-8, or no TOML; also where it is nested too deeply or a number has thousands of digits.
     """
-    text = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig")  # some editors mark UTF-8 by a first character
+    text = read_plain(path).decode("utf-8-sig")  # some editors mark UTF-8 by a first character
     try:
         return tomllib.loads(text)
     except RecursionError:

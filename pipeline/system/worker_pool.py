@@ -3,10 +3,10 @@
 import traceback
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, closing, contextmanager, nullcontext, suppress
 from functools import partial
 from multiprocessing.connection import Connection, wait
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from ..errors import WARNING, DebistError
 from .isolation import apart, begin, end, process_context
@@ -102,7 +102,7 @@ class _Processes:
             self._idle.append(channel)
         return [(key, message.result)]
 
-    def leave(self) -> None:
+    def close(self) -> None:
         """Let processes without a call end, which then keep what they have compiled, and end all if one has a call."""
         if self._calls:
             for process in self._processes.values():
@@ -117,21 +117,20 @@ class _Processes:
 Pool = _Here | _Processes
 
 
-class _Ended:
+class _Ended(NamedTuple):
     """Outcome of a call: its value, or the error that it raised, and the warnings for the user."""
 
-    def __init__(self, value: Any, error: Exception | None, texts: list[str]) -> None:
-        self._value = value
-        self._error = error
-        self._texts = texts
+    value: Any
+    error: Exception | None
+    texts: list[str]
 
     def result(self) -> Any:
         """The result of the call, after its warnings."""
-        if self._error is not None:
-            raise self._error
-        for text in self._texts:
+        if self.error is not None:
+            raise self.error
+        for text in self.texts:
             warnings.warn(text, stacklevel=2)
-        return self._value
+        return self.value
 
 
 _GONE = (
@@ -160,8 +159,7 @@ def _made(call: Call, on_progress: OnProgress) -> _Ended:
     return _Ended(value, None, [str(warning.message) for warning in given if str(warning.message).startswith(WARNING)])
 
 
-@contextmanager
-def pool(jobs: int) -> Iterator[Pool]:
+def pool(jobs: int) -> AbstractContextManager[Pool]:
     """Calls in so many processes, in this one for a single job; whoever leaves it early ends those with a call.
 
     Parameters
@@ -169,14 +167,7 @@ def pool(jobs: int) -> Iterator[Pool]:
     jobs : int
         Processes at a time.
     """
-    if jobs == 1:
-        yield _Here()
-        return
-    processes = _Processes(jobs)
-    try:
-        yield processes
-    finally:
-        processes.leave()
+    return nullcontext(_Here()) if jobs == 1 else closing(_Processes(jobs))
 
 
 @contextmanager
@@ -195,12 +186,9 @@ def meanwhile(call: Call, on_progress: OnProgress, jobs: int) -> Iterator[Callab
     if jobs == 1:
         yield lambda: call(on_progress)
         return
-    other = _Processes(1)
-    other.begin(0, call, on_progress)
-    try:
+    with closing(_Processes(1)) as other:
+        other.begin(0, call, on_progress)
         yield lambda: other.finished()[0][1]()
-    finally:
-        other.leave()
 
 
 def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int) -> Iterator[Made]:

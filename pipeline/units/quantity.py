@@ -15,7 +15,7 @@ _PLAIN = (-4, 5)  # powers of ten from and below which a number is written witho
 WHOLE = 1e3  # whole numbers below it are written as they are, whatever their uncertainty
 LOST = 100.0  # times a value, beyond which the spread about it decides the prefix
 MOST_BEFORE_POINT = 4  # digits of a number without uncertainty that are not zero, where it has no decimals
-_PREFIXED = ("m", "V", "N", "J", "F", "s", "Hz", "A", "Pa", "W")
+_PREFIXED = re.compile(r"(m|V|N|J|F|s|Hz|A|Pa|W)(?=[/ ·]|$)")
 
 
 def scale(unit: str, largest: float) -> tuple[str, float]:
@@ -31,13 +31,11 @@ def scale(unit: str, largest: float) -> tuple[str, float]:
     angle = _ANGLE.match(unit)
     factor = 1.0 if angle is None else (180.0 / math.pi) ** (2 if angle[1] else 1)
     unit = unit if angle is None else f"°{unit.removeprefix('rad')}"  # such as °/(s²·V) or °²/Hz
-    head = next((p for p in sorted(_PREFIXED, key=len, reverse=True) if _starts(unit, p)), None)
     magnitude = abs(largest) * factor
-    if head is None or magnitude == 0.0 or not math.isfinite(magnitude):
+    if not _PREFIXED.match(unit) or magnitude == 0.0 or not math.isfinite(magnitude):
         return unit, factor
     # 0.5 rather than 1: 0.8 mm reads better than 800 µm on an axis.
-    power = 3 * math.floor(math.log10(magnitude / 0.5) / 3.0)
-    power = min(9, max(-12, power))
+    power = min(9, max(-12, 3 * math.floor(math.log10(magnitude / 0.5) / 3.0)))
     return _PREFIXES[power] + unit, factor * 10.0**-power
 
 
@@ -50,11 +48,6 @@ def axis_scale(unit: str, largest: float) -> tuple[str, float]:
     exponent = 3 * math.floor(math.log10(magnitude) / 3.0)
     ten = f"10{power(exponent)}"
     return (ten if unit in ("", "1") else f"{ten} {shown}"), factor * 10.0**-exponent
-
-
-def _starts(unit: str, symbol: str) -> bool:
-    rest = unit[len(symbol) :]
-    return unit.startswith(symbol) and (not rest or rest[0] in "/ ·")
 
 
 def quantity(value: float | None, unit: str, spread: float | None = None, like: float = 0.0) -> str:

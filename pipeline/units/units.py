@@ -212,16 +212,14 @@ def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:
     InputError
         No number, no unit, or a unit of another kind.
     """
-    number_match = _NUMBER.match(text)
-    number, unit = (number_match[0], text[number_match.end() :].strip()) if number_match else ("", text)
-    try:
-        value = float(number)
-    except ValueError:
-        raise InputError(f"{where}: {text!r} is no number with a unit, such as '23mm' or '3 kV'") from None
+    if (number := _NUMBER.match(text)) is None:
+        raise InputError(f"{where}: {text!r} is no number with a unit, such as '23mm' or '3 kV'")
+    value = float(number[0])
+    unit = text[number.end() :].strip()
     if not unit:
         if allowed == ("1",) or value == 0.0:
             return value
-        raise InputError(f"{where}: {text!r} has no unit; write for example '{number} {allowed[0]}'")
+        raise InputError(f"{where}: {text!r} has no unit; write for example '{number[0]} {allowed[0]}'")
     if unit.startswith(","):
         raise InputError(
             f"{where}: {text!r} has a comma; numbers have a decimal point, as {text.replace(',', '.', 1)!r}"

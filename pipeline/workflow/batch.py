@@ -15,12 +15,12 @@ from ..errors import DebistError, RunLockedError
 from ..reporting.fleet_report import Summary, fleet_report, summary
 from ..reporting.tables import disarmed
 from ..store import layout, schemas, tables
-from ..store.atomic import make_folder, run_lock, write_text
+from ..store.atomic import run_lock, write_text, writing
 from ..store.manifest import MANIFEST
 from ..store.outputs import note_written
 from ..store.run_folder import RunFolder
 from ..system.isolation import Isolated, Send, death, largest_memory, next_ready, preload
-from ..system.linear_algebra import claim_room
+from ..system.machine import claim_room
 from ..system.package import full_name
 from .members import FLEET_CSV, FLEET_FACTS, FLEET_FILES, FLEET_REPORT, FLEET_TABLE, Member, Shard
 from .progress import failure, failure_file, forget_failure, keep_failure
@@ -229,19 +229,21 @@ def run_batch(
     elsewhere as much for each; for a prototype that is up to date some milliseconds and the hashing of its files.
     """
     claim_room(ROOM)
-    make_folder(output)
+    with writing(output):
+        output.mkdir(parents=True, exist_ok=True)
     preload([full_name("workflow.preloaded"), program.__module__])
-    own = [member for member in members if shard is None or shard.holds(member.name)]
-    options = () if execution.report else ("--no-report",)
 
     def begin(member: Member) -> "Worker | None":
         """Process of the prototype; None where none is needed."""
         forget_failure(output, member.name)
         if _is_up_to_date(member.settings, output / member.name, execution.report):
             return None
+        options = () if execution.report else ("--no-report",)
         return Worker(program, member.name, member.settings, output, options, time_limit=execution.time_limit)
 
-    with run_lock(output, (shard or Shard()).lock):
+    part = shard or Shard()
+    with run_lock(output, part.lock):
+        own = [member for member in members if part.holds(member.name)]
         outcomes = _run_all(own, observer, begin, execution)
         if shard is None:
             write_fleet(output, outcomes)
@@ -299,7 +301,6 @@ def _is_up_to_date(prototype: Path, run: Path, report: bool) -> bool:
 def collect_batch(members: Sequence[Member], output: Path) -> list[Outcome]:
     """Write the fleet tables from the runs that are there, running nothing."""
     outcomes = [_existing(member, output) for member in members]
-    make_folder(output)
     write_fleet(output, outcomes)
     return sorted(outcomes, key=lambda outcome: outcome.name)
 
@@ -311,7 +312,7 @@ def write_fleet(output: Path, outcomes: Iterable[Outcome]) -> None:
     summaries = [_member(output, outcome.name, outcome.reason) for outcome in ordered]
     facts = [(member.name, key, value, unit) for member in summaries for key, (value, unit) in member.facts.items()]
     columns = {column.key: [fact[k] for fact in facts] for k, column in enumerate(schemas.FLEET_FACTS.columns)}
-    tables.write_table(output / FLEET_FACTS, schemas.FLEET_FACTS, columns)
+    tables.write_pieces(output / FLEET_FACTS, schemas.FLEET_FACTS, [columns])
     write_text(output / FLEET_REPORT, fleet_report(summaries, output.resolve().name))
     note_written(output, FLEET_FILES, "batch")
 
@@ -327,7 +328,7 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
             scores, head = [{}], head | {"exit_code": error.exit_code, "reason": str(error)}
         rows += [{column.key: None for column in schemas.SCORES.columns} | score | head for score in scores]
     columns = {column.key: [row[column.key] for row in rows] for column in schemas.FLEET.columns}
-    tables.write_table(output / FLEET_TABLE, schemas.FLEET, columns)
+    tables.write_pieces(output / FLEET_TABLE, schemas.FLEET, [columns])
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
@@ -337,7 +338,7 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
 
 def _existing(member: Member, output: Path) -> Outcome:
     if (failed := failure(output, member.name)) is not None:
-        return Outcome(member.name, member.settings, failed.exit_code, failed.reason)
+        return Outcome(member.name, member.settings, *failed[:2])
     try:
         load_scores(output / member.name)
     except DebistError as error:

@@ -1,6 +1,5 @@
 """Bring artifacts up to date: content decides what is done again and why; side by side in processes."""
 
-import math
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -87,23 +86,10 @@ class Observer(Protocol):
 class Unheard:
     """An observer that reports nothing."""
 
-    def planned(self, stages: Sequence[str]) -> None:
-        """Say nothing."""
+    def warned(self, *_: Any, **__: Any) -> None:
+        """Say nothing: the notes of the artifacts hold the warnings."""
 
-    def started(self, task: Task, reasons: list[str]) -> None:
-        """Say nothing."""
-
-    def progressed(self, task: Task, what: str, share: float) -> None:
-        """Say nothing."""
-
-    def finished(self, task: Task, seconds: float) -> None:
-        """Say nothing."""
-
-    def skipped(self, task: Task) -> None:
-        """Say nothing."""
-
-    def warned(self, what: str, warning: str) -> None:
-        """Print nothing: the notes of the artifacts hold the warnings."""
+    planned = started = progressed = finished = skipped = warned
 
 
 @dataclass(frozen=True)
@@ -194,8 +180,10 @@ def seen(task: Task) -> dict[Path, Seen]:
     for path in (task.sources or {}).values():
         with suppress(OSError):  # `recipe_of` says what is wrong with it
             stat = path.stat()
-            identity = (stat.st_dev, stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns)
-            states[path] = Seen(identity, time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK)
+            states[path] = Seen(
+                identity=(stat.st_dev, stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns),
+                recent=time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK,
+            )
     return states
 
 
@@ -210,8 +198,7 @@ def check_sources(task: Task, recipe: Recipe, before: Mapping[Path, Seen]) -> No
     after = seen(task)
     for name, path in (task.sources or {}).items():
         was = before.get(path)
-        now = after.get(path)
-        same = was is not None and now is not None and was.identity == now.identity
+        same = was is not None and path in after and was.identity == after[path].identity
         if not same or (was and was.recent and file_sha256(path) != recipe.inputs[name]):
             raise InputError(f"{path}: was changed while it was read; wait until it is complete and run again")
 
@@ -264,7 +251,7 @@ def bring_up_to_date(run: RunFolder, plan: Plan, observer: Observer, *, jobs: in
     except BaseException:
         recover(run.root)
         raise
-    return schedule.statuses
+    return [schedule.statuses[number] for number in sorted(schedule.statuses)]
 
 
 Event = Callable[[Observer], None]
@@ -302,11 +289,11 @@ class _InOrder:
 
 @dataclass
 class _Step:
-    """A task under way: what its outputs are made from, its raw files before they are read, its beginning [s]."""
+    """A task under way: its raw files before they are read, what its outputs are made from, its beginning [s]."""
 
     task: Task
-    recipe: Recipe
     sources: dict[Path, Seen]
+    recipe: Recipe
     began: float
 
 
@@ -324,16 +311,12 @@ class _Schedule:
         self._running: dict[int, _Step] = {}
         self.failed: tuple[int, Exception] | None = None
         """Place and error of the first task of the plan that failed."""
-        self._statuses: dict[int, TaskStatus] = {}
-
-    @property
-    def statuses(self) -> list[TaskStatus]:
-        """Tasks done and their reasons, in the order of the plan."""
-        return [self._statuses[number] for number in sorted(self._statuses)]
+        self.statuses: dict[int, TaskStatus] = {}
+        """Tasks done and their reasons."""
 
     def goes_on(self) -> bool:
         """True if a task waits or runs, after the plan was read as far as it is known."""
-        while self.failed is None and not self._must_wait():
+        while self.failed is None and not (self._mark and self._mark.artifact in self._unfinished(self._read)):
             if (entry := next(self._plan, None)) is None:
                 break
             if isinstance(entry, After):
@@ -341,13 +324,7 @@ class _Schedule:
             else:
                 self._waiting[self._read] = entry
                 self._read += 1
-        behind = math.inf if self.failed is None else self.failed[0]
-        return bool(self._waiting) or any(number < behind for number in self._running)
-
-    def _must_wait(self) -> bool:
-        """True if the plan is not known beyond this place, or this process alone does the tasks read so far."""
-        alone = self._processes.jobs == 1 and bool(self._waiting)
-        return alone or (self._mark is not None and self._mark.artifact in self._unfinished(self._read))
+        return bool(self._waiting) or any(self.failed is None or number < self.failed[0] for number in self._running)
 
     def _unfinished(self, before: int) -> set[str]:
         """The artifacts that tasks before a place of the plan have still to write."""
@@ -366,10 +343,10 @@ class _Schedule:
     def _begin(self, number: int, task: Task) -> None:
         """Begin a task; one that is up to date has ended at once."""
         run = self._run
-        sources = seen(task)  # before they are hashed: what changes between the two is found
-        step = _Step(task, recipe_of(run, task), sources, time.perf_counter())
+        # its sources are looked at before they are hashed: what changes between the two is found
+        step = _Step(task, seen(task), recipe_of(run, task), time.perf_counter())
         reasons = reasons_of(run, task, step.recipe)
-        self._statuses[number] = TaskStatus(task.stage, task.title, task.outputs, reasons)
+        self.statuses[number] = TaskStatus(task.stage, task.title, task.outputs, reasons)
         if not reasons:
             self._events.add(number, lambda observer: observer.skipped(task), None)
             return
@@ -383,8 +360,8 @@ class _Schedule:
             self._events.at_once(number, lambda observer: observer.progressed(task, what, share))
 
         self._running[number] = step
-        alone = self._processes.jobs == 1
-        self._processes.begin(number, partial(_perform, task, run if alone else run.root), on_progress)
+        place = run if self._processes.jobs == 1 else run.root
+        self._processes.begin(number, partial(_perform, task, place), on_progress)
 
     def end_what_is_done(self) -> None:
         """Wait for running tasks, and commit what they have written."""

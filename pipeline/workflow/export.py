@@ -17,8 +17,8 @@ from ..store.hashing import file_sha256
 from ..store.outputs import new_outputs, rebased, written_files
 from ..store.run_folder import RunFolder
 from ..system.names import Target, log_name
-from .prior_knowledge import named_curves
-from .run_models import failed_validations, load_design, model_artifact, subject
+from .prior_knowledge import named_files
+from .run_contents import failed_validations, load_design, model_artifact, subject
 
 _TAKES_NONE = {
     "crate": "it is the whole run",
@@ -164,8 +164,7 @@ def _recorded_parameters(run: RunFolder, name: str) -> str:
         raise InputError(
             f"{name}: no result of the run was made with this parameter set; `debist run` makes them first"
         )
-    complete = isinstance(values, Mapping) and all(isinstance(values.get(key), float | int) for key in VECTOR_NAMES)
-    if not complete:
+    if not (isinstance(values, Mapping) and all(isinstance(values.get(key), float | int) for key in VECTOR_NAMES)):
         raise CorruptArtifactError(f"{run.root}: its recipes hold no values of {name}; run it again")
     return parameter_file(NOMINAL.with_values({key: float(values[key]) for key in VECTOR_NAMES}))
 
@@ -186,15 +185,14 @@ def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], di
             moved.append(place if isinstance(log, str) else {**stated, "file": place})
         settings["logs"][role] = moved
     for artifact, source in _sources(prototype, home):
-        recorded = run.record(artifact).recipe.inputs.get(source.name)
         if not source.is_file():
             raise InputError(f"{source}: is gone; a crate holds the logs and tables of its run, put it back")
-        if file_sha256(source) != recorded:
+        if file_sha256(source) != run.record(artifact).recipe.inputs.get(source.name):
             raise InputError(f"{source}: changed since the run was made; run it again before it is packed")
-    for table, key in (("plant", "curves"), ("plant", "siblings"), ("compare", "curves")):
-        if (name := settings[table][key]) is not None:
-            settings[table][key] = f"inputs/{table}/{Path(name).name}"
-            inputs[settings[table][key]] = layout.source(name, home)
+    for key, _, name in named_files(prototype):
+        table, _, entry = key.partition(".")
+        settings[table][entry] = f"inputs/{table}/{Path(name).name}"
+        inputs[settings[table][entry]] = layout.source(name, home)
     return settings, inputs
 
 
@@ -202,7 +200,5 @@ def _sources(prototype: Prototype, home: Path) -> Iterator[tuple[str, Path]]:
     """Every raw log, table of measured curves and prior: an artifact that was made of it, and its file."""
     for (role, log, _), (_, path, _) in zip(layout.logs(prototype), layout.raw_logs(prototype, home), strict=True):
         yield layout.signals(role, log), path
-    for table, artifact in named_curves(prototype):
-        yield artifact, layout.source(table, home)
-    if prototype.plant.siblings is not None:
-        yield layout.SIBLINGS, layout.source(prototype.plant.siblings, home)
+    for _, artifact, name in named_files(prototype):
+        yield artifact, layout.source(name, home)

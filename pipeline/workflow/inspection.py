@@ -87,21 +87,23 @@ def _centres(excitation: Excitation, factor: float, unit: str) -> Iterator[Short
     poor = excitation.visits.visits < FEW
     for rows in runs_of(poor):
         fewest = int(excitation.visits.visits[rows].min())
-        finding = f"{_places(excitation, rows, factor, unit)}: {fewest} samples, below {FEW}"
         if rows.start == 0 or rows.stop == len(poor):
             add = "full pulses in quick succession, so that it overshoots; or fewer basis functions"
         elif isinstance(excitation.wells, Wells):
             add = "pulses near the switching voltage and chirps, which linger between the wells"
         else:
             add = "chirps, random steps and pulses of all sizes, which lead it there"
-        yield Shortfall(finding, add)
+        yield Shortfall(f"{_places(excitation, rows, factor, unit)}: {fewest} samples, below {FEW}", add)
 
 
 def _driven(excitation: Excitation, names: Sequence[str], factor: float, unit: str) -> Iterator[Shortfall]:
     for k, name in enumerate(names):
         for rows in runs_of((excitation.visits.driven[k] < FEW) & (excitation.visits.visits >= FEW)):
-            finding = f"{name} hardly acts at {_places(excitation, rows, factor, unit)}: its gain there is a guess"
-            yield Shortfall(finding, f"pulses of {name}, also weak ones, while q is or swings there")
+            place = _places(excitation, rows, factor, unit)
+            yield Shortfall(
+                f"{name} hardly acts at {place}: its gain there is a guess",
+                f"pulses of {name}, also weak ones, while q is or swings there",
+            )
 
 
 def _largest(excitation: Excitation, names: Sequence[str], plant: Device) -> Iterator[Shortfall]:
@@ -110,8 +112,10 @@ def _largest(excitation: Excitation, names: Sequence[str], plant: Device) -> Ite
         if excitation.largest[k] == 0.0:
             yield Shortfall(f"{name} never acts", f"pulses of {name}")
         elif plant.joint and excitation.largest[k] < LEAST_LARGEST * top:
-            finding = f"{name} reaches {100 * excitation.largest[k] / top:.0f} % of the other input only"
-            yield Shortfall(finding, f"pulses of {name} up to the same limit")
+            yield Shortfall(
+                f"{name} reaches {100 * excitation.largest[k] / top:.0f} % of the other input only",
+                f"pulses of {name} up to the same limit",
+            )
 
 
 def _places(excitation: Excitation, rows: slice, factor: float, unit: str) -> str:
@@ -170,8 +174,8 @@ def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExc
     """
     if settings is not None:
         prototype = load_prototype(settings)
-        csv = CsvOptions(**prototype.ingest.csv.model_dump())
-        return inspect_log(log, csv=csv), _excitation(log, prototype, parameter_set(prototype, settings))
+        inspection = inspect_log(log, csv=CsvOptions(**prototype.ingest.csv.model_dump()))
+        return inspection, _excitation(log, prototype, parameter_set(prototype, settings))
     inspection = inspect_log(log)
     try:
         return inspection, replace(_excitation(log, _supposed(inspection), None), assumed=True)
@@ -229,9 +233,8 @@ def _supposed(inspection: Inspection) -> Prototype:
             what = "its unit is not stated" if role.only else "no single channel stands out"
             raise InputError(f"which channel is {role.role} is not clear ({what}); {settings}")
         channels[role.role] = {"channel": role.only, "unit": units[role.only]}
-    document = {"name": "log", "logs": {"train": ["log"]}, "channels": channels}
     try:
-        return Prototype.model_validate(document)
+        return Prototype.model_validate({"name": "log", "logs": {"train": ["log"]}, "channels": channels})
     except ValidationError as error:
         raise InputError(f"the channels are not clear; {settings}") from error
 

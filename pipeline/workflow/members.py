@@ -19,7 +19,7 @@ from ..settings.prototype import load_prototype, parse_prototype
 from ..store import layout
 from ..store.atomic import write_text
 from ..system.names import slug
-from ..system.plain_files import LARGEST_SETTINGS, read_plain
+from ..system.plain_files import read_plain
 from .prior_knowledge import read_siblings
 
 _ENDINGS = (".csv", ".tsv", ".xlsx")
@@ -62,10 +62,12 @@ def table_settings(table: Path, base: Path | None, folder: Path) -> list[Path]:
     """
     shared = _base_of(table, base)
     document = anchored(read_document(shared), shared.resolve().parent)
-    rows = _rows(table)
+    rows = enumerate(_workbook_rows(table) if table.suffix.lower() == ".xlsx" else _csv_rows(table), start=1)
     keys = _keys(table, next(rows, (0, []))[1])
     written: dict[str, tuple[int, Path]] = {}
     for number, cells in rows:
+        if number > _MOST_ROWS:
+            raise InputError(f"{table}: has more than {_MOST_ROWS} rows; divide it")
         values = {key: cell for key, cell in zip(keys, cells, strict=False) if key and cell != ""}
         if not values:
             continue
@@ -86,15 +88,13 @@ def table_settings(table: Path, base: Path | None, folder: Path) -> list[Path]:
 
 
 def _base_of(table: Path, given: Path | None) -> Path:
-    if given is not None:
-        return given
-    beside = [table.with_suffix(".toml"), table.with_name(_BASE)]
-    for path in beside:
-        if path.is_file():
-            return path
-    raise InputError(
-        f"{table}: no base settings; write what all rows share into {beside[0].name} beside it, or name it with --base"
-    )
+    usual = table.with_suffix(".toml")
+    base = given or next((path for path in (usual, table.with_name(_BASE)) if path.is_file()), None)
+    if base is None:
+        raise InputError(
+            f"{table}: no base settings; write what all rows share into {usual.name} beside it, or name it with --base"
+        )
+    return base
 
 
 def _keys(table: Path, heading: list[Any]) -> list[str]:
@@ -128,15 +128,6 @@ def _logs(cell: Any) -> list[Any]:
         value = toml_value(text)
         return value if isinstance(value, list) else [value]
     return [part.strip() for part in text.replace("\n", ";").split(";") if part.strip()]
-
-
-def _rows(table: Path) -> Iterator[tuple[int, list[Any]]]:
-    """Number, counted from 1, and cells of each row."""
-    rows = _workbook_rows(table) if table.suffix.lower() == ".xlsx" else _csv_rows(table)
-    for number, row in enumerate(rows, start=1):
-        if number > _MOST_ROWS:
-            raise InputError(f"{table}: has more than {_MOST_ROWS} rows; divide it")
-        yield number, row
 
 
 def _csv_rows(table: Path) -> Iterator[list[Any]]:
@@ -180,8 +171,8 @@ def with_siblings(prototypes: Sequence[Path], siblings: Path, folder: Path) -> l
     changed = []
     for path in prototypes:
         try:
-            document = anchored(read_document(path), path.resolve().parent)
-            document = with_values(document, {"plant.siblings": str(siblings.resolve())})
+            own = anchored(read_document(path), path.resolve().parent)
+            document = with_values(own, {"plant.siblings": str(siblings.resolve())})
             changed.append(write_settings(folder, parse_prototype(document, str(path)).folder, document))
         except InputError:
             changed.append(path)
@@ -193,7 +184,7 @@ def write_settings(folder: Path, stem: str, document: Mapping[str, Any]) -> Path
     path = folder / f"{stem}.toml"
     text = toml_text(document)
     with suppress(OSError):
-        if read_plain(path, LARGEST_SETTINGS) == text.encode():  # its time stamp means a change to workflow engines
+        if read_plain(path) == text.encode():  # its time stamp means a change to workflow engines
             return path
     write_text(path, text, within=folder.parent)
     return path
@@ -353,10 +344,9 @@ def members(prototypes: Sequence[Path]) -> list[Member]:
         Two prototypes of one name, capitals aside, or one that is named as a file of the fleet.
     """
     named: dict[str, Member] = {}
-    reserved = (*FLEET_FILES, SETTINGS, FAILED)
     for path in prototypes:
         member = _member(path)
-        if (folded := member.name.casefold()) in reserved:
+        if (folded := member.name.casefold()) in (*FLEET_FILES, SETTINGS, FAILED):
             raise InputError(
                 f"{path}: {member.name!r} is the name of a file of the fleet; name the prototype otherwise"
             )
@@ -375,5 +365,4 @@ def _member(path: Path) -> Member:
         prototype = load_prototype(path)
     except DebistError as error:
         return Member(slug(path.stem), path, error=str(error))  # its own run fails with the reason
-    logs = dict.fromkeys(log for _, log, _ in layout.raw_logs(prototype, path))
-    return Member(prototype.folder, path, tuple(logs))
+    return Member(prototype.folder, path, tuple(dict.fromkeys(log for _, log, _ in layout.raw_logs(prototype, path))))

@@ -32,17 +32,16 @@ def load_settings(prototype_file: Path) -> Prototype:
         A key or a unit is wrong; if so, missing logs are named beside it.
     """
     document = read_document(prototype_file)
+    mistakes = list(_wrong_units(document))
     try:
         prototype = parse_prototype(document, str(prototype_file))
-        mistakes = list[str]()
     except InputError as error:
-        prototype = None
-        several = error.lines[1:] if isinstance(error, SeveralMistakesError) else ()
-        mistakes = [*several] or [str(error).removeprefix(f"{prototype_file}: ")]
-    mistakes += _wrong_units(document)
-    if prototype is not None and not mistakes:
-        device(prototype)  # whether the units suit each other
-        return prototype
+        alone = (str(error).removeprefix(f"{prototype_file}: "),)
+        mistakes[:0] = error.lines[1:] if isinstance(error, SeveralMistakesError) else alone
+    else:
+        if not mistakes:
+            device(prototype)  # whether the units suit each other
+            return prototype
     raise SeveralMistakesError.of(str(prototype_file), [*mistakes, *_missing_logs(document, prototype_file)])
 
 

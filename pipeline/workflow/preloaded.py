@@ -7,7 +7,7 @@ from pathlib import Path
 
 signal.signal(signal.SIGINT, signal.SIG_IGN)  # the batch alone decides what Ctrl-C means, and imports take seconds
 
-from ..system.linear_algebra import load_linear_algebra  # noqa: E402
+from ..system.machine import load_linear_algebra  # noqa: E402
 
 load_linear_algebra()
 import numpy as np  # noqa: E402

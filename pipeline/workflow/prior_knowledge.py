@@ -24,7 +24,7 @@ from ..store.columns import Column
 from ..store.run_folder import RunFolder, Written
 from ..store.schemas import Schema
 from ..store.trees import read_tree
-from ..system.plain_files import LARGEST_SETTINGS, read_plain
+from ..system.plain_files import read_plain
 from ..units.units import to_si
 from .engine import Task
 from .steps.identify import PriorKnowledge
@@ -41,10 +41,14 @@ MEANINGS = {
 _HEADING = re.compile(r"\s*(?P<name>\w+)\s*\[(?P<unit>[^\]]+)\]\s*")
 
 
-def named_curves(prototype: Prototype) -> list[tuple[str, str]]:
-    """The files that the settings name, and their artifacts: curves to keep, and curves to compare with."""
-    named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.compare.curves, layout.CURVES))
-    return [(name, artifact) for name, artifact in named if name is not None]
+def named_files(prototype: Prototype) -> list[tuple[str, str, str]]:
+    """The files that the settings name: key, artifact, and path; curves to compare with and to keep, and a prior."""
+    named = (
+        ("compare.curves", layout.CURVES, prototype.compare.curves),
+        ("plant.curves", layout.KNOWN_CURVES, prototype.plant.curves),
+        ("plant.siblings", layout.SIBLINGS, prototype.plant.siblings),
+    )
+    return [(key, artifact, name) for key, artifact, name in named if name is not None]
 
 
 def column_units(plant: Device) -> dict[str, tuple[str, ...]]:
@@ -77,9 +81,8 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
         The file cannot be read, a column or unit is unknown, or a cell is no number.
     """
     try:
-        text = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig")
-        lines = [line for line in text.splitlines() if line.strip() and line[0] != "#"]
-        heading, *rows = list(csv.reader(lines)) or [[]]
+        lines = read_plain(path).decode("utf-8-sig").splitlines()
+        heading, *rows = list(csv.reader(line for line in lines if line.strip() and line[0] != "#")) or [[]]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{path}: cannot be read as text: {error}; correct its name in the settings") from error
     units = column_units(plant)
@@ -98,8 +101,8 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
     values = np.array([_row(path, number, row, len(names)) for number, row in enumerate(rows, 2)]) * factors
     if not np.all(np.isfinite(values[:, names.index("q")])):
         raise InputError(f"{path}: q is empty in a row; give every row its displacement")
-    ordered = values[np.argsort(values[:, names.index("q")], kind="stable")]
-    return {name: np.ascontiguousarray(ordered[:, names.index(name)]) for name in units if name in names}
+    order = np.argsort(values[:, names.index("q")], kind="stable")
+    return {name: values[order, names.index(name)] for name in units if name in names}
 
 
 def _row(path: Path, number: int, row: list[str], width: int) -> list[float]:
@@ -150,8 +153,7 @@ def taught(tree: dict[str, Any], parameters: JointParameters | None) -> NormalPo
 
 def known_inputs(prototype: Prototype) -> tuple[str, ...]:
     """The artifacts of what a fit takes beside the logs: curves that it keeps, and the prior of other joints."""
-    named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.plant.siblings, layout.SIBLINGS))
-    return tuple(artifact for name, artifact in named if name is not None)
+    return tuple(artifact for key, artifact, _ in named_files(prototype) if key.startswith("plant."))
 
 
 def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: JointParameters | None) -> PriorKnowledge:
@@ -188,41 +190,29 @@ def prior_knowledge_in(settings_file: Path, prototype: Prototype, parameters: Jo
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """A task for each file that the settings name."""
     plant = device(prototype)
-    titles = {
-        layout.CURVES: ("measured curves", "compare.curves"),
-        layout.KNOWN_CURVES: ("known curves", "plant.curves"),
+    of_curves = ({"displacement": plant.displacement.symbol}, partial(_write_curves, plant=plant))
+    kinds: dict[str, tuple[str, dict[str, Any], Callable[..., Mapping[str, Written]]]] = {
+        layout.CURVES: ("measured curves", *of_curves),
+        layout.KNOWN_CURVES: ("known curves", *of_curves),
+        layout.SIBLINGS: ("siblings", {}, _write_siblings),
     }
-
-    def task(
-        name: str,
-        artifact: str,
-        title: str,
-        key: str,
-        settings: dict[str, Any],
-        write: Callable[..., Mapping[str, Written]],
-    ) -> Task:
-        """The task of one file, whose artifact `write` writes into a run."""
+    made = []
+    for key, artifact, name in named_files(prototype):
         path = layout.source(name, prototype_file)
-        work = partial(write, path=path)
-        return Task(
-            stage="ingest",
-            title=title,
-            algorithm=ALGORITHM,
-            settings=settings,
-            inputs=(),
-            outputs=(artifact,),
-            work=work,
-            sources={path.name: path},
-            named_in=key,
+        title, settings, write = kinds[artifact]
+        made.append(
+            Task(
+                stage="ingest",
+                title=title,
+                algorithm=ALGORITHM,
+                settings=settings,
+                inputs=(),
+                outputs=(artifact,),
+                work=partial(write, path=path, artifact=artifact),
+                sources={path.name: path},
+                named_in=key,
+            )
         )
-
-    measured = {"displacement": plant.displacement.symbol}
-    made = [
-        task(name, artifact, *titles[artifact], measured, partial(_write_curves, plant=plant, artifact=artifact))
-        for name, artifact in named_curves(prototype)
-    ]
-    if (siblings := prototype.plant.siblings) is not None:
-        made.append(task(siblings, layout.SIBLINGS, "siblings", "plant.siblings", {}, _write_siblings))
     return made
 
 
@@ -236,7 +226,7 @@ def _write_curves(run: RunFolder, *, path: Path, plant: Device, artifact: str) -
     return {artifact: run.write_table(artifact, schema, columns, {"source": path.name})}
 
 
-def _write_siblings(run: RunFolder, *, path: Path) -> Mapping[str, Written]:
+def _write_siblings(run: RunFolder, *, path: Path, artifact: str) -> Mapping[str, Written]:
     from ..models.hybrid.siblings import column
 
-    return {layout.SIBLINGS: run.write_tree(layout.SIBLINGS, read_siblings(path), {"source": path.name}, column)}
+    return {artifact: run.write_tree(artifact, read_siblings(path), {"source": path.name}, column)}

@@ -10,7 +10,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from ..errors import DebistError, InputError
 from ..store import layout
@@ -19,7 +19,6 @@ from ..store.manifest import MANIFEST, load_manifest
 from ..system.plain_files import read_plain
 from .members import FAILED
 
-_LARGEST = 1 << 20
 _HEAD = re.compile(r"exit code (-?\d{1,10}): ([^\n]*)")
 State = Literal["done", "running", "failed", "stopped"]
 STATES: dict[State, str] = {
@@ -42,8 +41,7 @@ class MemberState:
 
 def is_fleet(folder: Path) -> bool:
     """True if a folder is no run but holds runs, or failures of a batch."""
-    alone = folder.is_dir() and not (folder / MANIFEST).exists()
-    return alone and bool(_runs(folder) or failed_names(folder))
+    return folder.is_dir() and not (folder / MANIFEST).exists() and bool(_runs(folder) or failed_names(folder))
 
 
 def fleet_progress(output: Path) -> list[MemberState]:
@@ -79,7 +77,7 @@ def _member(output: Path, name: str) -> MemberState:
     if _is_file(run / HOLDER) and is_held(run):  # the lock itself is tried only where a note names its holder
         return MemberState(name, "running", since=_time(run / HOLDER))
     if (failed := failure(output, name)) is not None:
-        return MemberState(name, "failed", failed.reason, failed.time)
+        return MemberState(name, "failed", *failed[1:])
     if not _is_file(run / MANIFEST):
         return MemberState(name, "stopped")
     try:
@@ -95,14 +93,6 @@ def _time(path: Path) -> datetime | None:
         return datetime.fromtimestamp(path.stat().st_mtime, UTC)
     except OSError:
         return None
-
-
-class Failure(NamedTuple):
-    """Failure of a prototype: exit code, reason in one line, and time."""
-
-    exit_code: int
-    reason: str
-    time: datetime
 
 
 def failure_file(output: Path, name: str) -> Path:
@@ -126,8 +116,8 @@ def keep_failure(output: Path, name: str, exit_code: int, reason: str, printed: 
     printed : str
         Standard error of the process.
     """
-    head = f"exit code {exit_code}: {' '.join(reason.split())}\n"
-    write_text(failure_file(output, name), f"{head}\n{printed}", within=output)
+    text = f"exit code {exit_code}: {' '.join(reason.split())}\n\n{printed}"
+    write_text(failure_file(output, name), text, within=output)
 
 
 def forget_failure(output: Path, name: str) -> None:
@@ -136,18 +126,21 @@ def forget_failure(output: Path, name: str) -> None:
         failure_file(output, name).unlink(missing_ok=True)
 
 
-def failure(output: Path, name: str) -> Failure | None:
-    """Last failure of a prototype; None where there is none, or where something was written into its run since."""
+def failure(output: Path, name: str) -> tuple[int, str, datetime] | None:
+    """Exit code, reason in one line and time of the last failure of a prototype.
+
+    None where there is none, or where something was written into its run since.
+    """
     path = failure_file(output, name)
     changed = _time(output / name / MANIFEST)
     time = _time(path)
     try:
-        head = _HEAD.match(read_plain(path, _LARGEST).decode("utf-8", "replace"))
+        head = _HEAD.match(read_plain(path).decode("utf-8", "replace"))
     except OSError:
         return None
     if head is None or time is None or (changed is not None and changed > time):
         return None
-    return Failure(int(head[1]), head[2], time)
+    return int(head[1]), head[2], time
 
 
 def failed_names(output: Path) -> list[str]:

@@ -22,7 +22,8 @@ from ..store.manifest import TIMES
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import log_title, true_name
 from ..units.units import ALPHA_UNIT
-from .run_models import identified_models
+from .prior_knowledge import named_files
+from .run_contents import identified_models
 from .steps.identify import CHOICE, IDENTIFIED
 
 
@@ -50,14 +51,13 @@ def read_run(
     """
     plant = device(prototype)
     loaded, unreadable = _models(run, prototype, models)
-    rows = run.read_records(layout.SCORES)
     return RunData(
         prototype=prototype,
         device=plant,
         logs=tuple(_log(run, models, *log) for log in layout.logs(prototype)),
         models=loaded,
         descriptions={name: _description(run, prototype, name) | unreadable.get(name, {}) for name in models},
-        scores=tuple(row for row in rows if row["model"] in models),
+        scores=tuple(row for row in run.read_records(layout.SCORES) if row["model"] in models),
         provenance=provenance(run, prototype),
         accepted=_accepted(run, prototype),
         # A run of before they were made has no checks.
@@ -77,8 +77,8 @@ def _instruments(run: RunFolder) -> tuple[dict[str, Any], ...]:
 
 def measured_curves(run: RunFolder, prototype: Prototype) -> dict[str, FloatArray]:
     """Curves measured on a test stand, for comparison or as prior knowledge; both below each other where given."""
-    named = ((prototype.compare.curves, layout.CURVES), (prototype.plant.curves, layout.KNOWN_CURVES))
-    tables = [run.read_table(artifact) for name, artifact in named if name is not None]
+    named = [artifact for _, artifact, _ in named_files(prototype) if artifact != layout.SIBLINGS]
+    tables = [run.read_table(artifact) for artifact in named]
     names = dict.fromkeys(name for table in tables for name in table)
     return {
         name: np.concatenate([table.get(name, np.full(len(table["q"]), np.nan)) for table in tables]) for name in names
@@ -102,8 +102,8 @@ def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:
     units = {column.key: column.unit for column in schemas.schema_of(schemas.STUDIES[name], plant).columns}
     if name == "alpha":
         symbol, factor = ALPHA_UNIT[plant.displacement.symbol]
-        order = run.record(layout.study(name)).notes["order"]
-        columns["alpha"], units["alpha"] = columns["alpha"] / factor, f"{symbol}·s^{order}"
+        columns["alpha"] = columns["alpha"] / factor
+        units["alpha"] = f"{symbol}·s^{run.record(layout.study(name)).notes['order']}"
     return Study(name, columns, units)
 
 
@@ -131,16 +131,16 @@ def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, A
     else:
         record = run.manifest.artifacts.get(layout.baseline(name))
         described = record.notes if record else {}
-    stated = {key: value for key, value in described.items() if key != TIMES}
-    return stated | choice_facts(run.record(layout.MODELS).notes.get(CHOICE), name)
+    facts = choice_facts(run.record(layout.MODELS).notes.get(CHOICE), name)
+    return {key: value for key, value in described.items() if key != TIMES} | facts
 
 
 def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
     """Reasons why "auto" chose the model `name`, for readers; empty where it chose another or was not used."""
     if choice is None or choice["chosen"] != name:
         return {}
-    errors = {f"held-out error of {model} [%]": 100.0 * error for model, error in choice["held_out_error"].items()}
-    facts: dict[str, Any] = {WHY: choice["reason"], **errors}
+    facts: dict[str, Any] = {WHY: choice["reason"]}
+    facts |= {f"held-out error of {model} [%]": 100.0 * error for model, error in choice["held_out_error"].items()}
     if (excess := choice["excess_of_the_other"]) is not None:
         low, high = (f"{100.0 * excess[end]:.2f}" for end in ("low", "high"))
         facts["the other's error is higher by, 95 % interval"] = f"{low} to {high} % of the range"
@@ -164,28 +164,26 @@ def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: s
 
 def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
     """Provenance of every number: settings, raw logs, artifacts, versions. No times, no machine's paths."""
-    sources = [
-        {"log": log_title(role, name), "file": path, "sha256": digest}
-        for role, name, path in layout.logs(prototype)
-        for digest in run.record(layout.record(role, name)).recipe.inputs.values()
-    ]
-    artifacts = [
-        {
-            "artifact": artifact,
-            "stage": record.recipe.stage,
-            "algorithm": record.recipe.algorithm,
-            "content_hash": record.content_hash,
-            "bytes": record.bytes,
-        }
-        for artifact, record in sorted(run.manifest.artifacts.items())
-        if record.recipe.stage != "report"
-    ]
     return {
         "prototype": json.loads(prototype.model_dump_json()),
         "prototype_file": run.manifest.prototype_file.rpartition("/")[2],
         "versions": dict(run.manifest.versions),
-        "artifacts": artifacts,
-        "sources": sources,
+        "artifacts": [
+            {
+                "artifact": artifact,
+                "stage": record.recipe.stage,
+                "algorithm": record.recipe.algorithm,
+                "content_hash": record.content_hash,
+                "bytes": record.bytes,
+            }
+            for artifact, record in sorted(run.manifest.artifacts.items())
+            if record.recipe.stage != "report"
+        ],
+        "sources": [
+            {"log": log_title(role, name), "file": path, "sha256": digest}
+            for role, name, path in layout.logs(prototype)
+            for digest in run.record(layout.record(role, name)).recipe.inputs.values()
+        ],
     }
 
 
@@ -221,19 +219,16 @@ def load_datasheet(root: Path) -> dict[str, Any]:
 
 def ingested(run: RunFolder) -> list[dict[str, Any]]:
     """Ingest results of each log: rows of its uniform record, their interval [s], masked rows, and gaps in time."""
-    logs = [
-        (log_title(role, true_name(path)), run.record(layout.signals(role, log)).notes)
-        for role, log, path in layout.logs(run.prototype)
-    ]
     return [
         {
-            "log": title,
+            "log": log_title(role, true_name(path)),
             "rows": notes["rows"],
             "masked_rows": notes["masked_rows"],
             "interval_s": notes["interval"],
             "gaps": notes["gaps_in_time"],
         }
-        for title, notes in logs
+        for role, log, path in layout.logs(run.prototype)
+        for notes in [run.record(layout.signals(role, log)).notes]
     ]
 
 

@@ -11,7 +11,7 @@ from ..device.parameters import JointParameters, parameter_set
 from ..errors import DebistError
 from ..settings.prototype import Prototype, load_prototype
 from ..store import layout
-from ..store.atomic import run_lock, sweep
+from ..store.atomic import run_lock
 from ..store.manifest import MANIFEST, load_manifest, recover
 from ..store.run_folder import RunFolder, in_snapshot
 from ..system.names import Typeface
@@ -26,7 +26,7 @@ from . import (
 )
 from .engine import After, Observer, Plan, Task, TaskStatus, bring_up_to_date, status, tasks_of
 from .place import Place, before_any_work, edited, place_of, run_folder
-from .run_models import identified_models, made_control
+from .run_contents import identified_models, made_control
 
 
 @dataclass(frozen=True)
@@ -93,16 +93,13 @@ def _compare(planned: Planned) -> Iterator[Task]:
 
 
 def _report(planned: Planned) -> list[Task]:
-    run = planned.run
-    figures = planned.typeface or stage_report.made_figures(run)
-    studies = stage_report.made_studies(run)
     return stage_report.tasks(
         planned.prototype,
         planned.parameters,
         models=planned.scored,
-        studies=studies,
-        figures=figures,
-        control=made_control(run),
+        studies=stage_report.made_studies(planned.run),
+        figures=planned.typeface or stage_report.made_figures(planned.run),
+        control=made_control(planned.run),
     )
 
 
@@ -119,7 +116,10 @@ STAGES = (
     ),
     Stage(
         "validate",
-        lambda p: stage_validate.tasks(p.prototype, p.parameters, identified_models(p.run, p.prototype)),
+        lambda p: [
+            stage_validate.task(p.prototype, p.parameters, "validate", name, layout.MODELS)
+            for name in identified_models(p.run, p.prototype)
+        ],
         known_after=layout.MODELS,
         with_it=("instruments", "scores"),
     ),
@@ -139,10 +139,9 @@ def plan(planned: Planned) -> Iterator[Task | After]:
         yield from stage.tasks(planned)
 
 
-def of_stages(plan: Iterable[Task | After], names: Iterable[str]) -> Iterator[Task | After]:
+def of_stages(plan: Iterable[Task | After], names: Sequence[str]) -> Iterator[Task | After]:
     """The tasks of these stages, with all marks."""
-    wanted = set(names)
-    return (entry for entry in plan if isinstance(entry, After) or entry.stage in wanted)
+    return (entry for entry in plan if isinstance(entry, After) or entry.stage in names)
 
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
@@ -190,7 +189,6 @@ def run_prototype(
     stages = [only] if only else [name for name in STAGE_NAMES if with_report or name != "report"]
     with run_lock(place.root):
         run = RunFolder.create(place.root, prototype.model_dump(mode="json"), prototype_file)
-        sweep(place.root)
         _strike_lost(run, observer)
         planned = Planned(run, prototype, prototype_file, jobs=jobs)
         observer.planned([task.stage for task in tasks_of(of_stages(plan(planned), stages))])
@@ -243,17 +241,16 @@ def run_stage(
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
     """Strike off damaged or lost artifacts of other commands: no stage makes them anew."""
     recover(run.root)
-    for name in [name for name in run.manifest.artifacts if layout.command_of(name)]:
+    for name in [name for name in run.manifest.artifacts if layout.remade(name)]:
         if problem := run.strike(name):
-            observer.warned(name, f"{problem}; `debist {layout.command_of(name)}` makes it anew")
+            observer.warned(name, f"{problem}; {layout.remade(name)}")
 
 
 def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:
     """Nothing is made from an artifact, or called up to date with it, that has not the bytes it was written with."""
-    outputs = {name for task in tasks for name in task.outputs}
-    for name in dict.fromkeys(name for task in tasks for name in task.inputs):
-        if name not in outputs and name in run.manifest.artifacts:
-            run.checked(name)
+    inputs = {name for task in tasks for name in task.inputs} - {name for task in tasks for name in task.outputs}
+    for name in sorted(inputs & run.manifest.artifacts.keys()):
+        run.checked(name)
 
 
 def _bring_up_to_date(
@@ -271,8 +268,9 @@ def _bring_up_to_date(
 def missing_settings(root: Path) -> str:
     """Message that the settings file of a run is not where it was; empty if it is."""
     named = load_manifest(run_folder(root)).prototype_file
-    gone = bool(named) and not Path(named).is_file()
-    return f"its settings file {named} is not there any more: compared with what the run keeps of it" if gone else ""
+    if not named or Path(named).is_file():
+        return ""
+    return f"its settings file {named} is not there any more: compared with what the run keeps of it"
 
 
 def run_status(root: Path) -> list[TaskStatus]:
@@ -313,8 +311,8 @@ def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True)
         made_for = (run.manifest.prototype, run.manifest.prototype_file)
         if made_for != (prototype.model_dump(mode="json"), str(prototype_file.resolve())):
             return False
-        tasks = plan(Planned(run, prototype, prototype_file))
-        return all(result.up_to_date for result in status(run, tasks) if with_report or result.stage != "report")
+        results = status(run, plan(Planned(run, prototype, prototype_file)))
+        return all(result.up_to_date for result in results if with_report or result.stage != "report")
     except DebistError:
         return False
 

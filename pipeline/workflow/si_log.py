@@ -112,14 +112,13 @@ def read_si(
     """
     channels = prototype.channels
     signals = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]
-    used = (channels.time, *signals, *(signal.time for signal in signals))
-    wanted = [each.channel for each in used if each is not None]
+    named = [each.channel for each in (channels.time, *(signal.time for signal in signals)) if each is not None]
+    wanted = [*named, *(signal.channel for signal in signals)]
     csv = CsvOptions(**prototype.ingest.csv.model_dump())
     read = read_recording(path, channels=wanted, csv=csv, progress=progress)
     beside = _clocks_beside(read, prototype)
     unread = sorted({*beside.values(), *_clocks_unnamed(read, prototype)}.difference(wanted))
     if unread:
-        named = [each.channel for each in (channels.time, *(signal.time for signal in signals)) if each is not None]
         clocks = read_recording(path, channels=[*named, *unread], csv=csv).channels  # stamps count from one origin
         others = (each for each in read.channels if each.name not in {clock.name for clock in clocks})
         read = replace(read, channels=(*clocks, *others))
@@ -137,9 +136,9 @@ def on_uniform_clocks(log: RawLog) -> RawLog:
             names = ", ".join(name for name, (time, _) in signals.items() if id(time) == key)
             of = "" if len(clocks) == 1 else f" of {names}"
             notes.append(f"the time stamps{of} are {clock.described}")
-    made = [
+    made = (
         (time if (clock := clocks[id(time)]) is None else clock.time, samples) for time, samples in signals.values()
-    ]
+    )
     return _raw_log(made, len(log.inputs), notes)
 
 
@@ -202,16 +201,13 @@ def _clocks_unnamed(recording: Recording, prototype: Prototype) -> list[str]:
 
 def _si_log(recording: Recording, prototype: Prototype, plant: Device, clocks: Mapping[str, str]) -> RawLog:
     channels = prototype.channels
-    signals = [(channels.q, plant.logged), *zip(channels.inputs, plant.inputs, strict=True)]
-    names = ["q", *(f"v{i}" for i in range(1, len(signals)))]
+    signals = {"q": (channels.q, plant.logged)}
+    signals |= {f"v{k}": pair for k, pair in enumerate(zip(channels.inputs, plant.inputs, strict=True), start=1)}
     if channels.qdot is not None and plant.velocity is not None:
-        signals.append((channels.qdot, plant.velocity))
-        names.append("qdot")
+        signals["qdot"] = (channels.qdot, plant.velocity)
     notes = list(recording.warnings)
-    columns = [_si(recording, channel, unit, name, notes) for (channel, unit), name in zip(signals, names, strict=True)]
-    bases = _bases(
-        recording, dict(zip(names, (channel for channel, _ in signals), strict=True)), prototype, clocks, notes
-    )
+    columns = [_si(recording, channel, unit, name, notes) for name, (channel, unit) in signals.items()]
+    bases = _bases(recording, {name: channel for name, (channel, _) in signals.items()}, prototype, clocks, notes)
     notes += _contradicted_rates(recording, channels.q.channel, bases[0], prototype)
     if prototype.ingest.time_reversal == "unwrap":
         made = {id(base): unwrapped(base) for base in bases}
@@ -222,7 +218,7 @@ def _si_log(recording: Recording, prototype: Prototype, plant: Device, clocks: M
         bases[0] = scaled(bases[0], 1.0, -0.5 * channels.q.average)
         notes.append(f"q: {1e3 * channels.q.average:.4g} ms averaged by its sensor: half of it is taken off its time")
     _check_rate(recording.path, bases[0], prototype.ingest.sample_rate)
-    for (channel, _), base, samples in zip(signals, bases, columns, strict=True):
+    for (channel, _), base, samples in zip(signals.values(), bases, columns, strict=True):
         if base.size != samples.size:
             raise InputError(
                 f"{recording.path}: channel {channel.channel!r} has {samples.size} samples, but its time has "
@@ -232,7 +228,7 @@ def _si_log(recording: Recording, prototype: Prototype, plant: Device, clocks: M
         _held(recording.path, channel, bases[0], (base, samples))
         if channel.on_change
         else _without_blanks((base, samples), name, notes, alone=base is not bases[0])
-        for (channel, _), name, base, samples in zip(signals, names, bases, columns, strict=True)
+        for (name, (channel, _)), base, samples in zip(signals.items(), bases, columns, strict=True)
     )
     return _raw_log(held_or_read, len(plant.inputs), notes)
 
@@ -425,12 +421,11 @@ def _rates_in_doubt(recording: Recording, prototype: Prototype) -> list[str]:
     if any(abs(ratio - 1.0) <= _RATES_AGREE for ratio in ratios.values()):
         return []
     beyond = [f"{name} is {ratio * rate:.6g} Hz" for name, ratio in ratios.items() if ratio >= 0.5 * (1 - _RATES_AGREE)]
-    if not beyond:
-        return []
-    return [
+    doubt = (
         f"in the log {' and '.join(beyond)}, and a motion has less than half of [ingest] sample_rate = {rate:g} Hz: is "
         "that rate right?"
-    ]
+    )
+    return [doubt] if beyond else []
 
 
 def _rate_of_column(column: RecordedChannel, wanted: float) -> dict[str, float]:

@@ -1,6 +1,5 @@
 """Check of every log against the settings, before anything is differentiated or fitted."""
 
-import json
 from collections.abc import Mapping
 from dataclasses import asdict
 from functools import partial
@@ -52,9 +51,8 @@ def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
     findings = examine(run, prototype)
     accepted = assess(findings, prototype)
     document = {"rows": [asdict(row) for row in check_rows(findings)], "accepted": accepted}
-    notes: dict[str, Any] = {"warnings": [*remarks(findings), *accepted], "accepted": accepted}
-    text = json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
-    return {layout.CHECK: run.write_text(layout.CHECK, text, notes)}
+    notes = {"warnings": [*remarks(findings), *accepted], "accepted": accepted}
+    return {layout.CHECK: run.write_json(layout.CHECK, document, notes)}
 
 
 def examine(run: RunFolder, prototype: Prototype) -> list[Finding]:
@@ -88,7 +86,6 @@ def signals(run: RunFolder, prototype: Prototype) -> list[LogSignals]:
 
 def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> LogSignals:
     """A uniform record as the checks take it, with what was noted when it was ingested."""
-    sketch = tuple((int(value), float(stamp)) for value, stamp in notes.get("sketch", ()))
     return LogSignals(
         name=name,
         t=table["t"],
@@ -98,7 +95,7 @@ def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> LogSignals
         noise=notes.get("noise"),
         resolution=notes.get("resolution"),
         held=notes.get("held", 1),
-        sketch=sketch,
+        sketch=tuple((int(value), float(stamp)) for value, stamp in notes.get("sketch", ())),
     )
 
 

@@ -18,8 +18,8 @@ from ..store.manifest import TIMES
 from ..store.run_folder import RunFolder, Written
 from ..system.worker_pool import OnProgress
 from .engine import Task
-from .logs import load_logs, sources
 from .prior_knowledge import known_inputs, prior_knowledge_of
+from .run_contents import load_logs, sources
 from .steps.identify import CHOICE, IDENTIFIED, identified, training
 
 ALGORITHM = "63"
@@ -109,5 +109,5 @@ def _write_fit(
     model = model_type(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    columns = columns_of(device(prototype), {name: type(model)})
-    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, columns)}
+    artifact = layout.baseline(name)
+    return {artifact: run.write_tree(artifact, tree, notes, columns_of(device(prototype), {name: type(model)}))}

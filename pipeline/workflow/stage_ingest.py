@@ -20,9 +20,9 @@ from ..store.run_folder import RunFolder, Written
 from ..system.names import log_title, true_name
 from ..system.worker_pool import OnProgress
 from .engine import Task
-from .logs import corrected_log, corrections
+from .run_contents import corrections
 from .si_log import part_of_log, read_si
-from .steps.ingest import examined, record_columns, resamplings
+from .steps.ingest import corrected_log, examined, record_columns
 
 ALGORITHM = "20"
 
@@ -105,16 +105,16 @@ def _ingest(
     raw = part_of_log(read_si(path, prototype, parameters, partial(on_progress, "reading")), span, path)
     signals = corrected_log(raw, by) if by.act else raw
     on_progress("examining", 0.0)
-    log_seen = examined(signals, prototype, str(path))
+    resamplings, notes = examined(signals, prototype, str(path))
     kinds = (schemas.RECORD, schemas.SIGNALS)
     return {
         name: run.write_pieces(
             name,
             schemas.schema_of(kind, device(prototype)),
             _pieces(resampling, tuple(signals.beside), on_progress),
-            asdict(resampling.report) | log_seen.notes,
+            asdict(resampling.report) | notes,
         )
-        for name, kind, resampling in zip(outputs, kinds, resamplings(log_seen, prototype.ingest), strict=True)
+        for name, kind, resampling in zip(outputs, kinds, resamplings, strict=True)
     }
 
 

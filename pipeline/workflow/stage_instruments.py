@@ -15,7 +15,7 @@ from ..signals.log import Corrections, Log
 from ..store import layout, schemas
 from ..store.run_folder import RunFolder, Written
 from .engine import Task
-from .logs import corrections, load_motion, sources
+from .run_contents import corrections, load_motion, sources
 from .steps.identify import fitted_parts
 
 ALGORITHM = "9"
@@ -27,12 +27,17 @@ Logs = Mapping[tuple[Role, str], Log]
 def task(prototype: Prototype, identified: Sequence[str]) -> Task:
     """One task for all logs: the training logs are the reference of each."""
     models = list(dict.fromkeys((identified[0], *(name for name in identified if name == "rbf"))))
-    stated = {f"{role}/{log}": asdict(by) for (role, log), by in corrections(prototype).items() if by.act}
     return Task(
         stage="instruments",
         title=", ".join(models),
         algorithm=ALGORITHM,
-        settings={"models": models, "inputs_before": prototype.plant.inputs_before, "corrections": stated},
+        settings={
+            "models": models,
+            "inputs_before": prototype.plant.inputs_before,
+            "corrections": {
+                f"{role}/{log}": asdict(by) for (role, log), by in corrections(prototype).items() if by.act
+            },
+        },
         inputs=(layout.MODELS, *sources(prototype)),
         outputs=(layout.INSTRUMENTS,),
         work=partial(_measure, prototype=prototype, models=models),
@@ -73,11 +78,11 @@ def instrument_rows(
         if log in trained and len(trained) == 1:
             continue
         reading = instruments.of_training[trained.index(log)] if log in trained else instruments.of(parts[log])
-        values = _values(stated[log].then(reading.corrections))
+        by = stated[log].then(reading.corrections)
+        values = [*by.gains, by.zero, by.gain_q, by.delay, by.clock]  # in the order of the quantities
         measures = zip(instruments.quantities.items(), reading.estimate, reading.standard_error, values, strict=True)
         for (quantity, limit), estimate, error, value in measures:
             measured = bool(np.isfinite(estimate))
-            beyond = measured and abs(estimate) > max(SIGNIFICANCE * error, limit)
             rows.append(
                 {
                     "log": log[1],
@@ -88,24 +93,14 @@ def instrument_rows(
                     "standard_error": float(error) if measured else None,
                     "correction": value if measured else None,
                     "limit": limit,
-                    "beyond": beyond,
+                    "beyond": measured and abs(estimate) > max(SIGNIFICANCE * error, limit),
                     "residual_ratio": reading.residual_ratio if measured else None,
                     "exchanged": reading.exchange,
                     "status": reading.status,
                 }
             )
-    return _both_beyond(rows, trained)
-
-
-def _both_beyond(rows: list[dict[str, Any]], trained: Sequence[tuple[Role, str]]) -> list[dict[str, Any]]:
-    """The rows; of two training logs, which measure one difference, an error is beyond its limit only by both."""
-    if len(trained) == 2:
+    if len(trained) == 2:  # both measure one difference: an error is beyond its limit only by both
         own = [[row for row in rows if (row["role"], row["log"]) == log] for log in trained]
         for first, second in zip(*own, strict=True):
             first["beyond"] = second["beyond"] = first["beyond"] and second["beyond"]
     return rows
-
-
-def _values(by: Corrections) -> list[float]:
-    """Corrections in the order of the quantities, as [logs] takes them, in SI."""
-    return [*by.gains, by.zero, by.gain_q, by.delay, by.clock]

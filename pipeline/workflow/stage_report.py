@@ -1,6 +1,5 @@
 """Report: the page, the datasheet and, if wanted, every figure for a paper, from what the run holds."""
 
-import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
     from ..reporting.figure import Figure
     from ..reporting.plotted import Format
 
-ALGORITHM = "37"
+ALGORITHM = "38"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 
@@ -58,7 +57,7 @@ def tasks(
     figures : {"sans", "serif"}, optional
         Typeface of the figures for a paper; None makes none.
     control : sequence of str
-        Results of `debist control` for the present model (`pipeline.workflow.run_models.made_control`).
+        Results of `debist control` for the present model (`pipeline.workflow.run_contents.made_control`).
     """
     from ..reporting.log_figures import LOG_FIGURES
 
@@ -77,21 +76,23 @@ def tasks(
     )
     if figures is None:
         return [page]
-    drawings = Task(
-        stage="report",
-        title="figures",
-        algorithm=ALGORITHM,
-        settings={**common, "plant": settings["plant"], "identify": settings["identify"], "typeface": figures},
-        inputs=inputs,
-        outputs=tuple(
-            layout.figure(f"{role}-{log}-{kind}", ending)
-            for role, log, _ in layout.logs(prototype)
-            for kind in LOG_FIGURES
-            for ending in FORMATS
+    return [
+        page,
+        Task(
+            stage="report",
+            title="figures",
+            algorithm=ALGORITHM,
+            settings={**common, "plant": settings["plant"], "identify": settings["identify"], "typeface": figures},
+            inputs=inputs,
+            outputs=tuple(
+                layout.figure(f"{role}-{log}-{kind}", ending)
+                for role, log, _ in layout.logs(prototype)
+                for kind in LOG_FIGURES
+                for ending in FORMATS
+            ),
+            work=partial(_drawings, prepared=prepared, typeface=figures),
         ),
-        work=partial(_drawings, prepared=prepared, typeface=figures),
-    )
-    return [page, drawings]
+    ]
 
 
 def _inputs(
@@ -164,10 +165,10 @@ def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared]) -> Mappi
 
     contents = prepared(run)
     page = run_report(contents.data, contents.sheet, contents.figures)
-    document = json.dumps(contents.sheet.to_json(contents.data), indent=1, ensure_ascii=False, allow_nan=False)
+    notes = {"verdict": contents.sheet.grades}
     return {
-        layout.REPORT: run.write_text(layout.REPORT, page, {"verdict": contents.sheet.grades}),
-        layout.DATASHEET: run.write_text(layout.DATASHEET, document + "\n", {"verdict": contents.sheet.grades}),
+        layout.REPORT: run.write_text(layout.REPORT, page, notes),
+        layout.DATASHEET: run.write_json(layout.DATASHEET, contents.sheet.to_json(contents.data), notes),
     }
 
 

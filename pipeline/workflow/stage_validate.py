@@ -30,16 +30,10 @@ from ..store.tables import Table
 from ..system.names import with_true_names
 from ..units.units import SIGNALS
 from .engine import Task
-from .logs import load_motion, sources
-from .run_models import identified_models
+from .run_contents import identified_models, load_motion, sources
 from .steps.score import ComparedRun, rows_of_log, validated
 
 ALGORITHM = "29"
-
-
-def tasks(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> list[Task]:
-    """One task per identified model."""
-    return [task(prototype, parameters, "validate", name, layout.MODELS) for name in models]
 
 
 def task(prototype: Prototype, parameters: JointParameters | None, stage: str, model: str, source: str) -> Task:
@@ -102,9 +96,9 @@ def _predict(
             **({} if tubes is None else tube_columns(tubes)),
             **({} if rotation is None else {"phi": rotation(result.q)}),
         }
-        outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s, "stable_rests": seen}
+        notes |= {"status": result.status, "diverged_at_s": result.diverged_at_s, "stable_rests": seen}
         schema = schemas.schema_of(schemas.PREDICTIONS, plant, phi=rotation is not None, tubes=tubes is not None)
-        written[artifact] = run.write_table(artifact, schema, columns, outcome | notes)
+        written[artifact] = run.write_table(artifact, schema, columns, notes)
     return written
 
 
@@ -130,11 +124,8 @@ def scores_task(prototype: Prototype, parameters: JointParameters | None, models
 
 def scored_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
     """The identified models, and those baselines whose free runs belong to the kinematics of today."""
-    baselines = [
-        model
-        for model in prototype.baselines
-        if all(_fresh(run, role, log, model) for role, log, _ in layout.logs(prototype))
-    ]
+    logs = layout.logs(prototype)
+    baselines = (m for m in prototype.baselines if all(_fresh(run, role, log, m) for role, log, _ in logs))
     return (*identified_models(run, prototype), *baselines)
 
 
@@ -190,29 +181,24 @@ def _pairs(
 
 def score_tables(root: Path) -> tuple[NrmseTable, ...]:
     """Errors with fitting and simulation times, and behaviour of all models on all logs."""
-    shown, times = in_snapshot(root, _timed_scores)
+    shown, times = in_snapshot(root, lambda run: (_shown(run), _times(run)))
     return tuple(table for table in (nrmse_table(shown, times), behaviour_table(shown)) if table.rows)
 
 
 def shown_scores(root: Path) -> list[dict[str, Any]]:
     """The score rows of a run for readers: the logs by their true names."""
-    return in_snapshot(root, lambda run: _shown(run, run.read_records(layout.SCORES)))
+    return in_snapshot(root, _shown)
 
 
-def _timed_scores(run: RunFolder) -> tuple[list[dict[str, Any]], dict[str, dict[str, float | None]]]:
-    """The score rows as shown to readers, and the times of their models."""
-    scores = run.read_records(layout.SCORES)
-    return _shown(run, scores), _times(run, scores)
+def _shown(run: RunFolder) -> list[dict[str, Any]]:
+    sources = [(role, log) for role, _, log in layout.logs(run.prototype)]
+    return with_true_names(run.read_records(layout.SCORES), sources)
 
 
-def _shown(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
-    return with_true_names(scores, [(role, log) for role, _, log in layout.logs(run.prototype)])
-
-
-def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dict[str, float | None]]:
+def _times(run: RunFolder) -> dict[str, dict[str, float | None]]:
     """Processor time [s] of each model's fit and of its longest free run, as noted when they were made."""
     times: dict[str, dict[str, float | None]] = {}
-    for score in scores:
+    for score in run.read_records(layout.SCORES):
         model = score["model"]
         fitted = run.manifest.artifacts.get(layout.baseline(model))
         notes = fitted.notes if fitted else run.record(layout.MODELS).notes.get(model, {})

@@ -102,8 +102,8 @@ def _written_files(root: Path) -> Iterator[tuple[str, str, str]]:
 def _others(run: RunFolder) -> Iterator[str]:
     """Files that nothing in the run's lists names, and all links."""
     lists = {f"{folder}/{name}" for folder in EXTRA_FOLDERS for name in (WRITTEN, *written_files(run.root / folder))}
-    own = {MANIFEST, NEXT_MANIFEST, LOCK, *lists, *run.manifest.artifacts, *run.manifest.set_aside}
-    own |= set(map(stage_file, run.manifest.stages))
+    stages = map(stage_file, run.manifest.stages)
+    own = {MANIFEST, NEXT_MANIFEST, LOCK, *lists, *stages, *run.manifest.artifacts, *run.manifest.set_aside}
     for place, folders, files in os.walk(run.root):
         for name in (*files, *folders):
             entry = Path(place) / name
@@ -113,8 +113,8 @@ def _others(run: RunFolder) -> Iterator[str]:
 
 
 def _is_leftover(path: str) -> bool:
-    names = path.split("/")
-    return path == HOLDER or any(n.startswith(".") and n.endswith((TEMPORARY_MARK, STAGED_MARK)) for n in names)
+    marks = (TEMPORARY_MARK, STAGED_MARK)
+    return path == HOLDER or any(name.startswith(".") and name.endswith(marks) for name in path.split("/"))
 
 
 def verify_everything(root: Path) -> Verified:

@@ -41,8 +41,8 @@ def _compile(group: int) -> None:
 
 def _hybrid() -> None:
     from ..device.parameters import NOMINAL
-    from ..models.hybrid.driving_voltages import DrivingVoltages
-    from ..models.hybrid.parameters import constants, instruments, nominal_deviations, static_slope_ratio
+    from ..models.hybrid.log_reading import DrivingVoltages, Instruments
+    from ..models.hybrid.parameters import constants, nominal_deviations, static_slope_ratio
     from ..models.hybrid.runs import Driving, Followed, JointCoefficients, Stepping, run_joints
     from ..models.hybrid.sensitivity import Driven, sensitivities
     from ..models.hybrid.statics import static_curves, substeps
@@ -51,7 +51,7 @@ def _hybrid() -> None:
     basis = np.array([-0.01, 0.01, 0.01])
     weights = np.zeros((9, 3))
     substeps(k, basis, weights, _DT)
-    undisturbed = instruments(np.zeros(len(nominal_deviations())))
+    undisturbed = Instruments(offset=0.0, delay=0.0, charging=1e-3, probe=np.zeros(2))
     for shape in ((2, 2), (3, 10, 2)):
         u = DrivingVoltages(np.zeros(shape), _DT).squared(1, undisturbed, 1.0)[None]
     stepping = Stepping(_DT, 1, 0.05, 1.0)
@@ -69,11 +69,12 @@ def _hybrid() -> None:
 
 def _without_parameter_set() -> None:
     from ..models.narx import NarxModel
-    from ..models.paper.model import LaggedEquation, lagged_rbf_run
+    from ..models.paper.model import RbfPaperModel
     from ..models.polynomial_dynamics import PolynomialDynamics, free_run
 
     v = np.zeros((3, 2))
-    lagged_rbf_run(LaggedEquation(np.zeros(2), np.zeros((2, 4)), 1.0, 1.0), v, _DT, 1, (0.0, 0.0), (-1.0, 1.0))
+    paper = RbfPaperModel(centres=np.array([0.0, 1.0]), smoothing=1.0, weights=np.zeros((4, 2)), lag_s=1.0)
+    paper.simulate(_DT * np.arange(3.0), v, 0.0, 0.0)
     still = PolynomialDynamics(
         exponents=np.zeros((1, 7), dtype=np.int64),
         coefficients=np.zeros((2, 1)),
@@ -84,7 +85,7 @@ def _without_parameter_set() -> None:
         high=1.0,
     )
     free_run(still, v, _DT, 0.0, 0.0)
-    narx = NarxModel(
+    NarxModel(
         structure=np.array([1, 1, 1, 2]),
         exponents=np.zeros((1, 4), dtype=np.int64),
         coefficients=np.zeros(1),
@@ -92,8 +93,7 @@ def _without_parameter_set() -> None:
         interval_s=_DT,
         inputs="squared",
         bounds=np.array([-1.0, 1.0]),
-    )
-    narx.run(v, 0.0, 0.0)
+    ).run(v, np.zeros(1), 0.0)
 
 
 def _network() -> None:
@@ -133,17 +133,17 @@ def _analytical() -> None:
     from ..models.analytical.reduced_order import friction_state, maxwell_strains, reduce_joint
     from ..models.analytical.sensitivity import state_sensitivities
     from ..models.analytical.statics import tip_values
-    from ..numerics.stiff import STATES
+    from ..numerics.stiff import RITZ, STATES
 
     t = np.array([0.0, 1e-4])
     v = np.zeros((2, 2))
     simulate(NOMINAL, t, v, rest_state(NOMINAL, 0.001, 0.001, v[0]))
-    tip_values(reduce_joint(NOMINAL).path.qm[0], NOMINAL.vector())
+    reduce_joint(NOMINAL)
+    tip_values(np.zeros(RITZ), NOMINAL.vector())
     friction_state(np.zeros(2), 1.0)
     maxwell_strains(np.ones((2, 2)), 1.0, np.ones(2))
     still: Any = np.zeros((2, STATES))
-    joints = np.tile(NOMINAL.vector(), (2, 1))
-    state_sensitivities(t, v, still, still, joints, np.ones(1), np.zeros((STATES, 1)))
+    state_sensitivities(t, v, still, still, np.tile(NOMINAL.vector(), (2, 1)), np.ones(1), np.zeros((STATES, 1)))
 
 
 def _measured() -> None:

@@ -12,7 +12,7 @@ from cli import app
 from pipeline.commands.console import printable
 from pipeline.store import layout
 from pipeline.store.schemas import STUDIES
-from pipeline.workflow.run_models import TITLES
+from pipeline.workflow.run_contents import TITLES
 from tests.prototypes import SMALL_CSV
 
 RUNNER = CliRunner()
@@ -47,8 +47,13 @@ def test_every_command_has_help_with_an_example_and_json(command: list[str]) -> 
     ],
 )
 def test_what_no_stage_makes_names_a_command_that_there_is(artifact: str) -> None:
-    command = layout.command_of(artifact)
-    assert command and CliRunner().invoke(app, [*command.split(), "--help"]).exit_code == 0
+    command = layout.remade(artifact).split("`")[1]
+    assert CliRunner().invoke(app, [*command.removeprefix("debist ").split(), "--help"]).exit_code == 0
+
+
+def test_a_table_of_a_study_that_is_gone_is_no_longer_made() -> None:
+    assert layout.remade("studies/folds-log.parquet") == "it is no longer made"
+    assert layout.remade(layout.MODELS) == layout.remade("figures/train-train-models.svg") == ""
 
 
 def test_help_imports_nothing_heavy() -> None:

@@ -56,6 +56,7 @@ def planted_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     run.commit(Recipe("test", "1", {}, {}), written)
     parameters = parameter_set(prototype, folder)
     models = ("hybrid", "rbf-paper")
-    made = [*validate.tasks(prototype, parameters, models), validate.scores_task(prototype, parameters, models)]
+    runs = (validate.task(prototype, parameters, "validate", model, layout.MODELS) for model in models)
+    made = [*runs, validate.scores_task(prototype, parameters, models)]
     bring_up_to_date(run, made, Silent())
     return run.root

@@ -17,7 +17,7 @@ from pipeline.export.sources import write_json, write_matlab
 from pipeline.export.subject import Subject
 from pipeline.settings.prototype import parse_prototype
 from pipeline.store.run_folder import RunFolder
-from pipeline.workflow.run_models import subject
+from pipeline.workflow.run_contents import subject
 from tests.export.fmu_runs import co_simulated, exchanged
 from tests.export.joints import COMPILER, OCTAVE, CompiledModel, half_steps
 

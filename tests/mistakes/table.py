@@ -18,7 +18,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import parse_prototype
 from pipeline.signals.log import RawLog
 from pipeline.workflow.stage_check import log_signals
-from pipeline.workflow.steps.ingest import examined, record_columns, resamplings
+from pipeline.workflow.steps.ingest import examined, record_columns
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
@@ -69,11 +69,10 @@ def told(logs: Sequence[Log], plant: dict | None = None, **tables: dict) -> list
         seen = []
         for number, one in enumerate(logs, start=1):
             signals = RawLog((one.t, one.q), tuple((one.t, np.ascontiguousarray(column)) for column in one.v.T))
-            found = examined(signals, prototype, f"log {number}")
-            said += found.notes["warnings"]
-            record = resamplings(found, prototype.ingest)[0].record()
-            notes = {**found.notes, "raw_step": found.raw_step}
-            seen.append(log_signals(f"log {number}", record_columns(record, tuple(signals.beside)), notes))
+            (fine, _), noticed = examined(signals, prototype, f"log {number}")
+            said += noticed["warnings"]
+            notes = {**noticed, "raw_step": fine.report.raw_step}
+            seen.append(log_signals(f"log {number}", record_columns(fine.record(), tuple(signals.beside)), notes))
         found_of_all = [
             *check_logs(seen, device(prototype), prototype.ingest.sample_interval),
             *(finding for _, _, finding in shared_recordings(seen)),

@@ -119,7 +119,7 @@ def test_the_silent_faults_of_a_log_are_told_in_every_format(ending, tmp_path):
         channels = {name: {**channel, "scale": 1.0} for name, channel in channels.items()}
     document = {"name": "P", "logs": {"train": [path.name]}, "channels": channels}
     prototype = parse_prototype(document, "P.toml")
-    warnings = "\n".join(examined(read_si(path, prototype), prototype, "log").notes["warnings"])
+    warnings = "\n".join(examined(read_si(path, prototype), prototype, "log")[1]["warnings"])
     for part in ("samples at 0 mm, which no motion reaches", "rows are missing though time goes on", "saturated probe"):
         assert part in warnings
     (remarks,) = [channel.remarks for channel in inspect_log(path).channels if channel.name == "q"]

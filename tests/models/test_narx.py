@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from pipeline.device.device import JOINT
-from pipeline.models.narx import NARX, NarxModel, identify_narx
+from pipeline.models.model_type import model_from_tree
+from pipeline.models.narx import NarxModel, identify_narx
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.signals.log import Log
@@ -35,7 +36,7 @@ def pulses(samples: int, seed: int) -> FloatArray:
 
 def motion(seed: int, samples: int = 2000) -> Log:
     v = pulses(samples, seed)
-    q, reached = TRUTH.run(v, -0.01, 0.0)
+    q, reached = TRUTH.run(v, np.array([-0.01]), 0.0)
     assert reached == samples
     qdot = np.gradient(q, DT)
     return Log(DT * np.arange(samples), q, qdot, np.gradient(qdot, DT), v)
@@ -55,7 +56,7 @@ def test_a_planted_equation_predicts_a_new_record_freely(model: NarxModel) -> No
 
 
 def test_round_trip_through_the_tree_changes_no_prediction(model: NarxModel) -> None:
-    again = NARX.read(model.to_tree())
+    again = model_from_tree("narx", model.to_tree())
     t, v = DT * np.arange(400), pulses(400, 3)
     np.testing.assert_array_equal(again.simulate(t, v, -0.01, 0.0).q, model.simulate(t, v, -0.01, 0.0).q)
 

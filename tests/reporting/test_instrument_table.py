@@ -8,7 +8,7 @@ import pytest
 from pipeline.reporting.instrument_table import entry, instrument_table
 from pipeline.settings.logs import LogPart
 from pipeline.settings.prototype import parse_prototype
-from pipeline.workflow.logs import corrections
+from pipeline.workflow.run_contents import corrections
 
 VALUES = {"gain_v1": 1.0530, "zero_q": -3.2e-4, "gain_q": 0.98042, "delay": -2.54e-3, "clock": 0.99003}
 

@@ -22,8 +22,14 @@ from pipeline.rig.excitation import (
 )
 from pipeline.rig.fleet import Experiment, simulate_prototype
 from pipeline.settings.file import read_options
-from pipeline.workflow.studies.excitation import DesignFile, drawn_simulators
-from pipeline.workflow.studies.excitation_design import Design, Requirements, assess, design_excitation
+from pipeline.workflow.studies.excitation import (
+    Design,
+    DesignFile,
+    Requirements,
+    assess,
+    design_excitation,
+    drawn_simulators,
+)
 
 WANTED = Requirements(duration=14.0, candidates=6)
 
@@ -131,6 +137,7 @@ def test_the_command_designs_writes_and_says_what_it_gains(tmp_path: Path) -> No
         ('kinds = ["fire"]', "kinds"),
         ("rate_Hz = 1.0", "rate_Hz: input should be greater than or equal to 100"),
         ("rest = 1.0", "did you mean 'rest_s'"),
+        ('model = "rbf"', "model is gone; leave it out: a sequence is designed for the joint of --parameters"),
     ],
 )
 def test_a_mistake_in_the_file_of_a_design_is_one_line(text: str, words: str, tmp_path: Path) -> None:

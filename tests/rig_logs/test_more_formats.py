@@ -14,7 +14,7 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
-from pipeline.rig_logs.mat_recorders import table_channels
+from pipeline.rig_logs.mat_source import table_channels
 from pipeline.rig_logs.source import CsvOptions, Limits, UnreadableLogError
 from tests.rig_logs.small_logs import TIME, Q, V, load, open_here, read_here, workbook
 

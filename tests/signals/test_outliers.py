@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from pipeline.signals.columns import CHUNK
-from pipeline.signals.outliers import trusted, without_spikes
+from pipeline.signals.outliers import lost_bounds, trusted, without_spikes
 from pipeline.signals.signal_quality import examine_signal
 
 STEP = 1e-3
@@ -12,6 +12,11 @@ def log(n=4000, noise=1e-3, seed=1):
     rng = np.random.default_rng(seed)
     t = STEP * np.arange(n)
     return t, np.sin(2 * np.pi * 0.7 * t) + noise * rng.standard_normal(n)
+
+
+def bounds(t, q, step):
+    """Values beyond which q would be without a target."""
+    return lost_bounds((t, q), (), examine_signal(t, q, step), step)
 
 
 def masked(t, q, inputs=(), step=STEP, **policies):
@@ -49,14 +54,14 @@ def test_rails_are_found_behind_spikes_and_a_lost_target():
     t, q = log()
     clipped = np.clip(q, -0.8, 0.8)
     alone = masked(t, clipped)[0]
-    assert alone.rails == ((-0.8, -0.8), (0.8, 0.8))
+    assert alone.quality.rails == ((-0.8, -0.8), (0.8, 0.8))
     clipped[[510, 1910]] += 2.0
     clipped[3110] -= 2.0
     spiked = masked(t, clipped)[0]
-    assert spiked.rails == alone.rails and spiked.left_out[2] == 3
+    assert spiked.quality.rails == alone.quality.rails and spiked.left_out[2] == 3
     clipped[2000:2200] = 5.0
     lost = masked(t, clipped)[0]
-    assert lost.rails == alone.rails and lost.left_out[1] == 200
+    assert lost.quality.rails == alone.quality.rails and lost.left_out[1] == 200
     assert lost.quality.low_rail == pytest.approx(alone.quality.low_rail, rel=0.1)
 
 
@@ -104,7 +109,7 @@ def test_a_joint_that_rests_in_its_other_well_has_not_lost_the_laser(frequency):
     side = np.where(np.sin(2 * np.pi * 0.2 * t) > 0.4, 1.0, -1.0)
     q = np.convolve(side, np.ones(8) / 8, "same") * (1.0 + 0.2 * np.sin(2 * np.pi * frequency * t))
     q += 1e-3 * rng.standard_normal(t.size)
-    assert masked(t, q, step=0.01)[0].bounds == (-np.inf, np.inf)
+    assert bounds(t, q, 0.01) == (-np.inf, np.inf)
 
 
 def _joint(noise=1e-5):
@@ -156,9 +161,9 @@ def test_a_lamp_at_full_power_is_not_a_lost_target():
 def test_a_level_that_flickers_is_measured():
     """Of 3 % of the range at most is what hardly changes; noise of the rest does not make it wider."""
     t, q, _ = _lamp([0.0, 40.0, 87.0], noise=0.02)
-    assert masked(t, q, step=5e-3)[0].bounds == (-np.inf, np.inf)
+    assert bounds(t, q, 5e-3) == (-np.inf, np.inf)
     coarse = np.round(q / 5.0) * 5.0
-    assert masked(t, coarse, step=5e-3)[0].bounds == (-np.inf, np.inf)
+    assert bounds(t, coarse, 5e-3) == (-np.inf, np.inf)
 
 
 def test_a_motor_that_starts_is_not_a_sensor_without_a_target():
@@ -166,7 +171,7 @@ def test_a_motor_that_starts_is_not_a_sensor_without_a_target():
     rng, t = np.random.default_rng(6), 0.02 * np.arange(2000)
     q = 700.0 + 150.0 * np.sin(2 * np.pi * 0.05 * t) + 5.0 * rng.standard_normal(t.size)
     q[:4] = [0.0, 45.0, 150.0, 260.0]
-    assert masked(t, q, step=0.02)[0].bounds == (-np.inf, np.inf)
+    assert bounds(t, q, 0.02) == (-np.inf, np.inf)
 
 
 def test_half_of_a_log_is_not_without_a_target():
@@ -174,7 +179,7 @@ def test_half_of_a_log_is_not_without_a_target():
     t = 0.02 * np.arange(3000)
     there = np.tile([0, 0, 0, 0, 4.0, 5.0, 5.0, 5.0, 5.0, 4.0], 300)
     q = np.where(there > 0, there, np.sin(2 * np.pi * 0.33 * t))
-    assert masked(t, q, step=0.02)[0].bounds == (-np.inf, np.inf)
+    assert bounds(t, q, 0.02) == (-np.inf, np.inf)
 
 
 def test_a_turning_point_in_steps_is_no_rail_but_the_same_signal_clipped_is():

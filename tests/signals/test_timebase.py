@@ -5,14 +5,14 @@ import pytest
 from hypothesis import given, strategies as st
 
 from pipeline.errors import DataRefusedError
-from pipeline.signals.timebase import advancing, default_gap_limit, examine, nominal_step, segments
+from pipeline.signals.timebase import default_gap_limit, examine, nominal_step, segments
+from pipeline.signals.uniform_record import advancing_rows
 
 
 def test_clean_time_base():
     quality = examine(12.345 + np.arange(1000) / 30_000.0)
     assert quality.uniform
     assert quality.step == pytest.approx(1 / 30_000.0, rel=1e-9)
-    assert quality.rate == pytest.approx(30_000.0, rel=1e-9)
     assert (quality.n, quality.dropped, quality.gaps) == (1000, 0, 0)
     assert quality.start == 12.345
 
@@ -73,13 +73,14 @@ def test_gap_limit():
 
 @given(st.lists(st.one_of(st.floats(-10, 10), st.just(float("nan")), st.just(float("inf"))), max_size=40))
 def test_advancing_keeps_exactly_the_records(stamps):
-    expected, reached = [], -np.inf
+    expected, reached = [], -20.0
     for stamp in stamps:
         later = bool(np.isfinite(stamp)) and stamp > reached
         expected.append(later)
         if np.isfinite(stamp):
             reached = max(reached, stamp)
-    assert advancing(np.array(stamps, dtype=np.float64)).tolist() == expected
+    rows = advancing_rows(np.array([-30.0, -20.0, *stamps]), "split")
+    assert rows.keep.tolist() == [True, True, *expected]
 
 
 def test_one_segment_without_gaps():

@@ -13,12 +13,13 @@ import pytest
 from hypothesis import given, strategies as st
 from hypothesis.extra.numpy import arrays
 
+from pipeline.device.device import JOINT
 from pipeline.errors import CorruptArtifactError
 from pipeline.store import tables
-from pipeline.store.hashing import column_digest, table_hash, tree_hash
-from pipeline.store.schemas import SIGNALS, Schema, resolve
+from pipeline.store.hashing import ColumnDigest, table_hash, tree_hash
+from pipeline.store.schemas import SIGNALS, Schema, schema_of
 
-SCHEMA = resolve(SIGNALS, displacement="m", inputs=("V", "V"))
+SCHEMA = schema_of(SIGNALS, JOINT)
 
 
 def _signals(n: int = 5000) -> dict[str, np.ndarray]:
@@ -37,7 +38,7 @@ def test_one_nan_and_one_zero(values: np.ndarray) -> None:
     other = values.copy()
     other[np.isnan(other)] = -np.nan
     other[other == 0.0] = -0.0
-    assert column_digest(other) == column_digest(values)
+    assert ColumnDigest(other).hexdigest() == ColumnDigest(values).hexdigest()
 
 
 @given(arrays(np.float64, 7, elements=st.floats(-1e300, 1e300)), st.integers(0, 6))
@@ -45,7 +46,7 @@ def test_the_smallest_change_shows(values: np.ndarray, index: int) -> None:
     other = values.copy()
     other[index] = np.nextafter(other[index], np.inf)
     changed = other[index] != values[index]
-    assert (column_digest(other) != column_digest(values)) == changed
+    assert (ColumnDigest(other).hexdigest() != ColumnDigest(values).hexdigest()) == changed
 
 
 def test_order_of_columns_does_not_matter_but_units_do() -> None:
@@ -80,7 +81,7 @@ def test_neither_file_nor_hash_depends_on_the_pieces_it_was_written_in(
 ) -> None:
     monkeypatch.setattr(tables, "_ROW_GROUP", 1700)
     columns = _signals()
-    whole = tables.write_table(tmp_path / "whole.parquet", SCHEMA, columns)
+    whole = tables.write_pieces(tmp_path / "whole.parquet", SCHEMA, [columns])
     pieces = ({name: column[i : i + size] for name, column in columns.items()} for i in range(0, 5000, size))
     assert tables.write_pieces(tmp_path / "pieces.parquet", SCHEMA, pieces) == whole
     assert (tmp_path / "pieces.parquet").read_bytes() == (tmp_path / "whole.parquet").read_bytes()
@@ -100,7 +101,7 @@ _REWRITES: list[dict[str, Any]] = [
 @pytest.mark.parametrize("options", _REWRITES, ids=str)
 def test_the_hash_survives_another_codec_layout_and_other_row_groups(tmp_path: Path, options: dict[str, Any]) -> None:
     path = tmp_path / "signals.parquet"
-    written = tables.write_table(path, SCHEMA, _signals())
+    written = tables.write_pieces(path, SCHEMA, [_signals()])
     pq.write_table(pq.read_table(path), tmp_path / "other.parquet", **options)
     assert (tmp_path / "other.parquet").read_bytes() != path.read_bytes()
     assert _content_hash(SCHEMA, tables.read_table(tmp_path / "other.parquet")) == written

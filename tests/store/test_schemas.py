@@ -1,10 +1,13 @@
 """The version of the columns changes when they do."""
 
 import hashlib
+from dataclasses import replace
 
+from pipeline.device.device import JOINT
 from pipeline.store import schemas
 from pipeline.store.columns import FACT_COLUMNS, SCHEMA_VERSION
-from pipeline.store.schemas import Schema, resolve
+from pipeline.store.schemas import Schema, schema_of
+from pipeline.units.units import SiUnit
 
 VERSIONS = {"1": "6759345cecf59ad9", "2": "0ca3f9e57b9bf8ea", "3": "8806036b5542885d"}
 """Digests of the columns by schema version: other columns need a new version, a table more or less a new digest."""
@@ -12,7 +15,8 @@ VERSIONS = {"1": "6759345cecf59ad9", "2": "0ca3f9e57b9bf8ea", "3": "8806036b5542
 
 def _schemas() -> list[Schema]:
     kinds = [value for value in vars(schemas).values() if isinstance(value, Schema)] + list(schemas.STUDIES.values())
-    return [resolve(kind, displacement="m", inputs=("V", "V"), phi=True, velocity=True, tubes=True) for kind in kinds]
+    measured = replace(JOINT, velocity=SiUnit(1.0, "m/s"))
+    return [schema_of(kind, measured, phi=True, tubes=True) for kind in kinds]
 
 
 def _digest() -> str:

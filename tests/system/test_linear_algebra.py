@@ -11,7 +11,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="only Linux limi
 ROOT = Path(__file__).resolve().parents[2]
 FULL = """
 import mmap
-from pipeline.system.linear_algebra import load_linear_algebra
+from pipeline.system.machine import load_linear_algebra
 load_linear_algebra()
 import numpy as np, scipy.linalg.blas
 held = []

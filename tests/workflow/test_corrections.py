@@ -10,8 +10,9 @@ from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.signals.log import Corrections, RawLog
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard
-from pipeline.workflow.logs import corrected_log, corrections
 from pipeline.workflow.run import run_prototype
+from pipeline.workflow.run_contents import corrections
+from pipeline.workflow.steps.ingest import corrected_log
 
 
 def _prototype(log: object, **plant: object) -> Prototype:
@@ -62,7 +63,7 @@ def test_a_log_with_its_errors_corrected_is_the_true_one(tmp_path: Path) -> None
         ({"file": "a.csv", "gain": {"v2": 1.1}}, "gain.v2 is stated, but"),
         ({"file": "a.csv", "zero": "0.1 rad"}, "zero"),
         ({"file": "a.csv", "zero": 0.1}, "needs its unit in quotes"),
-        ({"file": "a.csv", "gain": {"v1": 0.0}}, "v1 must not be 0"),
+        ({"file": "a.csv", "gain": {"v1": 0.0}}, "gain.v1: must not be 0"),
         ({"file": "a.csv", "clock": 0.0}, "clock"),
         ({"file": "a.csv", "delay": "5 mm"}, "delay"),
     ],

@@ -4,7 +4,7 @@ import numpy as np
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.models.rbf.model import RbfModel
+from pipeline.models.model_type import model_from_tree
 from pipeline.store.run_folder import RunFolder
 from tests.double_well import DoubleWell
 from tests.prototypes import motion, settings, write_csv
@@ -34,7 +34,7 @@ def test_the_model_keeps_the_curves_of_the_file(tmp_path):
     for arguments in (["ingest", str(tmp_path / "p.toml"), "-o", run], ["differentiate", run], ["identify", run]):
         result = CliRunner().invoke(app, arguments)
         assert result.exit_code == 0, result.output
-    model = RbfModel.from_tree(RunFolder.open(tmp_path / "run").read_tree("model.h5", "rbf"))
+    model = model_from_tree("rbf", RunFolder.open(tmp_path / "run").read_tree("model.h5", "rbf"))
     found = model.curves(q)
     for name, measured in stand.items():
         assert np.abs(found[name] - measured).max() < 0.03 * np.abs(measured).max(), name

@@ -87,7 +87,7 @@ mass = {{ value = 0.0405, unit = "kg" }}
     for name in FIGURES:
         assert (made.root / "paper" / f"{name}.svg").stat().st_size > 5_000
         assert (made.root / "paper" / f"{name}.pdf").read_bytes().startswith(b"%PDF")
-    page = made.page.read_text(encoding="utf-8")
+    page = (made.root / "paper.html").read_text(encoding="utf-8")
     assert all(title in page for title in FIGURES.values())
     row = next(row for row in made.table if row["role"] == "train" and row["model"] == "rbf-paper by § 5.1")
     assert row["printed_q"] == 0.021

@@ -12,7 +12,7 @@ from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.signals.log import Log
 from pipeline.store.manifest import Recipe
 from pipeline.store.run_folder import RunFolder
-from pipeline.workflow.run_models import compared_models, identified_models, model_artifact, subject_on
+from pipeline.workflow.run_contents import compared_models, identified_models, model_artifact, subject_on
 from tests.export.joints import hybrid, pulses
 
 CHANNELS = {name: {"channel": name, "unit": unit} for name, unit in (("q", "mm"), ("v1", "kV"), ("v2", "kV"))}

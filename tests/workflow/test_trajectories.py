@@ -9,7 +9,7 @@ from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.signals.log import EDGE, UNKNOWN, Log, log_of
 from pipeline.store import layout
 from pipeline.store.tables import Table
-from pipeline.workflow.logs import load_motion
+from pipeline.workflow.run_contents import load_motion
 
 ROWS, REFINED = 60, 10
 

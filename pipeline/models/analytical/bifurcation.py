@@ -1,14 +1,14 @@
 """Equilibrium diagram over z_b, over a voltage or over a force; z_b,min, z_b,max, switching voltage (figs. 3 to 5)."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...device.parameters import B_MAX, VECTOR_NAMES, JointParameters
 from ...errors import InputError
 from ...generated.analytical_joint import capacitance, static_sensitivity, statics
-from ...numerics.arrays import BoolArray, FloatArray
+from ...numerics.arrays import FloatArray
 from ...numerics.continuation import Branch, Residual, SpecialPoint, trace_branch
 from ...numerics.stiff import RITZ
 from .statics import (
@@ -27,17 +27,6 @@ _SEEDS = 7
 _HIGHEST = 2.0 * FULL_VOLTAGE
 SHOWN = np.linspace(-0.02, 0.02, 161)
 """Displacements [m] at which curves over q are shown."""
-
-
-@dataclass(frozen=True)
-class EquilibriumBranch:
-    """A connected curve of equilibria: parameter, q [m], φ [rad] and stability, each (N,), and its special points."""
-
-    parameter: FloatArray
-    q: FloatArray
-    phi: FloatArray
-    stable: BoolArray
-    special: tuple[SpecialPoint, ...]
 
 
 @dataclass(frozen=True)
@@ -94,7 +83,6 @@ def over_screw(parameters: JointParameters, v: FloatArray) -> Family:
 def over_voltage(parameters: JointParameters, side: int) -> Family:
     """λ = voltage [V] of one side (0 left, 1 right), the other zero."""
     p = parameters.vector()
-    on = np.eye(2)[side]
 
     def slope(qm: FloatArray, value: float) -> FloatArray:
         """Derivative of the static gradient by the voltage."""
@@ -103,7 +91,7 @@ def over_voltage(parameters: JointParameters, side: int) -> Family:
         capacitance(qm, p, farads, jacobian)
         return np.asarray(-jacobian[side] * value)
 
-    return Family(lambda value: (p, value * on, 0.0), slope, FULL_VOLTAGE)
+    return Family(lambda value: (p, value * np.eye(2)[side], 0.0), slope, FULL_VOLTAGE)
 
 
 def over_force(parameters: JointParameters, v: FloatArray) -> Family:
@@ -152,8 +140,8 @@ def branch_through(family: Family, qm: FloatArray, value: float, bounds: tuple[f
     return Branch(raw.parameter * unit, raw.y * scale, raw.stable, special)
 
 
-def equilibrium_diagram(family: Family, bounds: tuple[float, float]) -> list[EquilibriumBranch]:
-    """All branches over λ in `bounds`, those included that are not connected to the others.
+def equilibrium_diagram(family: Family, bounds: tuple[float, float]) -> list[Branch]:
+    """All branches over λ in `bounds`, those included that are not connected to the others; `y` are q [m] and φ [rad].
 
     At seven values of λ, the bounds among them, all equilibria are found by `equilibria`; each that lies on no traced
     branch starts one. A branch that begins in a fold between two of them and leaves through a bound is found there.
@@ -179,10 +167,9 @@ def _lies_on(branch: Branch, qm: FloatArray, value: float, scale: FloatArray, un
     return bool(np.min(np.linalg.norm(x[:-1] + share[:, None] * along - target, axis=1)) < 2e-3)
 
 
-def _with_tip(branch: Branch, family: Family) -> EquilibriumBranch:
+def _with_tip(branch: Branch, family: Family) -> Branch:
     p = family.at(float(branch.parameter[0]))[0]
-    tips = np.array([tip_values(qm, p) for qm in branch.y])
-    return EquilibriumBranch(branch.parameter, tips[:, 0], tips[:, 1], branch.stable, branch.special)
+    return replace(branch, y=np.array([tip_values(qm, p)[:2] for qm in branch.y]))
 
 
 def bistable_from(parameters: JointParameters) -> float | None:
@@ -202,8 +189,7 @@ def switchable_to(parameters: JointParameters, voltage: float = FULL_VOLTAGE) ->
 def _smallest_with_two_wells(parameters: JointParameters, v: FloatArray, highest: float) -> float | None:
     """The special point up to `highest` [m] behind which there are two stable equilibria for the first time."""
     diagram = equilibrium_diagram(over_screw(parameters, v), (0.0, highest))
-    candidates = sorted({0.0, *(point.parameter for branch in diagram for point in branch.special)})
-    for candidate in candidates:
+    for candidate in sorted({0.0, *(point.parameter for branch in diagram for point in branch.special)}):
         behind = with_screw_height(parameters, candidate + 1e-5)
         if sum(e.stable for e in equilibria(behind, v)) >= 2:
             return float(candidate)
@@ -228,13 +214,13 @@ def switching_voltage(parameters: JointParameters) -> SwitchingVoltage:
     wells = [e for e in equilibria(parameters, np.zeros(2)) if e.stable]
     if len(wells) < 2:
         return SwitchingVoltage(None, None)
-    folds: list[float | None] = []
-    for side, well in ((0, wells[0]), (1, wells[-1])):
-        branch = branch_through(over_voltage(parameters, side), well.qm, 0.0, (0.0, _HIGHEST))
-        # v² is even in v: the branch runs to both signs, and only the upward half is looked at.
-        upward = [point.parameter for point in branch.special if point.kind == "fold" and point.parameter > 0.0]
-        folds.append(min(upward) if upward else None)
-    return SwitchingVoltage(*folds)
+    branches = [
+        branch_through(over_voltage(parameters, side), well.qm, 0.0, (0.0, _HIGHEST))
+        for side, well in ((0, wells[0]), (1, wells[-1]))
+    ]
+    # v² is even in v: a branch runs to both signs, and only its upward half is looked at.
+    folds = ([s.parameter for s in branch.special if s.kind == "fold" and s.parameter > 0.0] for branch in branches)
+    return SwitchingVoltage(*(min(upward, default=None) for upward in folds))
 
 
 VOLTAGE_STATES = {"off": (0.0, 0.0), "left": (1.0, 0.0), "right": (0.0, 1.0), "both": (1.0, 1.0)}
@@ -255,7 +241,7 @@ class Characteristics:
         Energy [J] from the shallower well up to the saddle between the wells; None without two wells.
     paths : dict of str to StaticPath
         Held joint under each of `VOLTAGE_STATES`.
-    diagrams : dict of str to list of EquilibriumBranch
+    diagrams : dict of str to list of Branch
         Equilibria over z_b under each of `VOLTAGE_STATES`.
     """
 
@@ -264,7 +250,7 @@ class Characteristics:
     switching: SwitchingVoltage
     barrier: float | None
     paths: dict[str, StaticPath]
-    diagrams: dict[str, list[EquilibriumBranch]]
+    diagrams: dict[str, list[Branch]]
 
 
 def characteristics(parameters: JointParameters, *, voltage: float = FULL_VOLTAGE) -> Characteristics:
@@ -272,19 +258,14 @@ def characteristics(parameters: JointParameters, *, voltage: float = FULL_VOLTAG
     rest = equilibria(parameters, np.zeros(2))
     wells = [e.energy for e in rest if e.stable]
     saddles = [e.energy for e in rest if not e.stable]
-    paths = {}
-    diagrams = {}
-    for name, state in VOLTAGE_STATES.items():
-        v = voltage * np.array(state)
-        paths[name] = _held_joint(parameters, v)
-        diagrams[name] = equilibrium_diagram(over_screw(parameters, v), (0.0, 0.01))
+    states = {name: voltage * np.array(state) for name, state in VOLTAGE_STATES.items()}
     return Characteristics(
         z_b_min=bistable_from(parameters),
         z_b_max=switchable_to(parameters, voltage),
         switching=switching_voltage(parameters),
         barrier=min(saddles) - max(wells) if len(wells) > 1 and saddles else None,
-        paths=paths,
-        diagrams=diagrams,
+        paths={name: _held_joint(parameters, v) for name, v in states.items()},
+        diagrams={name: equilibrium_diagram(over_screw(parameters, v), (0.0, 0.01)) for name, v in states.items()},
     )
 
 

@@ -14,8 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import OptimizeResult, least_squares
 
-from ...device.parameters import VECTOR_NAMES, JointParameters, quantity_of
-from ...errors import InputError
+from ...device.parameters import VECTOR_NAMES, JointParameters
 from ...fitting.descent import PARAMETER_STEP
 from ...numerics.arrays import BoolArray, FloatArray, IntArray
 from ...numerics.metrics import rms
@@ -35,6 +34,10 @@ class ParameterPrior:
     upper: float
     relative: bool = True
 
+    def widths(self, value: float) -> float:
+        """A factor or a change in prior widths."""
+        return float(np.log(value) / np.log(self.width)) if self.relative else value / self.width
+
 
 _ELASTIC = ParameterPrior(1.1, 0.7, 1.4)
 _VISCOUS = ParameterPrior(2.0, 0.05, 20.0)
@@ -46,22 +49,7 @@ PRIORS = {
     "kappa0": ParameterPrior(0.1, -1.0, 1.0, False), "F_c": ParameterPrior(5e-3, 0.0, 0.05, False),
     "s_c": ParameterPrior(2.0, 0.1, 10.0),
 }  # fmt: skip
-"""Parameters that may be calibrated, and the prior widths of a designer's values."""
-
-
-def prior_of(name: str) -> ParameterPrior:
-    """The prior of a parameter, the same for both sides.
-
-    Raises
-    ------
-    InputError
-        An unknown parameter, or one that calibration leaves alone.
-    """
-    quantity_of(name)  # refuses a name that is no parameter
-    attribute = name.rpartition(".")[2]
-    if attribute not in PRIORS:
-        raise InputError(f"parameter {name!r} cannot be calibrated; possible are {', '.join(PRIORS)}")
-    return PRIORS[attribute]
+"""Parameters that may be calibrated, the same for both sides, and the prior widths of a designer's values."""
 
 
 class CalibrationProblem:
@@ -80,29 +68,30 @@ class CalibrationProblem:
     def __init__(self, start: JointParameters, names: Sequence[str], pool: ThreadPoolExecutor) -> None:
         self.start = start
         self.names = tuple(names)
-        self.priors = [prior_of(name) for name in names]
+        self.priors = [PRIORS[name.rpartition(".")[2]] for name in names]
         self.origin = np.array([start.value(name if name in VECTOR_NAMES else f"left.{name}") for name in names])
-        low, high = zip(*(self._bounds(prior) for prior in self.priors), strict=True)
-        self.lower = np.array(low)
-        self.upper = np.array(high)
+        self.lower = np.array([prior.widths(prior.lower) for prior in self.priors])
+        self.upper = np.array([prior.widths(prior.upper) for prior in self.priors])
         self.pool = pool
         self.evaluations = 0
 
-    @staticmethod
-    def _bounds(prior: ParameterPrior) -> tuple[float, float]:
-        if prior.relative:
-            return np.log(prior.lower) / np.log(prior.width), np.log(prior.upper) / np.log(prior.width)
-        return prior.lower / prior.width, prior.upper / prior.width
-
     def values(self, x: FloatArray) -> FloatArray:
         """Values [SI] at x."""
-        pairs = zip(self.priors, self.origin, x, strict=True)
-        return np.array([o * prior.width**s if prior.relative else o + prior.width * s for prior, o, s in pairs])
+        return np.array(
+            [
+                o * prior.width**s if prior.relative else o + prior.width * s
+                for prior, o, s in zip(self.priors, self.origin, x, strict=True)
+            ]
+        )
 
     def slopes(self, x: FloatArray) -> FloatArray:
         """Derivatives of the values [SI] with respect to x."""
-        pairs = zip(self.priors, self.values(x), strict=True)
-        return np.array([v * np.log(prior.width) if prior.relative else prior.width for prior, v in pairs])
+        return np.array(
+            [
+                value * np.log(prior.width) if prior.relative else prior.width
+                for prior, value in zip(self.priors, self.values(x), strict=True)
+            ]
+        )
 
     def parameters(self, x: FloatArray) -> JointParameters:
         """The set at x."""
@@ -147,47 +136,6 @@ INSIDE = 1e-6
 """Distance from the bounds, in prior widths, at which a search starts at least."""
 
 
-def search(
-    simulated: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float, tick: Callable[[], None]
-) -> OptimizeResult:
-    """Improve `x0` until the cost falls by less than `tolerance` (relative), or `limit` simulations are done.
-
-    SciPy's trust region within bounds (Branch, Coleman & Li 1999, doi:10.1137/S1064827595289108). `tick` is called
-    before each step.
-
-    Parameters
-    ----------
-    simulated : SimulatedProblem
-        Residuals and derivatives.
-    x0 : FloatArray, shape (P,)
-        Start in prior widths; it is moved inside the bounds.
-    limit : int
-        Most simulations.
-    tolerance : float
-        Relative fall of the cost at which the search ends.
-    tick : callable
-        Called before each step.
-    """
-    problem = simulated.problem
-
-    def jacobian(x: FloatArray) -> FloatArray:
-        """The derivatives with which a step begins."""
-        tick()
-        return simulated.jacobian(x)
-
-    return least_squares(
-        simulated.residuals,
-        np.clip(x0, problem.lower + INSIDE, problem.upper - INSIDE),
-        jacobian,
-        (problem.lower, problem.upper),
-        loss="soft_l1",
-        f_scale=LOSS_SCALE,
-        ftol=tolerance,
-        xtol=SMALLEST_STEP,
-        max_nfev=limit,
-    )
-
-
 PAPER_NAMES = ("Y", "eta_v", "eta_MW", "Y_MW", "E", "rho", "eta")
 """The seven parameters that the paper adjusts."""
 
@@ -208,9 +156,6 @@ SEARCH = 1e-2
 
 REFINEMENT = 1e-3
 """Tolerance of the integrator at the optimum: 1.4 µm of q."""
-
-Report = Callable[[str, float], None]
-"""Called with what is being done and the share that is done, 0 to 1."""
 
 
 @dataclass(frozen=True)
@@ -266,7 +211,7 @@ def calibrate(
     names: Sequence[str] = PAPER_NAMES,
     starts: int = 3,
     jobs: int = 1,
-    report: Report | None = None,
+    report: Callable[[str, float], None] | None = None,
 ) -> Calibration:
     """Fit parameters to measured motions.
 
@@ -285,12 +230,13 @@ def calibrate(
     jobs : int
         Threads for the windows.
     report : callable, optional
-        Receives the progress.
+        Called with what is being done and the share that is done, 0 to 1.
 
     Notes
     -----
-    Least squares with soft-L1 loss (`search`): a window near a switching that ends in the wrong well must
-    not decide the fit. Gradients are those of the variational equations. Cost: an iteration on 37.5 s
+    Least squares with soft-L1 loss by SciPy's trust region within bounds (Branch, Coleman & Li 1999,
+    doi:10.1137/S1064827595289108): a window near a switching that ends in the wrong well must not decide the fit.
+    Gradients are those of the variational equations. Cost: an iteration on 37.5 s
     at 10 ms takes 0.1 to 0.2 s of processor time, a third of that while starts are compared; a calibration with three
     starts 2 to 4 s (nine simulated joints).
     """
@@ -301,21 +247,33 @@ def calibrate(
     done = itertools.count(1)
     with ThreadPoolExecutor(jobs) as pool:
         problem = CalibrationProblem(start, names, pool)
-        sample = SimulatedProblem(problem, short.thinned(3), SEARCH)
-        every = SimulatedProblem(problem, short, SEARCH)
+        sample = SimulatedProblem(problem, Windows(short.motions, short.spans[::3], short.parts[::3]), SEARCH)
         final = SimulatedProblem(problem, wide, REFINEMENT)
 
         def improve(
             name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float
         ) -> OptimizeResult:
-            """A search from x0 over some windows, each step of which is reported under a name."""
+            """Improve x0 over some windows until the cost falls by less than the relative `tolerance`, or by `limit`
+            simulations. Each step is reported under a name.
+            """
 
-            def tick() -> None:
-                """One iteration begins."""
+            def jacobian(x: FloatArray) -> FloatArray:
+                """The derivatives with which a step begins."""
                 if report is not None:
                     report(name, min(1.0, next(done) / total))
+                return windows.jacobian(x)
 
-            return search(windows, x0, limit, tolerance, tick)
+            return least_squares(
+                windows.residuals,
+                np.clip(x0, problem.lower + INSIDE, problem.upper - INSIDE),
+                jacobian,
+                (problem.lower, problem.upper),
+                loss="soft_l1",
+                f_scale=LOSS_SCALE,
+                ftol=tolerance,
+                xtol=SMALLEST_STEP,
+                max_nfev=limit,
+            )
 
         candidates: list[OptimizeResult] = []
         for index in range(starts):
@@ -324,14 +282,15 @@ def calibrate(
             x0 = np.where(problem.lower == 0.0, np.maximum(x0, 0.1), x0)
             candidates.append(improve(f"start {index + 1} of {starts}", sample, x0, 6, 1e-2))
         best = min(candidates, key=lambda result: result.cost)
-        refined = improve("refining the best start", every, best.x, MOST_EVALUATIONS, 3e-2)
+        refined = improve(
+            "refining the best start", SimulatedProblem(problem, short, SEARCH), best.x, MOST_EVALUATIONS, 3e-2
+        )
         lost_windows = _lost(wide, final.residuals(refined.x))
         if lost_windows.any():
             followed = SimulatedProblem(problem, wide.resolved(lost_windows, short), SEARCH)
             refined = improve("refining over windows that are followed", followed, refined.x, MOST_EVALUATIONS, 5e-2)
         improved = improve("refining over long windows", final, refined.x, MOST_EVALUATIONS, 1e-4)
-        reached = np.array([_rmse(sample.windows, result.fun) for result in candidates])
-        return _result(final, improved, reached)
+        return _result(final, improved, np.array([_rmse(sample.windows, result.fun) for result in candidates]))
 
 
 def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -> FloatArray:
@@ -342,10 +301,9 @@ def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -
     """
     count = jacobian.shape[1]
     weights = (1.0 + (residuals / LOSS_SCALE) ** 2) ** -0.5  # of the residuals in the gradient of the soft-L1 loss
-    scores = (weights * residuals)[:, None] * jacobian
     windows = int(labels.max()) + 1
     clusters = np.zeros((windows, count))
-    np.add.at(clusters, labels, scores[:-count])
+    np.add.at(clusters, labels, ((weights * residuals)[:, None] * jacobian)[:-count])
     # The rows of the prior, one for each unknown, weigh here as they do in the bread.
     meat = clusters.T @ clusters * (windows / max(windows - 1, 1)) + np.diag(weights[-count:] ** 2)
     bread = np.linalg.inv(jacobian.T @ (weights[:, None] * jacobian))
@@ -362,7 +320,6 @@ def _lost(windows: Windows, residuals: FloatArray) -> BoolArray:
 def _result(simulated: SimulatedProblem, final: OptimizeResult, reached: FloatArray) -> Calibration:
     problem = simulated.problem
     windows = simulated.windows
-    evaluations = problem.evaluations
     residuals = simulated.residuals(final.x)
     covariance = _covariance(simulated.jacobian(final.x), residuals, windows.labels)
     deviations = np.sqrt(np.diag(covariance))
@@ -376,7 +333,7 @@ def _result(simulated: SimulatedProblem, final: OptimizeResult, reached: FloatAr
         at_bound=tuple(name for name, bound in zip(problem.names, at_bound, strict=True) if bound),
         rmse=_rmse(windows, residuals),
         converged=final.status > 0,
-        evaluations=evaluations,
+        evaluations=problem.evaluations,
         start_costs=reached,
     )
 

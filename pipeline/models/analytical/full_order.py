@@ -13,43 +13,35 @@ from ...errors import InputError
 from ...generated.analytical_joint import dissipation, motion, motion_slopes, statics
 from ...numerics.arrays import FloatArray, IntArray
 from ...numerics.compiled import compiled, copy_into, factorise, inner, solve_factorised
+from ...numerics.fixed_step import run_status
 from ...numerics.stiff import FIRST_Z, INTERNAL, R_S, RITZ, RODAS4, STATES, Work, advance, factorise_stages, working
+from ..base import FreeRun
 from .statics import TYPICAL_SHAPE, StaticPath, equilibria, hold_tip, length_scales, unactuated_path
 
 REACH = 0.06
 """Displacement [m] beyond which a run counts as diverged."""
 
 
-@dataclass(frozen=True)
-class FullOrderMotion:
+@dataclass(frozen=True, kw_only=True)
+class FullOrderMotion(FreeRun):
     """A motion of the full-order joint at the samples.
 
     Attributes
     ----------
-    t : FloatArray, shape (N,)
-        Time [s].
-    qm, qm_dot, qm_ddot : FloatArray, shape (N, 4)
+    qm, qm_dot : FloatArray, shape (N, 4)
         Ritz coordinates and their rates; NaN behind a divergence.
     z : FloatArray, shape (N, 3)
         Maxwell strains of left and right membrane, friction state.
-    q, q_dot, q_ddot, phi : FloatArray, shape (N,)
-        Tip displacement [m], velocity [m/s], acceleration [m/s²] and tip rotation [rad].
-    diverged_at : float or None
-        Time [s] at which the state left the bounds.
+    phi : FloatArray, shape (N,)
+        Tip rotation [rad].
     accepted, rejected : int
         Steps of the integrator.
     """
 
-    t: FloatArray
     qm: FloatArray
     qm_dot: FloatArray
-    qm_ddot: FloatArray
     z: FloatArray
-    q: FloatArray
-    q_dot: FloatArray
-    q_ddot: FloatArray
     phi: FloatArray
-    diverged_at: float | None
     accepted: int
     rejected: int
 
@@ -165,9 +157,8 @@ def _walked(parameters: JointParameters, q0: float) -> FloatArray:
         return np.full(RITZ, np.nan)
     start = min(rests, key=lambda e: abs(e.q - q0))
     qm = start.qm.copy()
-    tangent = np.empty(RITZ)
     for q in np.linspace(start.q, q0, 2 + int(min(abs(q0 - start.q) / 2.5e-4, 1e4))):
-        hold_tip(q, qm, np.zeros(2), parameters.vector(), tangent)
+        hold_tip(q, qm, np.zeros(2), parameters.vector(), np.empty(RITZ))
     return qm
 
 
@@ -206,24 +197,21 @@ def simulate(
     solution = no_solution(count)
     states, rates, steps = solution
     load = np.zeros(count) if force is None else force
-    drive = Inputs(*map(np.ascontiguousarray, (t, v, load)))
+    drive = (np.ascontiguousarray(t), np.ascontiguousarray(v), np.ascontiguousarray(load))
     valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
     states[valid:], rates[valid:] = np.nan, np.nan
-    qm = states[:, :RITZ]
-    qm_dot = states[:, RITZ:FIRST_Z]
-    qm_ddot = rates[:, RITZ:FIRST_Z]
+    qm, qm_dot, z = np.split(states, [RITZ, FIRST_Z], axis=1)
     levers = parameters.levers
     return FullOrderMotion(
-        t=t,
+        t,
+        qm @ levers,
+        qm_dot @ levers,
+        rates[:, RITZ:FIRST_Z] @ levers,
+        *run_status(t, valid),
         qm=qm,
         qm_dot=qm_dot,
-        qm_ddot=qm_ddot,
-        z=states[:, FIRST_Z:],
-        q=qm @ levers,
-        q_dot=qm_dot @ levers,
-        q_ddot=qm_ddot @ levers,
+        z=z,
         phi=np.arctan(qm @ parameters.slopes),
-        diverged_at=None if valid == count else float(t[min(valid, count - 1)]),
         accepted=int(steps[0]),
         rejected=int(steps[1]),
     )
@@ -234,25 +222,16 @@ MOST_TRIES = 20_000
 one that blows up would never end."""
 
 
-class Inputs(NamedTuple):
-    """Inputs of a joint: sample times [s] (N,), voltages [V] (N, 2) and force along q [N] (N,), linear in between."""
+Inputs = tuple[FloatArray, FloatArray, FloatArray]
+"""Sample times [s] (N,), voltages [V] (N, 2) and force along q [N] (N,), linear in between."""
 
-    t: FloatArray
-    v: FloatArray
-    force: FloatArray
-
-
-class Solution(NamedTuple):
-    """States and their time derivatives at the samples, (N, 11) each; accepted and rejected steps (2,)."""
-
-    states: FloatArray
-    rates: FloatArray
-    steps: IntArray
+Solution = tuple[FloatArray, FloatArray, IntArray]
+"""States and their time derivatives at the samples, (N, 11) each; accepted and rejected steps (2,)."""
 
 
 def no_solution(count: int) -> Solution:
     """An empty solution at `count` samples: NaN, no steps."""
-    return Solution(np.full((count, STATES), np.nan), np.full((count, STATES), np.nan), np.zeros(2, np.int64))
+    return np.full((count, STATES), np.nan), np.full((count, STATES), np.nan), np.zeros(2, np.int64)
 
 
 class _Motion(NamedTuple):

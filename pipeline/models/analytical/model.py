@@ -1,7 +1,6 @@
 """The analytical model (§ 3) behind the interface of all models: `analytical` and `analytical-calibrated`."""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
@@ -13,7 +12,7 @@ from ...numerics.arrays import FloatArray
 from ...numerics.stiff import STATES
 from ...signals.log import Log
 from ..base import FreeRun, checked
-from ..model_file import JointSet, ModelFile, read_part
+from ..model_file import JointSet, ModelFile
 from ..model_type import ModelType, Training
 from .full_order import rest_state, simulate
 from .reduced_order import CURVES, reduce_joint
@@ -52,15 +51,8 @@ class AnalyticalModel(ModelFile):
         knots = voltage_knots(t, v)
         start = rest_state(self.parameters, q0, qdot0, knots.v[0])
         motion = simulate(self.parameters, knots.t, knots.v, start, tolerance=self.tolerance)
-        q, qdot, qddot = (signal[knots.rows] for signal in (motion.q, motion.q_dot, motion.q_ddot))
-        return FreeRun(
-            t=t,
-            q=q,
-            qdot=qdot,
-            qddot=qddot,
-            status="ok" if motion.diverged_at is None else "diverged",
-            diverged_at_s=motion.diverged_at,
-        )
+        q, qdot, qddot = (signal[knots.rows] for signal in (motion.q, motion.qdot, motion.qddot))
+        return FreeRun(t, q, qdot, qddot, motion.status, motion.diverged_at_s)
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
@@ -102,17 +94,20 @@ def calibrate_analytical(data: Sequence[Log], start: JointParameters) -> Analyti
     from .calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
     fit = calibrate(data, start, np.random.default_rng(0), names=ASYMMETRIC_NAMES + FRICTION_NAMES)
-    diagnostics = {
-        "fitted": [f"{name} [{QUANTITIES[name].unit}]" for name in fit.names],
-        "values": fit.values,
-        "standard_errors": fit.standard_errors,
-        "correlation": fit.correlation,
-        "at_bound": list(fit.at_bound),
-        "rmse_windows_m": fit.rmse,
-        "converged": fit.converged,
-        "evaluations": fit.evaluations,
-    }
-    return AnalyticalModel(parameters=fit.parameters, name="analytical-calibrated", diagnostics=diagnostics)
+    return AnalyticalModel(
+        parameters=fit.parameters,
+        name="analytical-calibrated",
+        diagnostics={
+            "fitted": [f"{name} [{QUANTITIES[name].unit}]" for name in fit.names],
+            "values": fit.values,
+            "standard_errors": fit.standard_errors,
+            "correlation": fit.correlation,
+            "at_bound": list(fit.at_bound),
+            "rmse_windows_m": fit.rmse,
+            "converged": fit.converged,
+            "evaluations": fit.evaluations,
+        },
+    )
 
 
 def _parameters(training: Training) -> JointParameters:
@@ -121,8 +116,7 @@ def _parameters(training: Training) -> JointParameters:
     return training.parameters
 
 
-_read = partial(read_part, AnalyticalModel, name="analytical", command="compare")
-ANALYTICAL = ModelType(lambda training: AnalyticalModel(parameters=_parameters(training)), _read)
+ANALYTICAL = ModelType(lambda training: AnalyticalModel(parameters=_parameters(training)), AnalyticalModel)
 ANALYTICAL_CALIBRATED = ModelType(
-    lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), _read
+    lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), AnalyticalModel
 )

@@ -27,8 +27,9 @@ from ...numerics.fixed_step import Methods, integrator, run_status, workspace
 from ...numerics.linear_filters import first_order_lag
 from ...numerics.metrics import nrmse
 from ...numerics.stiff import RITZ
+from ..base import FreeRun
 from .full_order import FullOrderMotion, dissipative_matrices, rest_state, simulate
-from .statics import FULL_VOLTAGE, StaticPath, equilibria, static_path
+from .statics import FULL_VOLTAGE, equilibria, static_path
 
 CURVES = ("m_q", "d", "f", "lambda3_1", "lambda3_2", "C_1", "C_2")
 """Order of the curves: m_q [kg], d [N·s/m], f [N], λ_{3,i} [1], C_i [F]."""
@@ -48,25 +49,13 @@ class ReducedJoint:
         The joint that was reduced.
     q : FloatArray, shape (N,)
         Uniform breakpoints [m].
-    curves : FloatArray, shape (N, 7)
-        Values of `CURVES` at the breakpoints.
     coefficients : FloatArray, shape (N − 1, 4, 7)
-        Ascending powers of q − q_i on [q_i, q_{i+1}], of every curve.
-    creep_gain : FloatArray, shape (2,)
-        V_DE Y_MW of left and right membrane [J]: k̄_i = V_DE Y_MW k_i, with k_i = dλ_{3,i}/dq.
-    creep_rate : FloatArray, shape (2,)
-        Y_MW/η_MW [1/s].
-    path : StaticPath
-        The shapes q_m(q) that were substituted (eq. 24).
+        Ascending powers of q − q_i on [q_i, q_{i+1}], of every one of `CURVES`.
     """
 
     parameters: JointParameters
     q: FloatArray
-    curves: FloatArray
     coefficients: FloatArray
-    creep_gain: FloatArray
-    creep_rate: FloatArray
-    path: StaticPath
 
     def evaluate(self, q: FloatArray) -> FloatArray:
         """All curves at `q` (M,), and their derivatives: shape (2, M, 7)."""
@@ -75,50 +64,27 @@ class ReducedJoint:
         return np.stack([cubics["curves"], cubics["slopes"]])
 
 
-def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
-    """Project the full-order equations on the shapes of a static path (uniform q)."""
-    from scipy.interpolate import CubicSpline
-
-    p = parameters.vector()
-    curves = np.empty((path.q.size, len(CURVES)))
-    mass = np.empty((RITZ, RITZ))
-    tau = np.empty(RITZ)
-    z_dot = np.empty(3)
-    nothing = np.zeros(RITZ)
-    for i, (qm, tangent) in enumerate(zip(path.qm, path.tangent, strict=True)):
-        dynamics(qm, nothing, nothing[:3], nothing[:2], nothing[:1], p, mass, tau, z_dot)
-        damping, _ = dissipative_matrices(qm, p)
-        curves[i, :2] = tangent @ mass @ tangent, tangent @ damping @ tangent
-    # Along the path ∂U/∂q_m = F ∂q/∂q_m, so f(q) = ∂U/∂q_m · dq_m/dq is the holding force itself.
-    curves[:, 2] = path.force
-    curves[:, 3:5] = path.stretch**-0.5
-    curves[:, 5:] = path.capacitance
-    sides = (parameters.left, parameters.right)
-    return ReducedJoint(
-        parameters=parameters,
-        q=path.q,
-        curves=curves,
-        coefficients=np.ascontiguousarray(CubicSpline(path.q, curves).c[::-1].transpose(1, 0, 2)),
-        creep_gain=np.array([s.volume * s.Y_MW for s in sides]),
-        creep_rate=np.array([s.relaxation for s in sides]),
-        path=path,
-    )
-
-
-def polynomial_shapes(path: StaticPath, degree: int) -> FloatArray:
-    """One polynomial in q for each Ritz coordinate, as the paper fits them (figure 6b), shape (4, degree + 1).
-
-    Least squares over the path; ascending powers of q over the path's largest displacement.
-    """
-    x = path.q / np.max(np.abs(path.q))
-    return np.stack([np.polynomial.polynomial.polyfit(x, path.qm[:, i], degree) for i in range(RITZ)])
-
-
 @lru_cache(maxsize=16)
 def reduce_joint(parameters: JointParameters) -> ReducedJoint:
-    """The reduced joint over ±`REACH`, kept for the next caller. Cost: 5 ms."""
-    grid = np.linspace(-REACH, REACH, 1 + 2 * round(REACH / 1.25e-4))
-    return reduce_path(parameters, static_path(parameters, grid, np.zeros(2)))
+    """The full-order equations projected on the shapes of the static path over ±`REACH` (eq. 24).
+
+    It is kept for the next caller. Cost: 5 ms.
+    """
+    from scipy.interpolate import CubicSpline
+
+    path = static_path(parameters, np.linspace(-REACH, REACH, 1 + 2 * round(REACH / 1.25e-4)), np.zeros(2))
+    p = parameters.vector()
+    moving = np.empty((path.q.size, 2))
+    mass = np.empty((RITZ, RITZ))
+    nothing = np.zeros(RITZ)
+    for i, (qm, tangent) in enumerate(zip(path.qm, path.tangent, strict=True)):
+        dynamics(qm, nothing, nothing[:3], nothing[:2], nothing[:1], p, mass, np.empty(RITZ), np.empty(3))
+        damping, _ = dissipative_matrices(qm, p)
+        moving[i] = tangent @ mass @ tangent, tangent @ damping @ tangent
+    # Along the path ∂U/∂q_m = F ∂q/∂q_m, so f(q) = ∂U/∂q_m · dq_m/dq is the holding force itself.
+    curves = np.column_stack([moving, path.force, path.stretch**-0.5, path.capacitance])
+    pieces = np.ascontiguousarray(CubicSpline(path.q, curves).c[::-1].transpose(1, 0, 2))
+    return ReducedJoint(parameters, path.q, pieces)
 
 
 @dataclass(frozen=True)
@@ -169,10 +135,15 @@ def beam_modes(qm: FloatArray, length: float) -> BeamModes:
     x, w = beam_shapes(qm, length)
     left, values, right = np.linalg.svd(w, full_matrices=False)
     peaks = np.take_along_axis(right[:3], np.argmax(np.abs(right[:3]), axis=1)[:, None], axis=1)
-    amplitudes = left[:, :3] * values[:3] * peaks[:, 0]
     energy = values**2
     row, column = np.unravel_index(np.argmax(np.abs(w)), w.shape)
-    return BeamModes(x, right[:3] / peaks, amplitudes, w[row] / w[row, column], energy[:3] / energy.sum())
+    return BeamModes(
+        x=x,
+        shapes=right[:3] / peaks,
+        amplitudes=left[:, :3] * values[:3] * peaks[:, 0],
+        widest=w[row] / w[row, column],
+        energy_share=energy[:3] / energy.sum(),
+    )
 
 
 _motion = kernel(REDUCED_MOTION)
@@ -181,21 +152,6 @@ _dahl_move = formula(DAHL_MOVE)
 
 TOLERANCE = 1e-5
 """Tolerance of the full-order model that the reduced one is compared with."""
-
-
-@dataclass(frozen=True)
-class ReducedMotion:
-    """Motion of the reduced joint at the samples: q [m], q̇ [m/s], q̈ [m/s²], Maxwell strains e (N, 2).
-
-    All NaN behind `diverged_at` [s], where q left the range of the curves.
-    """
-
-    t: FloatArray
-    q: FloatArray
-    q_dot: FloatArray
-    q_ddot: FloatArray
-    e: FloatArray
-    diverged_at: float | None
 
 
 class ReducedSystem(NamedTuple):
@@ -214,13 +170,11 @@ class ReducedSystem(NamedTuple):
     pieces : FloatArray, shape (cells, 4, 7)
         Cubics of the curves.
     gain, rate : FloatArray, shape (2,)
-        Of the Maxwell elements.
+        Of the Maxwell elements: k̄_i = V_DE Y_MW k_i [J], with k_i = dλ_{3,i}/dq, and Y_MW/η_MW [1/s].
     friction : FloatArray, shape (2,)
         Force [N] and length [m].
     slip : FloatArray, shape (2,)
         q at the start of the step, and Dahl's state there.
-    e : FloatArray, shape (N, 2)
-        Strains at the samples; filled.
     s, load, squares, rates : FloatArray, shapes (1,), (1,), (2,), (3,)
         Room for what acts.
     """
@@ -235,7 +189,6 @@ class ReducedSystem(NamedTuple):
     rate: FloatArray
     friction: FloatArray
     slip: FloatArray
-    e: FloatArray
     s: FloatArray
     load: FloatArray
     squares: FloatArray
@@ -243,10 +196,7 @@ class ReducedSystem(NamedTuple):
 
 
 def _begin(system, x, node):
-    n = node // system.parts
-    system.sample[0], system.slip[0] = n, x[0]
-    if node == n * system.parts:
-        system.e[n, 0], system.e[n, 1] = x[2], x[3]
+    system.sample[0], system.slip[0] = node // system.parts, x[0]
 
 
 def _rates(system, x, node, dx, acceleration):
@@ -293,8 +243,10 @@ def simulate_reduced(
     qdot0: float,
     *,
     force: FloatArray | None = None,
-) -> ReducedMotion:
+) -> FreeRun:
     """Free run of the reduced joint, voltages and force linear between samples.
+
+    It diverges where q leaves the range of the curves.
 
     Parameters
     ----------
@@ -308,23 +260,21 @@ def simulate_reduced(
         External force [N].
     """
     parameters = reduced.parameters
+    sides = (parameters.left, parameters.right)
     interval = sample_interval(t) if t.size > 1 else LONGEST_STEP
     steps = max(1, int(np.ceil(interval / LONGEST_STEP - 1e-9)))
-    inputs = np.column_stack([v, np.zeros(t.size) if force is None else force])
-    e = np.full((t.size, 2), np.nan)
     out = np.full((t.size, 3, 1), np.nan)
     system = ReducedSystem(
-        inputs=inputs,
+        inputs=np.column_stack([v, np.zeros(t.size) if force is None else force]),
         parts=2 * steps,
         sample=np.zeros(1, dtype=np.int64),
         origin=reduced.q[0],
         spacing=reduced.q[1] - reduced.q[0],
         pieces=reduced.coefficients,
-        gain=reduced.creep_gain,
-        rate=reduced.creep_rate,
+        gain=np.array([side.volume * side.Y_MW for side in sides]),
+        rate=np.array([side.relaxation for side in sides]),
         friction=np.array([parameters.F_c, parameters.s_c]),
         slip=np.array([q0, 0.0]),
-        e=e,
         s=np.zeros(1),
         load=np.zeros(1),
         squares=np.zeros(2),
@@ -332,9 +282,7 @@ def simulate_reduced(
     )
     x = np.array([q0, qdot0, 0.0, 0.0])
     valid = _integrate(system, x, out, workspace(x), steps, interval / steps, reduced.q[0], reduced.q[-1])
-    return ReducedMotion(
-        t=t, q=out[:, 0, 0], q_dot=out[:, 1, 0], q_ddot=out[:, 2, 0], e=e, diverged_at=run_status(t, valid)[1]
-    )
+    return FreeRun(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], *run_status(t, valid))
 
 
 def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> FloatArray:
@@ -398,7 +346,7 @@ class Motions:
 
     v: FloatArray
     full: FullOrderMotion
-    reduced: ReducedMotion
+    reduced: FreeRun
     full_seconds: float
     reduced_seconds: float
 
@@ -407,10 +355,10 @@ class Motions:
         """NRMSE (eq. 41) of the reduced against the full model; None where one of them diverged."""
         pairs = {
             "q": (self.full.q, self.reduced.q),
-            "qdot": (self.full.q_dot, self.reduced.q_dot),
-            "qddot": (self.full.q_ddot, self.reduced.q_ddot),
+            "qdot": (self.full.qdot, self.reduced.qdot),
+            "qddot": (self.full.qddot, self.reduced.qddot),
         }
-        whole = self.full.diverged_at is None and self.reduced.diverged_at is None
+        whole = self.full.status == self.reduced.status == "ok"
         return {name: nrmse(full, reduced) if whole else None for name, (full, reduced) in pairs.items()}
 
 

@@ -67,15 +67,19 @@ def state_sensitivities(
     sources = np.empty((count, _MOVED, unknowns))
     _tabulate((t, v, states, rates), points, steps, (masses, slopes, sources))
     out = np.empty((t.size, STATES, unknowns))
-    system = _Variation(
-        masses.reshape(count, -1),
-        slopes,
-        sources.reshape(count, -1),
-        np.zeros(2, np.int64),
-        np.empty(_MOVED * unknowns),
-    )
     integrate_sensitivities(
-        t, system, start.flatten(), working(len(SDIRK3.nodes), unknowns), unknowns, out.reshape(t.size, -1)
+        t,
+        _Variation(
+            masses=masses.reshape(count, -1),
+            slopes=slopes,
+            sources=sources.reshape(count, -1),
+            at=np.zeros(2, np.int64),
+            source=np.empty(_MOVED * unknowns),
+        ),
+        start.flatten(),
+        working(len(SDIRK3.nodes), unknowns),
+        unknowns,
+        out.reshape(t.size, -1),
     )
     return out
 

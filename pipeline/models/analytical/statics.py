@@ -130,37 +130,13 @@ def _converge_all(starts: FloatArray, v_squared: FloatArray, force: float, p: Fl
     return shapes
 
 
-def _starts(length: float) -> FloatArray:
+def _starts(scale: FloatArray) -> FloatArray:
     """Beam shapes on a grid of tip deflection q, tip slope l w'(l) and of the bow that leaves both as they are."""
     grid = np.linspace(-1.0, 1.0, 21), np.linspace(-2.0, 2.0, 7), np.linspace(-7.0, 7.0, 7)
     q, slope, bow = (REACH * axis.ravel() for axis in np.meshgrid(*grid, indexing="ij"))
     # Cubic Hermite from the clamp to (q, slope), plus bow · s²(1 − s)².
-    coefficients = np.stack([3.0 * q - slope + bow, slope - 2.0 * q - 2.0 * bow, bow, np.zeros_like(q)], axis=1)
-    return np.asarray(coefficients * length_scales(length))
-
-
-def equilibrium_at(p: FloatArray, qm: FloatArray, v: FloatArray, force: float = 0.0) -> JointEquilibrium:
-    """Describe the equilibrium at Ritz coordinates that satisfy eq. 15, for the parameter vector `p` (41,).
-
-    Parameters
-    ----------
-    p : FloatArray, shape (41,)
-        Parameter vector.
-    qm : FloatArray, shape (4,)
-        Ritz coordinates.
-    v : FloatArray, shape (2,)
-        Voltages [V].
-    force : float
-        External force along q [N].
-    """
-    hessian = np.empty((RITZ, RITZ))
-    energy = statics(qm, v**2, p, np.empty(RITZ), hessian)
-    q, phi, u_y = tip_values(qm, p)[:3]
-    scale = length_scales(float(p[0]))
-    stable = bool(np.linalg.eigvalsh(hessian * np.outer(scale, scale))[0] > 0.0)
-    return JointEquilibrium(
-        qm=qm, q=float(q), phi=float(phi), u_y=float(u_y), energy=float(energy - force * q), stable=stable
-    )
+    shapes = [3.0 * q - slope + bow, slope - 2.0 * q - 2.0 * bow, bow, np.zeros_like(q)]
+    return np.asarray(np.stack(shapes, axis=1) * scale)
 
 
 def equilibria(parameters: JointParameters, v: FloatArray, force: float = 0.0) -> list[JointEquilibrium]:
@@ -188,15 +164,17 @@ def equilibria(parameters: JointParameters, v: FloatArray, force: float = 0.0) -
 
 def find_equilibria(p: FloatArray, v: FloatArray, force: float) -> list[JointEquilibrium]:
     """`equilibria` of the parameter vector `p` (41,)."""
-    length = float(p[0])
-    scale = length_scales(length)
-    shapes = _converge_all(_starts(length), v**2, force, p)
-    distinct: list[FloatArray] = []
+    scale = length_scales(float(p[0]))
+    shapes = _converge_all(_starts(scale), v**2, force, p)
+    hessian = np.empty((RITZ, RITZ))
+    distinct: list[JointEquilibrium] = []
     for qm in shapes[np.isfinite(shapes).all(axis=1)]:
-        if all(np.max(np.abs(qm - other) / scale) > 1e-8 for other in distinct):
-            distinct.append(qm)
-    described = (equilibrium_at(p, qm, v, force) for qm in distinct)
-    return sorted((e for e in described if abs(e.phi) < STEEPEST), key=lambda e: e.q)
+        if all(np.max(np.abs(qm - other.qm) / scale) > 1e-8 for other in distinct):
+            energy = statics(qm, v**2, p, np.empty(RITZ), hessian)
+            q, phi, u_y = tip_values(qm, p)[:3].tolist()
+            stable = bool(np.linalg.eigvalsh(hessian * np.outer(scale, scale))[0] > 0.0)
+            distinct.append(JointEquilibrium(qm, q, phi, u_y, float(energy - force * q), stable))
+    return sorted((e for e in distinct if abs(e.phi) < STEEPEST), key=lambda e: e.q)
 
 
 @dataclass(frozen=True)
@@ -327,15 +305,13 @@ def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> St
         The shape has no continuous static path over the grid (it snaps although the tip is held).
     """
     p = parameters.vector()
-    count = q.size
-    qm = np.empty((count, RITZ))
-    tangent = np.empty((count, RITZ))
-    scalars = np.empty((count, 3))
+    qm = np.empty((q.size, RITZ))
+    scalars = np.empty((q.size, 3))
     middle = int(np.argmin(np.abs(q)))
     lead = np.linspace(0.0, q[middle], 2 + int(abs(q[middle]) / 2.5e-4))
     start = _trace(lead, np.zeros(RITZ), v**2, p)[0][-1]
     for part in (slice(middle, None), slice(middle, None, -1)):
-        qm[part], tangent[part], scalars[part] = _trace(q[part], start, v**2, p)
+        qm[part], scalars[part] = _trace(q[part], start, v**2, p)
     path = describe_path(parameters, qm, v)
     missing = ~np.isfinite(scalars).all(axis=1) | ~path.held
     if missing.any():
@@ -347,20 +323,17 @@ def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> St
     return path
 
 
-def _trace(
-    q: FloatArray, start: FloatArray, v_squared: FloatArray, p: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Hold the tip at every q in turn, each from its neighbour's solution and tangent: shapes, tangents, scalars."""
+def _trace(q: FloatArray, start: FloatArray, v_squared: FloatArray, p: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Hold the tip at every q in turn, each from its neighbour's solution and tangent: shapes, and `hold_tip`'s."""
     shapes = np.empty((q.size, RITZ))
-    tangents = np.empty((q.size, RITZ))
     scalars = np.empty((q.size, 3))
     guess = start.copy()
     slope = np.zeros(RITZ)
     for i, step in enumerate(np.diff(q, prepend=q[0])):
         guess += slope * step
         scalars[i] = hold_tip(q[i], guess, v_squared, p, slope)
-        shapes[i], tangents[i] = guess, slope
-    return shapes, tangents, scalars
+        shapes[i] = guess
+    return shapes, scalars
 
 
 def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) -> StaticPath:
@@ -377,21 +350,17 @@ def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) ->
     farads = np.empty((count, 2))
     slopes = np.empty((count, 2))
     hessians = np.empty((count, RITZ, RITZ))
-    gradient = np.empty(RITZ)
-    tip_jacobian = np.empty((TIP_VALUES, RITZ))
     farad_jacobian = np.empty((2, RITZ))
     for i, shape in enumerate(qm):
-        tip(shape, p, tips[i], tip_jacobian)
+        tip(shape, p, tips[i], np.empty((TIP_VALUES, RITZ)))
         scalars[i] = hold_tip(tips[i, 0], shape.copy(), v**2, p, tangent[i])
         capacitance(shape, p, farads[i], farad_jacobian)
         slopes[i] = (farad_jacobian * tangent[i]).sum(axis=1)
-        statics(shape, v**2, p, gradient, hessians[i])
+        statics(shape, v**2, p, np.empty(RITZ), hessians[i])
     scale = length_scales(parameters.l)
     finite = np.isfinite(qm).all(axis=1)
     negative = np.full(count, RITZ)
     negative[finite] = (np.linalg.eigvalsh(hessians[finite] * np.outer(scale, scale)) < 0.0).sum(axis=1)
-    # Inertia is additive over the held shape and the tip's own stiffness (Haynsworth 1968).
-    held = negative == (scalars[:, 1] < 0.0)
     return StaticPath(
         q=tips[:, 0],
         qm=qm,
@@ -404,7 +373,8 @@ def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) ->
         capacitance=farads,
         capacitance_slope=slopes,
         stable=negative == 0,
-        held=held,
+        # Inertia is additive over the held shape and the tip's own stiffness (Haynsworth 1968).
+        held=negative == (scalars[:, 1] < 0.0),
     )
 
 
@@ -471,12 +441,10 @@ def rotation_nodes(parameters: JointParameters) -> FloatArray:
 def _rotation_slopes(parameters: JointParameters) -> FloatArray:
     """dφ/dq [rad/m] at the nodes of the unactuated path."""
     path = unactuated_path(parameters)
-    p = parameters.vector()
-    values = np.empty(TIP_VALUES)
     jacobian = np.empty((TIP_VALUES, RITZ))
     slopes = np.empty(path.q.size)
     for i in range(path.q.size):
-        tip(path.qm[i], p, values, jacobian)
+        tip(path.qm[i], parameters.vector(), np.empty(TIP_VALUES), jacobian)
         slopes[i] = jacobian[1] @ path.tangent[i]
     return slopes
 

@@ -21,7 +21,7 @@ from ...device.parameters import JointParameters
 from ...errors import InputError
 from ...numerics.arrays import BoolArray, FloatArray, IntArray
 from ...signals.log import Log
-from .full_order import REACH, Inputs, integrate, no_solution, rest_states, state_scale
+from .full_order import REACH, integrate, no_solution, rest_states, state_scale
 from .reduced_order import friction_state, maxwell_strains
 from .sensitivity import state_sensitivities
 from .statics import unactuated_path
@@ -56,13 +56,11 @@ def voltage_knots(t: FloatArray, v: FloatArray) -> VoltageKnots:
     the saddle is then late by several times that. Cost: 50 ns for each voltage, and what the integrator takes for the
     knots: a third more of them on half an hour of pulses, all of them where noise exceeds `BENT`.
     """
-    if v.ndim == 2:
-        return VoltageKnots(np.ascontiguousarray(t), np.ascontiguousarray(v), np.arange(t.size))
+    v = v[:, None] if v.ndim == 2 else v
     parts = v.shape[1]
     samples = v[:, 0]
     lines = samples[:-1, None] + np.diff(samples, axis=0)[:, None] * (np.arange(parts)[:, None] / parts)
-    bent = np.abs(v[:-1] - lines).max(axis=(1, 2)) > BENT * np.abs(v).max()
-    count = np.where(bent, parts, 1)
+    count = np.where(np.abs(v[:-1] - lines).max(axis=(1, 2)) > BENT * np.abs(v).max(), parts, 1)
     rows = np.concatenate([[0], np.cumsum(count)])
     within = np.arange(rows[-1]) - np.repeat(rows[:-1], count)
     interval = np.repeat(np.arange(t.size - 1), count)
@@ -86,16 +84,11 @@ class Windows:
     spans: IntArray
     parts: tuple[Window, ...]
 
-    def thinned(self, by: int) -> "Windows":
-        """Every `by`-th window."""
-        return Windows(self.motions, self.spans[::by], self.parts[::by])
-
     def resolved(self, lost_windows: BoolArray, finer: "Windows") -> "Windows":
         """Windows, the `lost_windows` (W,) of them cut where `finer` windows are cut."""
         spans = [(int(index), int(begin), int(end)) for index, begin, end in self.spans[~lost_windows]]
         for index, begin, end in self.spans[lost_windows]:
-            near = finer.spans[finer.spans[:, 0] == index]
-            cuts = np.unique(np.clip(near[:, 1:], begin, end))
+            cuts = np.unique(np.clip(finer.spans[finer.spans[:, 0] == index, 1:], begin, end))
             spans.extend((int(index), int(a), int(b)) for a, b in itertools.pairwise(cuts))
         return _windows(self.motions, spans)
 
@@ -147,8 +140,11 @@ def _window(motion: Log, drive: VoltageKnots, begin: int, end: int) -> Window:
     """Samples `begin` to `end`, both included."""
     rows = drive.rows[begin : end + 1]
     knots = slice(rows[0], rows[-1] + 1)
-    part = VoltageKnots(drive.t[knots], drive.v[knots], rows - rows[0])
-    return Window(motion.q[begin : end + 1], float(motion.qdot[begin]), part)
+    return Window(
+        q=motion.q[begin : end + 1],
+        qdot0=float(motion.qdot[begin]),
+        drive=VoltageKnots(drive.t[knots], drive.v[knots], rows - rows[0]),
+    )
 
 
 UNREACHABLE = 0.03
@@ -221,9 +217,8 @@ def simulate_windows(
     def run(start: FloatArray, part: Window) -> WindowRun:
         """The motion over one window."""
         t, v, _ = part.drive
-        solution = no_solution(t.size)
-        valid = integrate(Inputs(t, v, np.zeros(t.size)), start, p, scale, REACH, solution)
-        return WindowRun(solution.states, solution.rates, valid)
+        states, rates, _ = solution = no_solution(t.size)
+        return WindowRun(states, rates, integrate((t, v, np.zeros(t.size)), start, p, scale, REACH, solution))
 
     def errors(run: WindowRun, part: Window) -> FloatArray:
         """Error of q [m] after the first sample; `UNREACHABLE` after a divergence."""
@@ -259,9 +254,7 @@ def error_derivatives(
         return np.zeros((motions.windows.samples, steps.size))
     points = np.array([joint.vector() for joint in (motions.parameters, *moved)])
     base = np.array([run.states[0] for run in motions.runs])
-    starts = np.stack(
-        [_start_derivatives(joint, motions.windows, base, h) for joint, h in zip(moved, steps, strict=True)]
-    )
+    starts = [_start_derivatives(joint, motions.windows, base, h) for joint, h in zip(moved, steps, strict=True)]
     levers = motions.parameters.levers[:3]
 
     def derivatives(run: WindowRun, part: Window, start: FloatArray) -> FloatArray:
@@ -277,8 +270,8 @@ def error_derivatives(
             by_parameter[: reached.size] = np.tensordot(states[reached, :3], levers, (1, 0))
         return by_parameter[1:]
 
-    by_window = np.ascontiguousarray(starts.transpose(1, 2, 0))
-    return np.concatenate([*(pool.map if pool else map)(derivatives, motions.runs, motions.windows.parts, by_window)])
+    every = (motions.runs, motions.windows.parts, np.stack(starts, axis=-1))
+    return np.concatenate([*(pool.map if pool else map)(derivatives, *every)])
 
 
 def start_states(parameters: JointParameters, windows: Windows) -> FloatArray:

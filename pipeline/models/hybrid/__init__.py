@@ -23,11 +23,11 @@ corrections. It minimises the error of the displacement along falling observer g
 first without corrections, then with them. Held-out data decide whether corrections stay.
 
 - `model`: the identified model, its curves, draws and file. `identify`: the whole identification.
-- `start`: first estimate and prior. `log_reading`: a log in the units of the set, and of an angle.
+- `start`: first estimate and prior.
+- `log_reading`: a log in the units of the set, of an angle, and the voltages that act: delay, lag, square.
 - `parameters`: parameter set and deviations → constants of the kernels.
 - `problem`: residuals and Jacobians over the training logs.
-- `driving_voltages`: from measured to acting voltages: delay, lag of the electrodes, square.
-- `runs`: free and observed runs. `sensitivity`, `columns`: their exact derivatives.
+- `runs`: free and observed runs. `sensitivity`: their exact derivatives.
 - `siblings`: other joints of one drawing, as a prior.
 - `statics`: equilibrium at a held tip, and characteristic curves. `kernels`: compiled graphs and tables.
 """

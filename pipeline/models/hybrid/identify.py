@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -18,7 +17,6 @@ from ...numerics.arrays import FloatArray
 from ...numerics.metrics import rms
 from ...signals.log import MOST_SAMPLES, Log, operating_range, within
 from ..free_runs import scale_on
-from ..model_file import read_part
 from ..model_type import ModelType, Training, fitted_samples
 from . import parameters as condensed_parameters
 from .kernels import CURVES
@@ -75,7 +73,6 @@ OPEN = (0, 1)
 equations simplify more than the capacitances. With none the bands of 40 simulated joints held 84 to 96 % of the true
 curves, with these 88 to 98 %, with all nine 95 to 100 %."""
 
-ANGLE_ALONE = "q is an angle; with a parameter set (plant.parameters) the equations of the joint read it"
 _NO_FIT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
 
 ALONE = "equations_alone"
@@ -136,26 +133,29 @@ def identify_hybrid(
     operating_range(records)
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    ratio = condensed_parameters.static_slope_ratio(parameters)
     plain = CondensedJoint(
-        parameters, np.zeros(3), 0, 0.0, ratio, rotation=np.empty((0, 2)) if rotation is None else rotation
+        parameters,
+        basis=np.zeros(3),
+        centres=0,
+        largest_voltage=0.0,
+        slope_ratio=condensed_parameters.static_slope_ratio(parameters),
+        rotation=np.empty((0, 2)) if rotation is None else rotation,
     )
-    scaled = tuple(similarity.in_reference_units(plain.reading(record)) for record in records)
-    first = _first_fits(_Search(scaled, siblings).within(MOST_SAMPLES), plain, corrections)
-    search = first.search
-    errors = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in first.fits.items()}
+    scaled = tuple(within([similarity.in_reference_units(plain.reading(record)) for record in records], MOST_SAMPLES))
+    search, levels, fits, decision = _first_fits(_Search(scaled, siblings), plain, corrections)
+    errors = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
     # Corrections that were fitted stay, unless they harm on held-out data.
     most = np.inf if corrections == "always" else HARMFUL_RATIO * errors[ALONE].coupled
-    early, fitted = _whole_fit(first, corrected=WITH_RBF in errors and errors[WITH_RBF].coupled < most)
+    early, fitted = _whole_fit(search, fits, corrected=WITH_RBF in errors and errors[WITH_RBF].coupled < most)
     if not search.follows(fitted.fit, LOST_ERROR):
-        fitted = min(fitted, search.anew(first.fits[ALONE].joint), key=lambda fitted: _free_error(fitted.fit))
+        fitted = min(fitted, search.anew(fits[ALONE].joint), key=lambda fitted: _free_error(fitted.fit))
     joint, fit = fitted
     if not fit.levels:
         raise DataRefusedError(_NO_FIT)
     nothing = np.zeros((len(early.fit.theta), 0))
     problem = CondensedProblem(joint, search.records)
     problem.hold_lost(fit.theta, 0.0)
-    report = _report((*first.levels, *fit.levels), fit, similarity)
+    report = _report((*levels, *fit.levels), fit, similarity)
     model = HybridModel.of(
         _of_device(joint, similarity),
         fit.theta,
@@ -166,7 +166,7 @@ def identify_hybrid(
         diagnostics=report
         | {"held_share": problem.held_share}
         | {"ablation": {name: error.free for name, error in errors.items()}}
-        | first.decision,
+        | decision,
         early=HybridModel.of(_of_device(early.joint, similarity), early.fit.theta, nothing, nothing),
     )
     return replace(model, tube=scale_on(records, model, report["training_rms_m"], TUBE_MARGIN))
@@ -179,12 +179,14 @@ class _Fitted(NamedTuple):
     fit: HomotopyFit
 
 
-@dataclass(frozen=True)
-class _FirstFits:
-    """Fits of the first parts of the logs.
+def _first_fits(
+    search: "_Search", joint: CondensedJoint, corrections: str
+) -> tuple["_Search", tuple[Level, ...], dict[str, _Fitted], dict[str, Any]]:
+    """Fits of the first parts of the logs: the equations alone, with other joints if they help, and with corrections if
+    these are asked for or needed.
 
-    Attributes
-    ----------
+    Returns
+    -------
     search : _Search
         Without the prior of other joints where it is harmful.
     levels : tuple of Level
@@ -194,17 +196,11 @@ class _FirstFits:
     decision : dict
         Errors that decided about the prior of other joints; empty without one.
     """
-
-    search: "_Search"
-    levels: tuple[Level, ...]
-    fits: dict[str, _Fitted]
-    decision: dict[str, Any]
-
-
-def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _FirstFits:
-    """The equations alone, with other joints if they help, and with corrections if these are asked for or needed."""
-    largest = max(float(np.abs(record.drive).max()) for record in search.records)
-    plain = replace(joint, basis=search.basis, largest_voltage=largest)
+    plain = replace(
+        joint,
+        basis=search.basis,
+        largest_voltage=max(float(np.abs(record.drive).max()) for record in search.records),
+    )
     # Most of the convergence happens while the observer is strong: what is not settled there ends in another minimum.
     first = search.early.without_siblings.fit(plain, plain.start(), COUPLED, steps=FIRST_STEPS)
     alone = search.early.fit(plain, first.theta, FREE)
@@ -214,8 +210,8 @@ def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _
         errors = [search.held_out(plain, fit.theta).coupled if fit.levels else np.inf for fit in (alone, without)]
         # A file holds no infinite number: 1 is the whole operating range.
         decision = {"siblings_held_out": dict(zip(("with", "without"), np.minimum(errors, 1.0).tolist(), strict=True))}
-        pairs = errors, [_free_error(fit) for fit in (alone, without)]
-        if any(error > HARMFUL_RATIO * other for error, other in pairs):
+        frees = [_free_error(fit) for fit in (alone, without)]
+        if any(error > HARMFUL_RATIO * other for error, other in (errors, frees)):
             search, alone = search.without_siblings, without
     if not alone.levels:
         raise DataRefusedError(_NO_FIT)
@@ -223,14 +219,14 @@ def _first_fits(search: "_Search", joint: CondensedJoint, corrections: str) -> _
     if corrections == "always" or (corrections == "auto" and not search.follows(alone, UNCORRECTED_ERROR)):
         joint = replace(plain, centres=BASIS_FUNCTIONS)
         fits[WITH_RBF] = _Fitted(joint, search.early.fit(joint, _extended(joint, first.theta), CORRECTED))
-    return _FirstFits(search, (*first.levels, *alone.levels), fits, decision)
+    return search, (*first.levels, *alone.levels), fits, decision
 
 
-def _whole_fit(first: _FirstFits, *, corrected: bool) -> tuple[_Fitted, _Fitted]:
+def _whole_fit(search: "_Search", fits: dict[str, _Fitted], *, corrected: bool) -> tuple[_Fitted, _Fitted]:
     """A first fit and the fit to whole logs that goes on from it: without corrections where those do not get there."""
     for name in (WITH_RBF, ALONE) if corrected else (ALONE,):
-        early = first.fits[name]
-        fit = first.search.fit(early.joint, early.fit.theta, WHOLE, last=LAST_STEPS)
+        early = fits[name]
+        fit = search.fit(early.joint, early.fit.theta, WHOLE, last=LAST_STEPS)
         if fit.reached_last:
             break
     return early, _Fitted(early.joint, fit)
@@ -261,10 +257,6 @@ class _Search:
     def early(self) -> "_Search":
         """The first parts of the logs."""
         return replace(self, records=tuple(r.part(0, fitted_samples(len(r.t))) for r in self.records))
-
-    def within(self, samples: int) -> "_Search":
-        """Search over so many samples at most: the first share of every log."""
-        return replace(self, records=tuple(within(self.records, samples)))
 
     def prior(self, count: int) -> Prior:
         """Deviations about the set or the other joints, and weights of corrections."""
@@ -304,17 +296,16 @@ class _Search:
         theta = _extended(joint, fit.theta)
         problem.hold_lost(theta, pole)
         places = theta_places(joint.centres, rows)
-        prior = prior_root(joint.centres, rows, self.siblings)
+        prior = Prior(prior_root(joint.centres, rows, self.siblings), np.zeros(len(places)))
         residual, jacobian = problem.jacobian(theta, pole)
-        factor = robust_spread(residual, jacobian[:, places], fit.noise, Prior(prior, np.zeros(len(places))))
+        factor = robust_spread(residual, jacobian[:, places], fit.noise, prior)
         spread = np.zeros((len(theta), factor.shape[1]))
         spread[places] = factor
         return spread
 
     def follows(self, fit: HomotopyFit, share: float) -> bool:
         """True if the error of a fit's free run is below a share of the operating range."""
-        low, high = operating_range(self.records)
-        return _free_error(fit) < 1e3 * share * (high - low)
+        return _free_error(fit) < 1e3 * share * float(np.ptp(operating_range(self.records)))
 
     @property
     def basis(self) -> FloatArray:
@@ -326,11 +317,11 @@ class _Search:
 
     def held_out(self, joint: CondensedJoint, theta: FloatArray) -> "_HeldOut":
         """Errors behind the first parts of the logs; infinite where a run fails."""
-        low, high = operating_range(self.records)
+        span = float(np.ptp(operating_range(self.records)))
         problem = CondensedProblem(joint, self.records, fitted_samples)
         coupled, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
         errors = (float(np.mean(np.abs(coupled))), rms(free))
-        return _HeldOut(*(1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors))
+        return _HeldOut(*(1e-3 * error / span if np.isfinite(error) else float("inf") for error in errors))
 
 
 def _free_error(fit: HomotopyFit) -> float:
@@ -372,21 +363,22 @@ def _fit(training: Training) -> HybridModel:
     mass = plant.known_mass
     corrections = training.identify.corrections
     if training.parameters is not None:
-        own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
         return identify_hybrid(
             training.records,
             training.parameters,
-            similarity=own,
+            similarity=Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records)),
             corrections=corrections,
             siblings=training.siblings,
             rotation=training.rotation,
         )
     if plant.squared and plant.displacement.symbol == "rad" and plant.input_symbols == ("V", "V"):
-        raise DataRefusedError(ANGLE_ALONE)
+        raise DataRefusedError(
+            "q is an angle; with a parameter set (plant.parameters) the equations of the joint read it"
+        )
     if not (plant.squared and plant.displacement.symbol == "m" and len(plant.inputs) == 2):
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
-    units = similar_joint(training.records, NOMINAL, mass)
-    return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
+    similarity = similar_joint(training.records, NOMINAL, mass)
+    return identify_hybrid(training.records, NOMINAL, similarity=similarity, corrections=corrections)
 
 
-HYBRID = ModelType(_fit, partial(read_part, HybridModel, name="hybrid", command="identify"), "export.hybrid:realise")
+HYBRID = ModelType(_fit, HybridModel, "export.hybrid:realise")

@@ -2,20 +2,35 @@
 
 The kernels are the graphs of `pipeline.generated.condensed_joint`. State, constants and corrections are those of
 `pipeline.equations.condensed_joint`. Kernels take *prepared* constants: `prepare` computes once what depends on the
-constants alone.
+constants alone. A column is a derivative of the state; `pipeline.models.hybrid.sensitivity` moves them.
 
 A table serves a controller, whose cost may not depend on the number of Gaussians. Between nodes every curve is the
 quintic with its values, slopes and curvatures at both ends.
 """
 
+from functools import partial, reduce
+
 import numpy as np
 from scipy.interpolate import BPoly, PPoly
 
+from ...codegen.graph import Builder, Graph, Operation, reachable, text_of
 from ...codegen.numba_writer import formula, kernel
-from ...generated.condensed_joint import CONSTANTS, CORRECTIONS, INERTIA, PREPARE, RATES, REST_FORCES
+from ...generated.condensed_joint import (
+    CONSTANTS,
+    CORRECTIONS,
+    INERTIA,
+    PREPARE,
+    RATES,
+    REST_FORCES,
+    STATES,
+    STOP_DIRECTIONS,
+    STOPS,
+)
+from ...generated.condensed_joint_jacobian import JACOBIAN
 from ...generated.terms import BELL_SHAPE, FIRST_BELL, NEXT_BELL
 from ...numerics.arrays import FloatArray
 from ...numerics.compiled import compiled
+from ...numerics.fixed_step import AHEAD, ALL_SHARES, SHARES
 
 INDEX = {name: position for position, name in enumerate(CONSTANTS)}
 """Place of each constant."""
@@ -166,9 +181,88 @@ def tabulate(basis: FloatArray, weights: FloatArray, density: int) -> tuple[floa
     cells = int(np.ceil(((count - 1) * basis[1] + 2.0 * TABLE_WIDTHS * basis[2]) * per_metre))
     nodes = np.arange(cells + 1)
     places = first + nodes[:, None, None] / per_metre - (basis[0] + basis[1] * np.arange(count))[:, None]
-    cell_basis = np.array([0.0, basis[1], basis[2]]) * per_metre  # lengths in cells, not metres
-    shapes = BELL_SHAPE.evaluate(q=places * per_metre, basis=cell_basis)["shape"]
+    # Lengths in cells, not metres
+    shapes = BELL_SHAPE.evaluate(q=places * per_metre, basis=np.array([0.0, basis[1], basis[2]]) * per_metre)["shape"]
     quintics = BPoly.from_derivatives(nodes, np.swapaxes(shapes, 1, 2) @ weights.T)
     coefficients = np.zeros((cells + 2, 6, CURVES))
     coefficients[1:-1] = np.swapaxes(PPoly.from_bernstein_basis(quintics).c[::-1], 0, 1)
     return first - 1.0 / per_metre, per_metre, coefficients
+
+
+COLUMNS = 16
+"""Columns side by side."""
+STEP_STAGES = len(SHARES)
+"""Stages of a step."""
+STAGES = 2 * STEP_STAGES
+"""Stages side by side: those of two steps."""
+STEP_SLOTS = STEP_STAGES + 1
+"""The stages of a step, and its end."""
+SLOTS = 2 * STEP_SLOTS
+ENTRIES = STATES + STOPS
+"""Entries of a column."""
+PLAY_WEIGHTS = 3 + 2 * STOPS * STEP_SLOTS
+
+
+def _column_step() -> Graph:
+    """A Runge-Kutta step of one column: its state `x` and stop operators `z` move to `x_found` and `z_found`.
+
+    `a` are ∂f/∂(x, z) of all entries in `STAGES` stages, of which the first four count; `b` what acts on the column
+    itself, row by row in `SLOTS` slots, of which the first four and the end count. `w` are the friction's arm, the
+    step [s], the beam's length, and for each of these five which stop operators follow the play, and by how much.
+    """
+    build = Builder()
+    add = build.add
+    acting = {
+        operation.place[1]
+        for operation in JACOBIAN.operations
+        if operation.name == "store" and operation.place[0] == "a"
+    }
+    acting |= {0, 2, 2 * ENTRIES, 2 * ENTRIES + 2}  # an observer pulls at q and τ, by what is read of them
+    x = [build.input("x", i) for i in range(STATES)]
+    h = build.input("w", 1)
+    y = x
+    total = x
+    for stage in range(len(SHARES)):
+        z = _slipped(build, x, y, stage)
+        slopes = list[int]()
+        for i in range(STATES):
+            row = [j for j in range(ENTRIES) if ENTRIES * i + j in acting]
+            terms = [add("mul", build.input("a", STAGES * (ENTRIES * i + j) + stage), [*y, *z][j]) for j in row]
+            slopes.append(reduce(partial(add, "add"), [build.input("b", SLOTS * i + stage), *terms]))
+        share, ahead = (add("mul", h, build.constant(x)) for x in (SHARES[stage] / ALL_SHARES, AHEAD[stage]))
+        total = [add("add", total[i], add("mul", share, slopes[i])) for i in range(STATES)]
+        y = [add("add", x[i], add("mul", ahead, slopes[i])) for i in range(STATES)]
+    outputs = {"x_found": total, "z_found": _slipped(build, x, total, 4)}
+    stores = [
+        Operation("store", (operation,), (name, i))
+        for name, many in outputs.items()
+        for i, operation in enumerate(many)
+    ]
+    sizes = {"a": ENTRIES * ENTRIES * STAGES, "w": PLAY_WEIGHTS, "x": STATES, "z": STOPS, "b": ENTRIES * SLOTS}
+    return Graph(
+        sizes, {name: len(many) for name, many in outputs.items()}, text_of(reachable(build.operations, stores))
+    )
+
+
+def _slipped(build: Builder, x: list[int], y: list[int], slot: int) -> list[int]:
+    """The stop operators at y: those that follow have moved with the play since x."""
+    add = build.add
+    moved, turned, bowed = (add("sub", y[i], x[i]) for i in (0, 2, 4))
+    slipped = []
+    plays = dict[tuple[float, ...], int]()
+    for i, direction in enumerate(STOP_DIRECTIONS):
+        if direction not in plays:
+            q, _, tau, beta = map(build.constant, direction)
+            arm = build.input("w", 0)
+            length = build.input("w", 2)
+            lever = arm if direction[1] else add("mul", length, tau)
+            play = add("add", add("mul", q, moved), add("mul", lever, turned))
+            plays[direction] = add("add", play, add("mul", add("mul", length, beta), bowed)) if direction[3] else play
+        at = 3 + 2 * STOPS * slot + i
+        unmoved = add("add", build.input("z", i), build.input("b", SLOTS * (STATES + i) + slot))
+        follows = add("mul", build.input("w", at + STOPS), plays[direction])
+        slipped.append(add("add", add("mul", build.input("w", at), unmoved), follows))
+    return slipped
+
+
+move_columns = kernel(_column_step(), COLUMNS, common=("a", "w"), single=True)

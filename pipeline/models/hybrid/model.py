@@ -9,8 +9,7 @@ from functools import cached_property, lru_cache
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
-from pydantic import Field, model_validator
-from pydantic.dataclasses import dataclass
+from pydantic import Field, dataclasses as stored, model_validator
 from scipy.interpolate import CubicSpline
 
 from ...fitting.posterior import first_order_curves, posterior_draws
@@ -21,10 +20,9 @@ from ...signals.log import Log
 from ...signals.resampling import filtered_samples
 from ..base import NO_TUBES, FreeRun, TubeScale, checked
 from ..model_file import STORED, Facts, JointSet, Positive, Real, Sizes, Table, Unit, tree_of
-from . import parameters as condensed_parameters
-from .driving_voltages import DrivingVoltages
 from .kernels import CURVES
-from .log_reading import Similarity
+from .log_reading import DrivingVoltages, Similarity
+from .parameters import DEVIATIONS, NAMES, PRIOR_STD, moving_mass
 from .problem import POLES, CondensedJoint, CondensedProblem, age_at, simulate
 from .runs import BATCH, Driving, Followed, JointCoefficients, continued_runs
 from .statics import static_curves, substeps
@@ -41,7 +39,7 @@ _FARTHEST = 300.0
 """Largest magnitude of an entry of theta [widths]; exponentials of more overflow."""
 
 
-@dataclass(frozen=True, config=STORED)
+@stored.dataclass(frozen=True, config=STORED)
 class HybridModel:
     """An identified hybrid joint, and its file.
 
@@ -83,11 +81,9 @@ class HybridModel:
     tube: TubeScale = NO_TUBES
     constants: str = " | ".join(CONSTANTS)
     """Names of the constants of the equations, in order."""
-    deviations: str = " | ".join(condensed_parameters.NAMES)
+    deviations: str = " | ".join(NAMES)
     """Names of the first entries of theta: deviations from the set; weights follow."""
-    prior_std: Annotated[FloatArray, Table("D"), Unit("SI")] = field(
-        default_factory=lambda: condensed_parameters.PRIOR_STD
-    )
+    prior_std: Annotated[FloatArray, Table("D"), Unit("SI")] = field(default_factory=lambda: PRIOR_STD)
     """Standard deviations of the deviations' priors, in which theta counts."""
     early: Annotated[Any, Field(exclude=True)] = field(default=None, repr=False)
 
@@ -97,10 +93,8 @@ class HybridModel:
 
     @model_validator(mode="after")
     def _fit(self) -> Self:
-        current = (" | ".join(CONSTANTS), " | ".join(condensed_parameters.NAMES))
-        if (self.constants, self.deviations) != current or not np.array_equal(
-            self.prior_std, condensed_parameters.PRIOR_STD
-        ):
+        named = (" | ".join(CONSTANTS), " | ".join(NAMES)) == (self.constants, self.deviations)
+        if not (named and np.array_equal(self.prior_std, PRIOR_STD)):
             raise ValueError("the parameters belong to another version of debist")
         if self.basis[1:].min() <= 0.0:
             raise ValueError("distance and width in basis are not positive")
@@ -138,7 +132,6 @@ class HybridModel:
         more
             Diagnostics, tube and early fit.
         """
-        curves = band_spread if curve_spread is None else curve_spread
         return cls(
             parameters=joint.parameters,
             basis=joint.basis,
@@ -149,7 +142,7 @@ class HybridModel:
             theta=theta,
             spread=spread,
             band_spread=band_spread,
-            curve_spread=curves,
+            curve_spread=band_spread if curve_spread is None else curve_spread,
             rotation=joint.rotation,
             **more,
         )
@@ -170,7 +163,7 @@ class HybridModel:
     @property
     def mass_kg(self) -> float:
         """Moving mass [kg]."""
-        return self.joint.mass
+        return moving_mass(self.parameters, self.slope_ratio) * self.similarity.mass
 
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
@@ -180,9 +173,8 @@ class HybridModel:
         twice the largest trained one; a wall confines the run (`CondensedJoint.q_stop`): it is bounded for any input.
         """
         states = self._simulate(None, t, v, np.array([q0, qdot0]))[0]
-        diverged = np.flatnonzero(~np.isfinite(states[:, 0]))
         q, qdot, qddot = np.ascontiguousarray(states.T)
-        return FreeRun(t, q, qdot, qddot, *run_status(t, int(diverged[0]) if len(diverged) else len(t)))
+        return FreeRun(t, q, qdot, qddot, *run_status(t, int(np.count_nonzero(np.isfinite(q)))))
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
@@ -201,10 +193,16 @@ class HybridModel:
         steps = joint.substeps(self.theta, dt)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
         u = DrivingVoltages(v, dt).squared(steps, instruments, joint.largest_voltage)
-        reading = CubicSpline(t - t[0], bridged(seen, measured))(fine)
-        followed = Followed(reading, (measured & np.append(measured[1:], False)) / dt)
-        start = np.array([seen[0], speed[0], age_at(t)])
-        driving = Driving(u[None], np.zeros(1, np.int64), np.array([instruments.offset]), start)
+        followed = Followed(
+            reading=CubicSpline(t - t[0], bridged(seen, measured))(fine),
+            pole=(measured & np.append(measured[1:], False)) / dt,
+        )
+        driving = Driving(
+            squares=u[None],
+            variant=np.zeros(1, np.int64),
+            offset=np.array([instruments.offset]),
+            start=np.array([seen[0], speed[0], age_at(t)]),
+        )
         coefficients = JointCoefficients(
             joint.constants(self.theta)[None], joint.weights(self.theta)[None], joint.basis
         )
@@ -255,15 +253,15 @@ class HybridModel:
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
         wide = self.of_curves
-        spread = self.curve_spread
-        return first_order_curves(lambda theta: wide._curves(theta, q), wide.theta, spread, count, SEED, ("d",))
+        return first_order_curves(
+            lambda theta: wide._curves(theta, q), wide.theta, self.curve_spread, count, SEED, ("d",)
+        )
 
     @property
     def of_curves(self) -> "HybridModel":
         """Model for the curves: the same with the corrections that their bands leave open, zero where none acts."""
         more = len(self.curve_spread) - len(self.theta)
-        centres = self.centres + more // CURVES
-        return replace(self, centres=centres, theta=np.append(self.theta, np.zeros(more)))
+        return replace(self, centres=self.centres + more // CURVES, theta=np.append(self.theta, np.zeros(more)))
 
     @property
     def coupling(self) -> float:
@@ -287,13 +285,6 @@ class HybridModel:
     def describe(self) -> dict[str, Any]:
         """Structure, every deviation in its unit with its standard deviation, and diagnostics."""
         sd = np.sqrt(np.sum(self.spread**2, axis=1))
-        facts = {
-            f"{entry.name} [{'1' if entry.logarithm else entry.unit}]": [
-                float(self.theta[j] * entry.prior_std),
-                float(sd[j] * entry.prior_std),
-            ]
-            for j, entry in enumerate(condensed_parameters.DEVIATIONS)
-        }
         return {
             "structure": "analytical joint in (q, tau, beta) with two sides, Maxwell slip and creep; RBF corrections",
             "origin": "equations of the joint and data",
@@ -304,8 +295,14 @@ class HybridModel:
             },
             "inputs": "squared",
             "parameters": len(self.theta),
-            "physical_parameters": len(condensed_parameters.DEVIATIONS),
-            "deviations": facts,
+            "physical_parameters": len(DEVIATIONS),
+            "deviations": {
+                f"{entry.name} [{'1' if entry.logarithm else entry.unit}]": [
+                    float(self.theta[j] * entry.prior_std),
+                    float(sd[j] * entry.prior_std),
+                ]
+                for j, entry in enumerate(DEVIATIONS)
+            },
             **self.diagnostics,
         }
 
@@ -325,7 +322,7 @@ class HybridModel:
             start = np.stack([q, qdot], axis=-1)
         start = np.concatenate([start, np.full((*start.shape[:-1], 1), age_at(t))], axis=-1)
         driving = DrivingVoltages(v, dt)
-        built = self._best if thetas is None else self._built(thetas)
+        built = self._best if thetas is None else (self.joint.constants(thetas), self.joint.weights(thetas))
         thetas = self.theta[None] if thetas is None else thetas
         numbers = (array.tobytes() for array in (built[0], self.joint.basis, built[1]))
         steps = _substeps(*numbers, len(thetas), dt, self.joint.similarity.time)
@@ -356,12 +353,8 @@ class HybridModel:
 
     @cached_property
     def _best(self) -> tuple[FloatArray, FloatArray]:
-        """Of the fit, which restarts along a log simulate hundreds of times."""
-        return self._built(self.theta[None])
-
-    def _built(self, thetas: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Constants and weights of several θ."""
-        return self.joint.constants(thetas), self.joint.weights(thetas)
+        """Constants and weights of the fit, which restarts along a log simulate hundreds of times."""
+        return self.joint.constants(self.theta[None]), self.joint.weights(self.theta[None])
 
     def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         joint = self.joint

@@ -6,7 +6,6 @@ fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth. Las
 taken as right at full scale: another scale would be another length or voltage of the joint, and nothing else.
 """
 
-import math
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations_with_replacement
@@ -168,20 +167,6 @@ def nominal_deviations() -> FloatArray:
     return np.array([0.0 if entry.typical is None else -50.0 for entry in DEVIATIONS])
 
 
-@dataclass(frozen=True)
-class Instruments:
-    """Instruments between the joint and the log: laser, probes, electrodes."""
-
-    offset: float
-    """Laser reading [m] at q = 0."""
-    delay: float
-    """Time [s] by which the voltages act later than measured."""
-    charging: float
-    """Time constant [s] with which the membranes charge through their electrodes."""
-    probe: FloatArray
-    """Readings [V] of the two probes at zero voltage, shape (2,)."""
-
-
 def static_slope_ratio(parameters: JointParameters) -> float:
     """τ / Q of the beam at rest at q = l/8: the shape in which tip and beam move slowly."""
     q = parameters.l / 8.0
@@ -194,12 +179,6 @@ def moving_mass(p: JointParameters, ratio: float) -> float:
     """Mass [kg] that moves with q slowly: the frame and ∫(h1 + ratio h2)² of the beam's mass."""
     slow = np.array([1.0, ratio, 0.0])
     return p.m + float(slow @ SHAPES @ slow) * p.rho * p.A * p.l
-
-
-def instruments(deviations: FloatArray) -> Instruments:
-    """The instruments' share of the deviations."""
-    offset, delay, charging, *probe = (deviations[OF_INSTRUMENTS] * PRIOR_STD[OF_INSTRUMENTS]).tolist()
-    return Instruments(offset, delay, CHARGING_TIME * math.exp(charging), np.array(probe))
 
 
 def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> FloatArray:
@@ -217,15 +196,15 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     """
     d = _values(deviations)
     values = _beam_and_frame(p, d) | {"slope_ratio": ratio}
-    names = ["softening", "softening_rate", *(name for name, *_ in TIP_CONSTANTS)]
-    values |= {name: d[name.replace("_", " ")] for name in names}
+    for name in ("softening", "softening_rate", *(name for name, *_ in TIP_CONSTANTS)):
+        values[name] = d[name.replace("_", " ")]
     for kind, terms in (("quartic", QUARTICS), ("sextic", SEXTICS), ("shortening", SHORTENINGS)):
         values |= {f"{kind}_{powers}": d[f"{kind} {powers}"] for powers in terms}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
     for i, name in enumerate(_ELEMENTS):
-        values |= {f"stop_force_{i}": d[name.format("force")]}
-        values |= {f"stop_travel_{i}": _TRAVELS[i] * np.exp(d[f"log {name.format('travel')}"])}
+        travel = _TRAVELS[i] * np.exp(d[f"log {name.format('travel')}"])
+        values |= {f"stop_force_{i}": d[name.format("force")], f"stop_travel_{i}": travel}
     for i in range(CREEPS):
         values |= {f"creep_stiffness_{i}": d[f"creep stiffness {i}"], f"creep_rate_{i}": 1.0 / _CREEP_TIMES[i]}
     k = np.empty((*np.shape(deviations)[:-1], len(CONSTANTS)))
@@ -234,17 +213,14 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     # The load changes little when the beam is bent, so the axial strain u0 of eq. 9 that it causes can be a constant.
     k[..., [INDEX["left_e_x"], INDEX["right_e_x"]]] += UPRIGHT.evaluate(k=k)["load"] / (p.E * p.A / p.l)
     size = np.stack([d["log length"], d["log time"], d["log voltage"]], axis=-1)
-    k *= np.exp(size @ DIMENSIONS[:, 1:].T)
-    return k
+    return np.asarray(k * np.exp(size @ DIMENSIONS[:, 1:].T))
 
 
 def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     """Constants of the beam, the frame and what resists the tip."""
-    stiffness = p.E * np.exp(d["log E"]) * p.I / p.l
     # ∫ over the beam in the scaled coordinate leaves 1/l.
     loss = BEAM_DAMPING_FACTOR * p.eta * np.exp(d["log eta"]) * p.I / p.l
     beam = p.rho * p.A * p.l
-    relaxation = 0.5 * (p.left.relaxation + p.right.relaxation) * np.exp(d["log relaxation"])
     by_q = d["slope by q"]
     by_tau = 1.0 + d["slope by tau"]
     by_beta = d["slope by beta"]
@@ -253,7 +229,7 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     weight = p.m * p.g * np.exp(d["log weight"])
     return _rises(d, (by_q, by_tau, by_beta), p.l) | {
         "l": p.l,
-        "bending": stiffness,
+        "bending": p.E * np.exp(d["log E"]) * p.I / p.l,
         "bending_loss": loss,
         "steepening": 1.0 + d["steepening"],
         "stiffening": d["stiffening"],
@@ -270,7 +246,7 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
         "weight": weight,
         "offset": d["offset"],
         "side_force": weight * np.sin(d["tilt"]),
-        "relaxation_0": relaxation,
+        "relaxation_0": 0.5 * (p.left.relaxation + p.right.relaxation) * np.exp(d["log relaxation"]),
         "relaxation_1": np.exp(-d["log slow time"]) / _SLOW_TIME,
         "relaxation_2": np.exp(-d["log fast time"]) / _FAST_TIME,
         "strain_slope": d["strain slope"],
@@ -302,8 +278,9 @@ def correction_prior_std(p: JointParameters) -> FloatArray:
     loss = BEAM_DAMPING_FACTOR * p.eta * p.I / p.l
     electric = _side(p.left, "left", _values(np.zeros(len(NAMES))))["electric"] / p.left.l0
     slow = [0.017 * stiffness / p.l, 3.6 * loss / p.l**2, 7.8e-3 * electric, 7.8e-3 * electric]
-    deviation = [9.2e-3 * stiffness, 0.36 * stiffness, 4.4e-3 * electric * p.l, 4.4e-3 * electric * p.l, 1.8 * loss]
-    return np.array(slow + deviation)
+    return np.array(
+        [*slow, 9.2e-3 * stiffness, 0.36 * stiffness, 4.4e-3 * electric * p.l, 4.4e-3 * electric * p.l, 1.8 * loss]
+    )
 
 
 def _values(deviations: FloatArray) -> dict[str, Any]:

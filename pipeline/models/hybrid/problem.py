@@ -4,6 +4,7 @@
 RBF corrections, all in prior standard deviations.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
@@ -17,12 +18,10 @@ from ...numerics.arrays import BoolArray, FloatArray, samples_of
 from ...signals.log import Log
 from ...signals.resampling import sharpened
 from . import parameters as condensed_parameters
-from .columns import INSTRUMENTS
-from .driving_voltages import DrivingVoltages
 from .kernels import CURVES, INDEX
-from .log_reading import SAME, AngleReading, Similarity
+from .log_reading import SAME, AngleReading, DrivingVoltages, Instruments, Similarity
 from .runs import Driving, Followed, JointCoefficients, Stepping, run_joints
-from .sensitivity import Driven, sensitivities
+from .sensitivity import INSTRUMENTS, Driven, sensitivities
 from .statics import substeps
 
 DEVIATION_COUNT = len(condensed_parameters.NAMES)
@@ -125,15 +124,16 @@ class CondensedJoint:
         widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
         return np.ascontiguousarray(shares * widths[:, None])
 
-    def instruments(self, theta: FloatArray) -> condensed_parameters.Instruments:
+    def instruments(self, theta: FloatArray) -> Instruments:
         """Instruments between the joint and the log."""
-        seen = condensed_parameters.instruments(theta[:DEVIATION_COUNT])
+        own = condensed_parameters.OF_INSTRUMENTS
+        offset, delay, charging, *probe = (theta[own] * condensed_parameters.PRIOR_STD[own]).tolist()
         units = self.similarity
-        return condensed_parameters.Instruments(
-            units.origin + units.length * seen.offset,
-            units.time * seen.delay,
-            units.time * seen.charging,
-            units.voltage * seen.probe,
+        return Instruments(
+            offset=units.origin + units.length * offset,
+            delay=units.time * delay,
+            charging=units.time * (condensed_parameters.CHARGING_TIME * math.exp(charging)),
+            probe=units.voltage * np.array(probe),
         )
 
     def derivatives(self, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -150,17 +150,15 @@ class CondensedJoint:
         instruments = np.zeros((INSTRUMENTS, count))
         instruments[range(INSTRUMENTS), condensed_parameters.OF_INSTRUMENTS] = 1.0
         instruments[0] *= self.instruments(np.ones(count)).offset - self.similarity.origin
-        widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
-        return constants, instruments, widths
+        return (
+            constants,
+            instruments,
+            condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights,
+        )
 
     def substeps(self, theta: FloatArray, dt: float) -> int:
         """Runge-Kutta steps in a sample interval of `dt` [s]."""
         return substeps(self.constants(theta), self.basis, self.weights(theta), dt, self.similarity.time)
-
-    @property
-    def mass(self) -> float:
-        """Moving mass [kg]."""
-        return condensed_parameters.moving_mass(self.parameters, self.slope_ratio) * self.similarity.mass
 
     @property
     def length(self) -> float:
@@ -251,8 +249,9 @@ class CondensedProblem:
 
         Eight cost what one does.
         """
-        parts = [log.errors(self.joint, thetas, gain, self._steps)[:, log.compared(gain)] for log in self.logs]
-        errors = np.concatenate(parts, axis=1)
+        errors = np.concatenate(
+            [log.errors(self.joint, thetas, gain, self._steps)[:, log.compared(gain)] for log in self.logs], axis=1
+        )
         errors[np.any(np.abs(thetas[:, :DEVIATION_COUNT]) > FARTHEST, axis=1)] = np.nan
         return errors
 
@@ -343,9 +342,14 @@ class _Log:
         largest = joint.largest_voltage
         u = self._inputs(seen, steps, largest)
         moved = theta + PARAMETER_STEP * np.eye(len(theta))[condensed_parameters.OF_INSTRUMENTS[1:]]
-        later = [self.v.squared(steps, joint.instruments(each), largest) for each in moved]
-        by_inputs = (np.array(later) - u) / PARAMETER_STEP
-        driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
+        later = np.array([self.v.squared(steps, joint.instruments(each), largest) for each in moved])
+        driven = Driven(
+            squares=u,
+            by_instruments=(later - u) / PARAMETER_STEP,
+            observed=path,
+            pole=np.repeat(pole, 2 * steps) if len(path) else path,
+            start=self._start,
+        )
         q, columns, by_weights = sensitivities(
             JointCoefficients(joint.constants(theta), joint.weights(theta), joint.basis),
             np.abs(constants).max(axis=1),
@@ -355,11 +359,9 @@ class _Log:
             joint.stepping(self.dt, steps),
         )
         at = self.compared(gain)
-        active = np.any(constants, axis=1)
-        chain = 1e3 * np.concatenate([constants[active], instruments])
+        chain = 1e3 * np.concatenate([constants[np.any(constants, axis=1)], instruments])
         by = (columns if at.all() else columns[at]) @ chain
-        of_weights = by_weights[at] * widths[:, None]
-        by[:, DEVIATION_COUNT:] += 1e3 * of_weights.reshape(len(by), by.shape[1] - DEVIATION_COUNT)
+        by[:, DEVIATION_COUNT:] += 1e3 * (by_weights[at] * widths[:, None]).reshape(by[:, DEVIATION_COUNT:].shape)
         by += 1e3 * instruments[0]  # the reading is q + offset
         return 1e3 * (q[at] + seen.offset - self.q[at]), by
 
@@ -372,7 +374,7 @@ class _Log:
             self._followed[steps] = self._path(np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1))
         return pole, self._followed[steps]
 
-    def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
+    def _inputs(self, seen: Instruments, steps: int, largest: float) -> FloatArray:
         # Joints that run side by side, and steps that are tried one after the other, often share their instruments.
         key = (steps, seen.delay, seen.charging, float(seen.probe[0]), float(seen.probe[1]), largest)
         if key not in self._squares:
@@ -412,7 +414,7 @@ def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
 def simulate(
     joint: CondensedJoint,
     thetas: FloatArray,
-    inputs: Callable[[condensed_parameters.Instruments], FloatArray],
+    inputs: Callable[[Instruments], FloatArray],
     start: FloatArray,
     followed: Followed,
     stepping: Stepping,
@@ -444,11 +446,10 @@ def simulate(
     constants, weights = built or (joint.constants(thetas), joint.weights(thetas))
     seen = [joint.instruments(theta) for theta in thetas]
     keys = [(instrument.delay, instrument.charging, *instrument.probe) for instrument in seen]
-    first = {key: i for i, key in reversed(list(enumerate(keys)))}
-    order = {key: v for v, key in enumerate(first)}
+    different = list(dict.fromkeys(keys))
     driving = Driving(
-        np.array([inputs(seen[i]) for i in first.values()]),
-        np.array([order[key] for key in keys]),
+        np.array([inputs(seen[keys.index(key)]) for key in different]),
+        np.array([different.index(key) for key in keys]),
         np.array([instrument.offset for instrument in seen]),
         start,
     )

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...codegen.numba_writer import kernel
 from ...generated.condensed_joint import RATES, STATES, STOP_MOVE, STOPS
@@ -39,7 +38,7 @@ class Joints(NamedTuple):
         squared voltages [V²]; half step and observer pole of the step, and its stage.
     squares : FloatArray, shape (V, H, 2)
         Squared voltages [V²] on the H half steps, as V different sets of instruments show them.
-    variant : NDArray[int64], shape (W,)
+    variant : IntArray, shape (W,)
         Index of the set that drives each joint.
     basis, weights : FloatArray, shapes (3,) and (W, CURVES, M)
         Of the corrections, see `pipeline.models.hybrid.kernels.corrections_at`.
@@ -64,7 +63,7 @@ class Joints(NamedTuple):
     u: FloatArray
     now: FloatArray
     squares: FloatArray
-    variant: NDArray[np.int64]
+    variant: IntArray
     basis: FloatArray
     weights: FloatArray
     offset: FloatArray
@@ -90,6 +89,12 @@ def observer(error: float, pole: float, lead: float) -> tuple[float, float, floa
     return velocity, acceleration, lead * velocity, lead * acceleration
 
 
+def _reading(system, x, j, width):
+    """Reading of a joint, and its rate."""
+    by_q, by_tau = system.reading
+    return by_q * x[j] + by_tau * x[2 * width + j], by_q * x[width + j] + by_tau * x[3 * width + j]
+
+
 def _methods(system: Any) -> Methods:
     """Methods of W joints, for the compiler.
 
@@ -97,17 +102,8 @@ def _methods(system: Any) -> Methods:
     took the free run of one joint from 5 to 8 ms.
     """
     w = len(system.types[0])
-    return Methods(_begin_of(w), _rates_of(w), _finish_of(w), _reading)
-
-
-def _reading(system, x, j, width):
-    """Reading of a joint, and its rate."""
-    by_q, by_tau = system.reading
-    return by_q * x[j] + by_tau * x[2 * width + j], by_q * x[width + j] + by_tau * x[3 * width + j]
-
-
-def _begin_of(w: int) -> Any:
-    """Begin of a step of W joints."""
+    equations = _RATES[w]
+    stop_move = _STOP_MOVE[w]
 
     def begin(system, x, node):
         """Start of the step, from which the stop operators count the play."""
@@ -118,13 +114,6 @@ def _begin_of(w: int) -> Any:
             for i in range(STOPS):
                 system.slips[node // 2, i] = system.z[i]
         system.now[1] = system.pole[node] if len(system.pole) > 0 else 0.0
-
-    return begin
-
-
-def _rates_of(w: int) -> Any:
-    """Rates of W joints."""
-    equations = _RATES[w]
 
     def rates(system, x, node, dx, acceleration):
         """State equation with the corrections at q, and the terms of the observer."""
@@ -156,13 +145,6 @@ def _rates_of(w: int) -> Any:
                 dx[2 * w + j] += tau
                 dx[3 * w + j] += turning
 
-    return rates
-
-
-def _finish_of(w: int) -> Any:
-    """End of a step of W joints."""
-    stop_move = _STOP_MOVE[w]
-
     def finish(system, x):
         """The wall holds the tip, and the stop operators move."""
         for j in range(w):
@@ -171,7 +153,7 @@ def _finish_of(w: int) -> Any:
                 x[w + j] = 0.0
         stop_move((x, system.z, system.start, system.p, system.z))
 
-    return finish
+    return Methods(begin, rates, finish, _reading)
 
 
 integrate_joints = integrator(Joints, _methods)
@@ -201,7 +183,7 @@ class Driving(NamedTuple):
     ----------
     squares : FloatArray, shape (V, 2 substeps (N−1) + 1, 2)
         Squared voltages [V²] on the half steps, as V different sets of instruments show them.
-    variant : NDArray[int64], shape (B,)
+    variant : IntArray, shape (B,)
         Index of the set that drives each joint.
     offset : FloatArray, shape (B,)
         Of each joint's laser [m]: reading = q + offset.
@@ -211,7 +193,7 @@ class Driving(NamedTuple):
     """
 
     squares: FloatArray
-    variant: NDArray[np.int64]
+    variant: IntArray
     offset: FloatArray
     start: FloatArray
 
@@ -310,8 +292,7 @@ def run_joints(
             reading=stepping.reading,
         )
         integrate_joints(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
-        filled = min(width, count - first)
-        out[first : first + filled] = shown_states.transpose(2, 0, 1)[:filled]
+        out[first : first + width] = shown_states.transpose(2, 0, 1)[: count - first]
     if not np.isfinite(out.sum()):
         out[np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)] = np.nan
     out[:, :, 0] += driving.offset[:, None]
@@ -393,7 +374,7 @@ def _at_rest(
     prepared: FloatArray,
     driving: Driving,
     stepping: Stepping,
-    chosen: NDArray[np.int64],
+    chosen: IntArray,
 ) -> tuple[FloatArray, FloatArray]:
     """States and stop operators of the chosen joints at rest at the first sample, in rows."""
     x = np.empty((len(chosen), STATES))

@@ -154,8 +154,7 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
     if len(models) < FEWEST:
         raise DataRefusedError(f"{len(models)} joints: a prior needs at least {FEWEST}; identify more of them")
     for name, model in models.items():
-        units = model.joint.similarity
-        if (units.length, units.time, units.voltage) != (1.0, 1.0, 1.0):
+        if any(getattr(model.joint.similarity, scale) != 1.0 for scale in ("length", "time", "voltage")):
             raise InputError(f"{name}: was scaled by its own logs; give all joints one set, plant.parameters")
     if len({model.joint.parameters for model in models.values()}) > 1:
         raise InputError("the joints have not one parameter set; name the same plant.parameters for all of them")
@@ -163,13 +162,11 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
     members = [information_of(model) for model in models.values()]
     whole = estimate_population(members, prior)
     suspects = [i for i, entry in enumerate(DEVIATIONS) if entry.quantity.rpartition(".")[2] in _SUSPECTS]
-    gains = {}
-    odd = []
-    for name, member, rest in zip(models, members, without_each(members, prior, whole), strict=True):
-        gains[name] = log_evidence(member, rest) - log_evidence(member, prior)
-        if (outlier := oddity(member, rest, len(members) - 1, suspects)).odd:
-            odd.append(_odd(name, outlier))
-    return Learnt(whole, _quantities(whole, prior), tuple(odd), gains)
+    others = [*zip(models, members, without_each(members, prior, whole), strict=True)]
+    gains = {name: log_evidence(member, rest) - log_evidence(member, prior) for name, member, rest in others}
+    tested = ((name, oddity(member, rest, len(members) - 1, suspects)) for name, member, rest in others)
+    odd = tuple(_odd(name, outlier) for name, outlier in tested if outlier.odd)
+    return Learnt(whole, _quantities(whole, prior), odd, gains)
 
 
 def _title(entry: int) -> str:
@@ -225,10 +222,10 @@ def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulatio
     """
     file = read_part(SiblingsFile, tree, "siblings", "fleet learn")
     current = file.deviations == " | ".join(NAMES) and np.array_equal(file.prior_std, PRIOR_STD)
-    symmetric = np.allclose(file.covariance, file.covariance.T)
-    if not current or not symmetric or np.linalg.eigvalsh(file.covariance).min() <= 0.0:
+    covariance = file.covariance
+    if not (current and np.allclose(covariance, covariance.T) and np.linalg.eigvalsh(covariance).min() > 0.0):
         raise CorruptArtifactError(
             "siblings: of another version of debist, or no covariance; run `debist fleet learn` again"
         )
     names = str(file.diagnostics.get("siblings", "")).split(" | ")
-    return file.parameters, NormalPopulation(file.mean, file.covariance), names
+    return file.parameters, NormalPopulation(file.mean, covariance), names

@@ -22,10 +22,9 @@ from ...generated.condensed_joint import CORRECTIONS
 from ...numerics.arrays import FloatArray, IntArray
 from ...scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
 from ...signals.log import Log
-from . import parameters as condensed_parameters
 from .kernels import CURVES, INDEX
 from .log_reading import Similarity
-from .parameters import NAMES
+from .parameters import NAMES, constants, moving_mass, nominal_deviations, static_slope_ratio
 from .statics import static_curves
 
 NEAR = 0.4
@@ -126,21 +125,17 @@ def _shift(wells: Wells) -> float:
 
 def mass_factor(parameters: JointParameters, mass: float | None) -> float:
     """The device's moving mass [kg], 1 kg if it is unknown, over that of the set's joint."""
-    ratio = condensed_parameters.static_slope_ratio(parameters)
-    return (1.0 if mass is None else mass) / condensed_parameters.moving_mass(parameters, ratio)
+    return (1.0 if mass is None else mass) / moving_mass(parameters, static_slope_ratio(parameters))
 
 
 def _measured(records: Sequence[Log], place: float, reach: float) -> _SmallMotion | None:
     """Regression of the acceleration near a well on displacement, velocity and squared voltages."""
-    rows = []
-    targets = []
-    for record in records:
-        near = record.valid & (np.abs(record.q - place) < reach)
-        x = record.q[near] - place
-        rows.append(np.column_stack([np.ones(len(x)), x, x**2, record.qdot[near], record.v[near] ** 2]))
-        targets.append(record.qddot[near])
-    matrix = np.concatenate(rows)
-    target = np.concatenate(targets)
+    near = np.concatenate([r.valid & (np.abs(r.q - place) < reach) for r in records])
+    q, qdot, target, v = (
+        np.concatenate([getattr(r, name) for r in records])[near] for name in ("q", "qdot", "qddot", "v")
+    )
+    x = q - place
+    matrix = np.column_stack([np.ones(len(x)), x, x**2, qdot, v**2])
     if len(target) <= matrix.shape[1]:
         return None
     scale = np.abs(matrix).max(axis=0)
@@ -179,16 +174,16 @@ def _weighted(estimates: Sequence[tuple[float, float]]) -> float:
 
 def _reference_motion(parameters: JointParameters) -> _SmallMotion:
     """Small motions of the parameter set's joint, from its static curves."""
-    none = condensed_parameters.nominal_deviations()
-    k = condensed_parameters.constants(parameters, none, condensed_parameters.static_slope_ratio(parameters))
+    k = constants(parameters, nominal_deviations(), static_slope_ratio(parameters))
     q = np.linspace(0.02, 0.24, 111) * parameters.l
     force, _, left, right = static_curves(q, k, np.zeros(3), np.zeros((CURVES, 0)))
     rest = int(np.flatnonzero((force[:-1] < 0.0) & (force[1:] >= 0.0))[-1])
     share = -force[rest] / (force[rest + 1] - force[rest])
     mass = float(k[INDEX["mass"]])
-    gains = np.array([left[rest], right[rest]]) / mass
     return _SmallMotion(
-        float(q[rest] + share * (q[1] - q[0])), float((force[rest + 1] - force[rest]) / (q[1] - q[0]) / mass), gains
+        place=float(q[rest] + share * (q[1] - q[0])),
+        stiffness=float((force[rest + 1] - force[rest]) / (q[1] - q[0]) / mass),
+        gains=np.array([left[rest], right[rest]]) / mass,
     )
 
 
@@ -204,12 +199,7 @@ _EVEN = ("damping", "stiffness", "loss")
 """Corrections that a mirrored joint has with the same sign at −q; generalised forces have the other one."""
 
 
-def _mirrored(row: int) -> tuple[int, float]:
-    """The row of the corrections' weights that is the mirror image of this one, and its sign."""
-    name = CORRECTIONS[row]
-    side, *rest = name.split("_")
-    image = "_".join([{"left": "right", "right": "left"}.get(side, side), *rest])
-    return CORRECTIONS.index(image), 1.0 if name in _EVEN else -1.0
+_MIRROR = {"left": "right", "right": "left"}
 
 
 def prior_root(
@@ -233,8 +223,10 @@ def prior_root(
             covariance[i, j] = covariance[j, i] = 1.0 - (OWN_MATERIAL if "log" in name else OWN_MOUNT)
     if siblings is not None:
         covariance[: len(NAMES), : len(NAMES)] = siblings.covariance
-    for row in range(CURVES):
-        image, sign = _mirrored(row)
+    for row, name in enumerate(CORRECTIONS[:CURVES]):
+        side, *rest = name.split("_")
+        image = CORRECTIONS.index("_".join([_MIRROR.get(side, side), *rest]))
+        sign = 1.0 if name in _EVEN else -1.0
         for n in range(centres):
             i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))
             if i != j:

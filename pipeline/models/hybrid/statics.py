@@ -199,23 +199,19 @@ def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatAr
     jacobians = np.empty((len(_SHARES), STATES, STATES))
     u = np.zeros(2)
     c = np.zeros(VALUES)
-    start = np.zeros(3)
     at_rest = np.empty(STATES)
     rates = np.empty(STATES)
     for i in range(len(_SHARES)):
         x, z = rest_state(_SHARES[i] * k[_L], u, k, p, basis, weights, 0.0)
-        start[0], start[1], start[2] = x[0], x[2], x[4]
+        start = x[[0, 2, 4]]
         corrections_at(x[0], basis, weights, c)
         joint_rates(x, u, c, z, start, p, at_rest)
-        for j in range(STATES - 1, -1, -1):  # q last, as it changes the corrections
-            here = x[j]
-            x[j] += 1e-7
-            if j == 0:
-                corrections_at(x[0], basis, weights, c)
-            joint_rates(x, u, c, z, start, p, rates)
-            x[j] = here
-            for m in range(STATES):
-                jacobians[i, m, j] = (rates[m] - at_rest[m]) / 1e-7
+        for j in range(STATES):
+            moved = x.copy()
+            moved[j] += 1e-7
+            corrections_at(moved[0], basis, weights, c)
+            joint_rates(moved, u, c, z, start, p, rates)
+            jacobians[i, :, j] = (rates - at_rest) / 1e-7
     return jacobians
 
 
@@ -239,9 +235,8 @@ def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, s
         Time unit of the joints over that of the parameter set.
     """
     many = np.atleast_2d(k)
-    loads = weights if weights.ndim == 3 else weights[None]
-    pairs = zip(many, prepare(many), loads, strict=True)
-    jacobians = np.concatenate([_jacobians(k_i, p_i, basis, w_i) for k_i, p_i, w_i in pairs])
+    joints = zip(many, prepare(many), weights if weights.ndim == 3 else weights[None], strict=True)
+    jacobians = np.concatenate([_jacobians(k_i, p_i, basis, w_i) for k_i, p_i, w_i in joints])
     fewest = int(np.ceil(dt / (slowness * LONGEST_STEP)))
     most = 3 * fewest  # the constants that a fit may try are absurd beyond
     if not np.all(np.isfinite(jacobians)):
@@ -274,8 +269,7 @@ def _shape_slopes(
     x[0] = q - _NUDGE
     corrections_at(x[0], basis, weights, c)
     rest_forces(x, u, c, p, forces, by)
-    by_q1 = (ahead[1] - forces[1]) / (2.0 * _NUDGE)
-    by_q2 = (ahead[2] - forces[2]) / (2.0 * _NUDGE)
+    _, by_q1, by_q2 = (ahead - forces) / (2.0 * _NUDGE)
     x[0] = q
     corrections_at(q, basis, weights, c)
     rest_forces(x, u, c, p, forces, by)
@@ -285,14 +279,10 @@ def _shape_slopes(
 
 def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c: FloatArray, p: FloatArray) -> float:
     """Generalised force [N] on q, τ and β along the path at a speed [m/s], without voltage, friction and creep."""
-    u = np.zeros(2)
-    z = np.zeros(STOPS)
-    start = np.empty(3)
     rates = np.empty(STATES)
     mass = np.empty(6)
     x[1], x[3], x[5] = speed, slope * speed, interior * speed
-    start[0], start[1], start[2] = x[0], x[2], x[4]
-    joint_rates(x, u, c, z, start, p, rates)
+    joint_rates(x, np.zeros(2), c, np.zeros(STOPS), x[[0, 2, 4]], p, rates)
     mass_matrix(x, p, mass)
     along_q = mass[0] + slope * mass[1] + interior * mass[3]
     along_tau = mass[1] + slope * mass[2] + interior * mass[4]
@@ -336,11 +326,9 @@ def static_curves(q: FloatArray, k: FloatArray, basis: FloatArray, weights: Floa
         still = forces[0] + slope * forces[1] + interior * forces[2]
         curves[0, i] = -still
         corrections_at(q[i], basis, weights, c)
-        for side in range(2):
-            u[side] = 1e6  # 1 kV², so that the difference is far above rounding
-            rest_forces(x, u, c, p, forces, by)
+        for side, one in enumerate(np.eye(2)):
+            rest_forces(x, 1e6 * one, c, p, forces, by)  # 1 kV², so that the difference is far above rounding
             curves[2 + side, i] = (forces[0] + slope * forces[1] + interior * forces[2] - still) / 1e6
-            u[side] = 0.0
         loss = _moving_force(x, slope, interior, -_SPEED, c, p) - _moving_force(x, slope, interior, _SPEED, c, p)
         curves[1, i] = 0.5 * loss / _SPEED
     return curves

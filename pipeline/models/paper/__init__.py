@@ -18,6 +18,6 @@ segment.
 accelerations does not see that a small error of force near the barrier sends a free run into the wrong well.
 
 - `model`: the model, its estimation, its free run by Runge-Kutta steps on the generated rates, and its file.
-- `lag_search`: the descent on T_z.
-- `online`: the weights by recursive least squares over a stream of samples (§4.1), for studies.
+- `estimation`: the descent on T_z, and the weights by recursive least squares over a stream of samples (§4.1), for
+  studies.
 """

@@ -9,8 +9,6 @@ with c, d, g_k = Σ_i θ_i exp(−(q−ξ_i)²/(2σ_n²Δξ²)). Eq. 37 prints �
 # mypy: disable-error-code="no-untyped-def,no-untyped-call"
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import partial
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
@@ -47,10 +45,10 @@ from ...numerics.fixed_step import (
 from ...numerics.linear_filters import first_order_lag
 from ...settings.models import CENTRES, SMOOTHING
 from ...signals.log import Log, operating_range
-from ..base import FreeRun, checked
-from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit, read_part
+from ..base import FreeRun, checked, gain_curves
+from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
 from ..model_type import ModelType, Training
-from .lag_search import LagSegment, search_lag
+from .estimation import LagSegment, search_lag
 
 _gaussian = formula(GAUSSIAN)
 _lagged_rates = formula(LAGGED_RATES)
@@ -60,10 +58,11 @@ REACH = 8.6
 
 
 class LaggedJoint(NamedTuple):
-    """A joint of eqs. 37 to 40 in a run, see `lagged_rbf_run`.
+    """A joint of eqs. 37 to 40 in a run, over its mass.
 
-    `parts` are half steps in a sample interval, `farthest` is the square of the reach of a bell (None: no term is left
-    out), `inverse` is 1/σ, `u` and `values` have room for inputs and curves.
+    Voltages v (N, K) [V] are linear between samples; weights (M, 2 + K) have columns c, d, g_1 … g_K. `parts` are half
+    steps in a sample interval, `farthest` is the square of the reach of a bell (None: no term is left out), `inverse`
+    is 1/σ, `u` and `values` have room for inputs and curves.
     """
 
     v: FloatArray
@@ -110,103 +109,12 @@ def _move(system, x, u, dx):
 _integrate = integrator(LaggedJoint, lambda kind: Methods(begin, _rates, finish))
 
 
-@dataclass(frozen=True)
-class LaggedEquation:
-    """Numbers of eqs. 37 to 40.
-
-    Attributes
-    ----------
-    centres : FloatArray, shape (M,)
-        ξ_i, in the unit of q.
-    weights : FloatArray, shape (M, 2 + K)
-        Columns c, d, g_1 … g_K, divided by the mass.
-    width : float
-        σ of the bells, in the unit of q.
-    lag : float
-        T_z [s].
-    squared : bool
-        True if the force goes with the square of the voltage.
-    """
-
-    centres: FloatArray
-    weights: FloatArray
-    width: float
-    lag: float
-    squared: bool = True
-
-    def joint(self, v: FloatArray, parts: int, reach: float | None, u: FloatArray, values: FloatArray) -> LaggedJoint:
-        """The system of a run.
-
-        Parameters
-        ----------
-        v : FloatArray, shape (N, K)
-            Voltages [V].
-        parts : int
-            Half steps in a sample interval.
-        reach : float, optional
-            Distance in σ from which a bell is left out; none is if left out.
-        u, values : FloatArray, shapes (K,) and (2 + K,)
-            Room for inputs and curves.
-        """
-        return LaggedJoint(
-            v=v,
-            squared=self.squared,
-            parts=parts,
-            farthest=None if reach is None else reach**2,
-            centres=np.ascontiguousarray(self.centres),
-            weights=np.ascontiguousarray(self.weights),
-            inverse=1.0 / self.width,
-            lag=float(self.lag),
-            u=u,
-            values=values,
-        )
-
-
-def lagged_rates(equation: LaggedEquation, x: Sequence[Any], u: Sequence[Any]) -> list[Any]:
+def lagged_rates(model: "RbfPaperModel", x: Sequence[Any], u: Sequence[Any]) -> list[Any]:
     """Rates of q, q̇ and z under the inputs u (K,): the state equation of a run for traced values."""
-    values = np.empty(2 + len(u), dtype=object)
     nothing = np.empty(0)
     dx = np.empty(3, dtype=object)
-    _move(equation.joint(nothing, 1, None, nothing, values), x, u, dx)
+    _move(model.joint(nothing, 1, None, nothing, np.empty(2 + len(u), dtype=object)), x, u, dx)
     return list(dx)
-
-
-def lagged_rbf_run(
-    equation: LaggedEquation,
-    v: FloatArray,
-    interval: float,
-    steps: int,
-    start: tuple[float, ...],
-    bounds: tuple[float, float],
-) -> tuple[FloatArray, int]:
-    """Integrate q̈ = −c q − d z + Σ g_k u_k, ż = (q̇ − z)/T_z from `start`.
-
-    Parameters
-    ----------
-    equation : LaggedEquation
-        State equation of the model.
-    v : FloatArray, shape (N, K)
-        Voltages at the samples [V], linear in between; u = v² if `equation.squared`, else v.
-    interval : float
-        Sample interval [s].
-    steps : int
-        Runge-Kutta steps per interval.
-    start : tuple of float
-        q(0) [m], q̇(0) [m/s] and z(0) [m/s], which is q̇(0) if left out.
-    bounds : (float, float)
-        The run ends as soon as q leaves them.
-
-    Returns
-    -------
-    states : FloatArray, shape (N, 3)
-        q, q̇, q̈ at the samples; NaN after divergence.
-    valid : int
-        Samples within the bounds; N if the run completed. Cost: 4·steps·N evaluations of M exponentials and
-        (2 + K)·M products, about 60 ns each for M = 10.
-    """
-    inputs = v.shape[1]
-    system = equation.joint(np.ascontiguousarray(v), 2 * steps, REACH, np.zeros(inputs), np.zeros(2 + inputs))
-    return bounded_run(_integrate, system, np.array([start[0], start[1], start[-1]]), len(v), steps, interval, bounds)
 
 
 ROWS = 8192  # rows of the regressor that are held at once
@@ -248,11 +156,32 @@ class RbfPaperModel(ModelFile):
             raise ValueError(f"spread has {len(self.spread)} rows for {self.weights.size} weights")
         return self
 
-    @property
-    def equation(self) -> LaggedEquation:
-        """State equation over the mass."""
-        weights = np.ascontiguousarray(self.weights.T) / self.mass_kg
-        return LaggedEquation(self.centres, weights, self.width, self.lag_s, self.inputs == "squared")
+    def joint(self, v: FloatArray, parts: int, reach: float | None, u: FloatArray, values: FloatArray) -> LaggedJoint:
+        """The system of a run.
+
+        Parameters
+        ----------
+        v : FloatArray, shape (N, K)
+            Voltages [V].
+        parts : int
+            Half steps in a sample interval.
+        reach : float, optional
+            Distance in σ from which a bell is left out; none is if left out.
+        u, values : FloatArray, shapes (K,) and (2 + K,)
+            Room for inputs and curves.
+        """
+        return LaggedJoint(
+            v=v,
+            squared=self.inputs == "squared",
+            parts=parts,
+            farthest=None if reach is None else reach**2,
+            centres=self.centres,
+            weights=np.ascontiguousarray(self.weights.T) / self.mass_kg,
+            inverse=1.0 / self.width,
+            lag=float(self.lag_s),
+            u=u,
+            values=values,
+        )
 
     @property
     def input_count(self) -> int:
@@ -266,7 +195,7 @@ class RbfPaperModel(ModelFile):
         The friction state starts at z(0) = q̇(0). The run counts as diverged when q leaves the operating range of
         the training data by more than twice its length.
         """
-        states, valid = self._run(t, v, (float(q0), float(qdot0)))
+        states, valid = self._run(t, v, (q0, qdot0, qdot0))
         return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), *run_status(t, valid))
 
     def predict(
@@ -278,10 +207,17 @@ class RbfPaperModel(ModelFile):
             rows = slice(start, start + count + 1)
             yield self._run(t[rows], v[rows], (float(seen[start]), float(speed[start]), float(z[start])))[0][:, 0]
 
-    def _run(self, t: FloatArray, v: FloatArray, start: tuple[float, ...]) -> tuple[FloatArray, int]:
+    def _run(self, t: FloatArray, v: FloatArray, start: tuple[float, float, float]) -> tuple[FloatArray, int]:
+        """Integrate from q, q̇ and z: q, q̇, q̈ at the samples (N, 3), NaN after divergence, and valid samples.
+
+        Cost: 4 evaluations of M exponentials and (2 + K)·M products a step, about 60 ns each for M = 10.
+        """
         interval = sample_interval(t)
+        steps = steps_per_sample(interval, self.lag_s)
+        inputs = self.input_count
+        system = self.joint(np.ascontiguousarray(v), 2 * steps, REACH, np.zeros(inputs), np.zeros(2 + inputs))
         bounds = escape_bounds(*self.centres[[0, -1]].tolist())
-        return lagged_rbf_run(self.equation, v, interval, steps_per_sample(interval, self.lag_s), start, bounds)
+        return bounded_run(_integrate, system, np.array(start), len(v), steps, interval, bounds)
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
@@ -298,10 +234,14 @@ class RbfPaperModel(ModelFile):
         qdot : FloatArray, shape (N,)
             Velocity.
         """
-        z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag_s)
-        signals = curve_signals(q, z, input_signal(v, self.inputs))
         curves = basis_values(q, self.centres, self.width) @ self.weights.T
+        signals = self._signals(q, qdot, v, sample_interval(t))
         return np.asarray(np.einsum("ij,ij->i", curves, signals) / self.mass_kg)
+
+    def _signals(self, q: FloatArray, qdot: FloatArray, v: FloatArray, interval: float) -> FloatArray:
+        """Signals of eq. 40 along a measured motion, the friction state filtered from its velocity."""
+        z, _ = first_order_lag(np.ascontiguousarray(qdot), interval, self.lag_s)
+        return curve_signals(q, z, input_signal(v, self.inputs))
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
@@ -322,15 +262,12 @@ class RbfPaperModel(ModelFile):
 
     def _characteristics(self, weights: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         values = basis_values(q, self.centres, self.width) @ weights.T
-        result = {"F": values[:, 0] * q, "d": values[:, 1]}
-        for k, gain in enumerate(values.T[2:], start=1):
-            result |= {f"dC{k}_dq": 2.0 * gain} if self.inputs == "squared" else {f"g{k}": gain}
-        return result
+        forces = {"F": values[:, 0] * q, "d": values[:, 1]}
+        return forces | gain_curves(values.T[2:], squared=self.inputs == "squared")
 
     def regressors(self, motion: Log) -> FloatArray:
         """Rows of eq. 40 along a measured motion, shape (N, (2 + K)·M), the lag being known."""
-        z, _ = first_order_lag(np.ascontiguousarray(motion.qdot), motion.interval, self.lag_s)
-        signals = curve_signals(motion.q, z, input_signal(motion.v, self.inputs))
+        signals = self._signals(motion.q, motion.qdot, motion.v, motion.interval)
         return regressor(basis_values(motion.q, self.centres, self.width), signals)
 
     def force_rows(self, q: FloatArray) -> FloatArray:
@@ -386,7 +323,7 @@ def identify_rbf_paper(
     centres = basis_centres(*operating_range(trajectories), basis_functions)
     width = basis_width(centres, smoothing)
     segments = [_segment(x, basis_values(x.q, centres, width), mass, inputs) for x in trajectories]
-    search = search_lag(segments)
+    lag, converged, history = search_lag(segments)
     fit = pseudo_inverse_fit(*triangular_factor(_rows(segments)))
     tau = _correlation_time(segments, fit.weights)
     visited = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
@@ -394,7 +331,7 @@ def identify_rbf_paper(
         centres=centres,
         smoothing=smoothing,
         weights=fit.weights.reshape(-1, basis_functions),
-        lag_s=search.time_constant,
+        lag_s=lag,
         mass_kg=mass,
         inputs=inputs,
         spread=fit.residual_rms * np.sqrt(tau) * fit.spread,
@@ -404,9 +341,9 @@ def identify_rbf_paper(
             "condition": fit.condition,
             "residual_rms": fit.residual_rms,
             "samples": fit.samples,
-            "lag_iterations": search.iterations,
-            "lag_converged": search.converged,
-            "lag_search": dict(zip(("lag_s", "cost", "rank", "condition"), search.history.T.copy(), strict=True)),
+            "lag_iterations": len(history) - 1,
+            "lag_converged": converged,
+            "lag_search": dict(zip(("lag_s", "cost", "rank", "condition"), history.T.copy(), strict=True)),
             "residual_correlation_samples": tau,
             "visits_per_centre": visited.visits,
             "driven_visits_per_centre": visited.driven,
@@ -444,6 +381,4 @@ def _fit(training: Training) -> RbfPaperModel:
     )
 
 
-RBF_PAPER = ModelType(
-    _fit, partial(read_part, RbfPaperModel, name="rbf-paper", command="identify"), "export.data_driven:realise_paper"
-)
+RBF_PAPER = ModelType(_fit, RbfPaperModel, "export.data_driven:realise_paper")

@@ -18,7 +18,8 @@ along falling observer gains, down to the free run (`pipeline.fitting.homotopy`)
 discrete scheme. Candidates of structure are fitted on a part of the training logs and judged on the rest. A bistable
 joint has one structure, and the prior of a population of simulated joints.
 
-- `model`: the identified model, its curves, draws, forces and file. `identify`: the whole identification.
+- `model`: the identified model, its curves, draws, forces and file.
+- `identify`: the whole identification, and the structure of a bistable joint by evidence.
 - `structure`: terms, scales, and the path of the inputs. `candidates`: structures that are offered.
 - `structure_search`: the choice among them on held-out data.
 - `parameter_layout`: order of θ, and its way into the coefficients of the equation.

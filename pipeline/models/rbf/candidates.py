@@ -5,13 +5,12 @@ The structure of a bistable joint, and those among which inner validation choose
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any
 
-from .structure import ForceShape, Hold, JointStructure
+from ...settings.prototype import Structure
+from .structure import ForceShape, JointStructure
 
-FrictionLaw = Literal["viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"]
-
-FRICTION: dict[FrictionLaw, dict[str, Any]] = {
+FRICTION: dict[str, dict[str, Any]] = {
     "viscous": {"rates": (), "shape_elements": 0, "slips": 0},
     "coulomb": {"rates": (), "shape_elements": 0, "slips": 1},
     "lag": {"rates": (1.5,), "shape_elements": 0, "slips": 0},
@@ -22,7 +21,7 @@ FRICTION: dict[FrictionLaw, dict[str, Any]] = {
 }
 """Hidden elements of each friction model beside the damping d(q) q̇, rates in units of the joint's frequency scale."""
 
-OFFERED: tuple[FrictionLaw, ...] = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
+OFFERED = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
 """Friction models that compete where none is decided; a single actuator has no hidden shape that its input acts on."""
 
 SYMMETRIES = (0.03, 0.1, None)
@@ -45,15 +44,8 @@ class Candidate:
     symmetry: float | None = None
     population: bool = False
 
-    @property
-    def centred(self) -> bool:
-        """True if q = 0 is the mirror plane of the candidate."""
-        return self.population or self.symmetry is not None
-
 
 FORCES: tuple[ForceShape, ...] = ("curve", "polynomial", "offset")
-
-CurveShape = Literal["curve", "constant"]
 
 DRIVE: dict[str, dict[str, Any]] = {
     "direct": {"input_lag": False, "input_delay": False, "effect_lags": False},
@@ -72,70 +64,29 @@ EFFECT: dict[str, dict[str, Any]] = {
 """Effects of an input on the joint."""
 
 
-@dataclass(frozen=True)
-class RbfChoice:
-    """Settings of the data-driven joint that the user fixed; None means automatic.
-
-    Attributes
-    ----------
-    friction : str, optional
-        One of `FRICTION`.
-    force, damping, gain : str, optional
-        Shapes of the curves.
-    drive : str, optional
-        One of `DRIVE`.
-    hold : str, optional
-        The inputs between samples.
-    rest_at_zero : bool, optional
-        True if hidden states rested without inputs before a log, instead of under its first ones.
-    effect : str, optional
-        One of `EFFECT`: in proportion (or by the square), by a curve that saturates, or beyond a dead zone.
-    drag : bool, optional
-        True if a fluid's drag acts.
-    stops : bool, optional
-        True if the motion may meet end stops.
-    population : bool
-        True if the prior of a bistable joint may be what simulated joints teach.
-    """
-
-    friction: FrictionLaw | None = None
-    force: ForceShape | None = None
-    damping: CurveShape | None = None
-    gain: CurveShape | None = None
-    drive: str | None = None
-    hold: Hold | None = None
-    rest_at_zero: bool | None = None
-    effect: str | None = None
-    drag: bool | None = None
-    stops: bool | None = None
-    population: bool = True
-
-    def decided(self) -> dict[str, Any]:
-        """Fields of the structure that are decided."""
-        fields = {
-            "force": self.force,
-            "constant_damping": None if self.damping is None else self.damping == "constant",
-            "constant_gain": None if self.gain is None else self.gain == "constant",
-            "drag": self.drag,
-            "stops": self.stops,
-            "hold": self.hold,
-            "rest_at_zero": self.rest_at_zero,
-        }
-        elements = FRICTION[self.friction] if self.friction else {}
-        drive = DRIVE[self.drive] if self.drive else {}
-        effect = EFFECT[self.effect] if self.effect else {}
-        return elements | drive | effect | {name: value for name, value in fields.items() if value is not None}
+_ELEMENTS: dict[str, dict[str, dict[str, Any]]] = {
+    "friction": FRICTION,
+    "damping": {"curve": {"constant_damping": False}, "constant": {"constant_damping": True}},
+    "drag": {"none": {"drag": False}, "quadratic": {"drag": True}},
+    "stops": {"none": {"stops": False}, "both": {"stops": True}},
+    "gain": {"curve": {"constant_gain": False}, "constant": {"constant_gain": True}},
+    "drive": DRIVE,
+    "effect": EFFECT,
+}
+"""Fields of the structure by the words of the settings; others have the same names and values in both."""
 
 
-def population_candidate(structure: JointStructure) -> Candidate:
-    """A structure with the population prior."""
-    usual = candidate(structure)
-    label = f"{usual.label}, population prior"
-    return replace(usual, label=label, noise_inflation=POPULATION_INFLATION, population=True)
+def decided_fields(settings: Structure, inputs_before: str = "auto") -> dict[str, Any]:
+    """Fields of the structure that the user decided, and how inputs were before a log."""
+    fields: dict[str, Any] = {} if inputs_before == "auto" else {"rest_at_zero": inputs_before == "zero"}
+    for name, value in settings.model_dump().items():
+        if value != "auto":
+            fields |= _ELEMENTS[name][value] if name in _ELEMENTS else {name: value}
+    return fields
 
 
-def candidate(structure: JointStructure, symmetry: float | None = None) -> Candidate:
-    """A candidate that is called by what it consists of."""
+def candidate(structure: JointStructure, symmetry: float | None = None, *, population: bool = False) -> Candidate:
+    """A candidate that is called by what it consists of, with the prior of curves or of the `population`."""
     elements = {name: getattr(structure, name) for name in ("rates", "shape_elements", "slips")}
     friction = next((name for name, parts in FRICTION.items() if parts == elements), "own friction")
     smooth = structure.force == "curve" or not (structure.constant_damping and structure.constant_gain)
@@ -154,14 +105,21 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
         *["delayed input"] * structure.input_delay,
         *["bent input"] * structure.bent_input,
         *["dead zone"] * structure.dead_zone,
-        *["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs),
+        *["rest without input"] * (structure.rest_at_zero and (structure.input_lag or structure.shape_elements > 0)),
         *{"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold],
         *([] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]),
+        *["population prior"] * population,
     ]
-    return Candidate(", ".join(words), structure, symmetry=symmetry)
+    return Candidate(
+        label=", ".join(words),
+        structure=structure,
+        noise_inflation=POPULATION_INFLATION if population else Candidate.noise_inflation,
+        symmetry=symmetry,
+        population=population,
+    )
 
 
-def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -> Candidate:
+def first_candidate(decided: dict[str, Any], *, pair: bool, angle: bool, fine: bool) -> Candidate:
     """First candidate of the search: the user's settings, and the usual ones for the rest.
 
     It has as few elements as can be. All but a bistable joint is an actuated arm or slider, whose weight turns with it
@@ -169,8 +127,8 @@ def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -
 
     Parameters
     ----------
-    choice : RbfChoice
-        Decisions of the user.
+    decided : dict
+        Fields that the user decided.
     pair : bool
         True if two inputs pull at the two sides of a bistable joint.
     angle : bool
@@ -188,25 +146,24 @@ def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -
         "constant_gain": not pair,
         "hold": "record" if fine else "linear",
     }
-    return candidate(JointStructure(**usual | choice.decided()))
+    return candidate(JointStructure(**usual | decided))
 
 
 Offer = Callable[[Candidate], Sequence[Candidate]]
 """From the best candidate so far to those that could be better."""
 
 
+@dataclass(frozen=True)
 class _Change:
     """Offers changes that leave alone what is decided."""
 
-    def __init__(self, choice: RbfChoice) -> None:
-        self.decided = choice.decided()
+    decided: dict[str, Any]
 
     def to(self, *fields: dict[str, Any]) -> Offer:
         """The best candidate so far with each of these changes."""
-        decided = self.decided
 
         def offered(best: Candidate) -> list[Candidate]:
-            free = [change for change in fields if not any(decided.get(k, v) != v for k, v in change.items())]
+            free = [change for change in fields if not any(self.decided.get(k, v) != v for k, v in change.items())]
             others = [candidate(replace(best.structure, **change), best.symmetry) for change in free]
             return [other for other in others if other.structure != best.structure]
 
@@ -218,7 +175,7 @@ class _Change:
 
 
 def joint_offers(
-    choice: RbfChoice, *, angle: bool, mirrored: bool, knows: Callable[[JointStructure], bool]
+    decided: dict[str, Any], *, angle: bool, mirrored: bool, knows: Callable[[JointStructure], bool]
 ) -> list[Offer]:
     """Offers to a bistable joint in turn: friction or relaxation, hidden shapes, both, and sides that are alike.
 
@@ -226,8 +183,8 @@ def joint_offers(
 
     Parameters
     ----------
-    choice : RbfChoice
-        Parts that are decided and not offered.
+    decided : dict
+        Fields that are decided and not offered.
     angle : bool
         True if q is an angle: else the tip may move on an arc, as that of a beam with hidden shapes does.
     mirrored : bool
@@ -235,13 +192,13 @@ def joint_offers(
     knows : callable
         True if simulated joints teach a prior of a structure.
     """
-    change = _Change(choice)
+    change = _Change(decided)
     shapes = change.to(FRICTION["lags+slip"] | {"arc": not angle})
 
     def taught(best: Candidate) -> list[Candidate]:
         """Hidden shapes, or what is decided, as simulated joints have them."""
-        structures = [each.structure for each in (best, *shapes(best))]
-        return [population_candidate(structure) for structure in structures if mirrored and knows(structure)]
+        structures = [each.structure for each in (best, *shapes(best)) if mirrored and knows(each.structure)]
+        return [candidate(structure, population=True) for structure in structures]
 
     def untaught(best: Candidate) -> list[Candidate]:
         """Hidden shapes of any other joint."""
@@ -249,8 +206,7 @@ def joint_offers(
 
     def alike(best: Candidate) -> list[Candidate]:
         """Sides that are alike."""
-        free = mirrored and not best.population
-        return [candidate(best.structure, symmetry) for symmetry in SYMMETRIES if free]
+        return [candidate(best.structure, each) for each in SYMMETRIES if mirrored and not best.population]
 
     return [
         change.to(FRICTION["coulomb"], FRICTION["lag"]),
@@ -263,14 +219,14 @@ def joint_offers(
 
 
 def offers(
-    choice: RbfChoice, *, fine: bool, slow: bool, driven: bool, squared: bool = False
+    decided: dict[str, Any], *, fine: bool, slow: bool, driven: bool, squared: bool = False
 ) -> tuple[list[Offer], list[Offer]]:
     """Offers of the inner validation in turn, each as changes of the best candidate so far.
 
     Parameters
     ----------
-    choice : RbfChoice
-        Parts that are decided and not offered.
+    decided : dict
+        Fields that are decided and not offered.
     fine : bool
         True if the inputs are known between the samples.
     slow : bool
@@ -287,65 +243,61 @@ def offers(
     list of Offer
         Those that are made again and again after them, as long as one is taken: by then other fields have changed.
     """
-    change = _Change(choice)
+    change = _Change(decided)
+    usual = decided.get("rest_at_zero", False)
     resting = [
-        DRIVE["lag"] | {"rest_at_zero": at_zero}
-        for at_zero in ((False, True) if driven else (choice.rest_at_zero or False,))
+        *(DRIVE["lag"] | {"rest_at_zero": at_zero} for at_zero in ((False, True) if driven else (usual,))),
+        *[DRIVE["effect-lag"] | {"rest_at_zero": usual}] * squared,
     ]
-    resting += [DRIVE["effect-lag"] | {"rest_at_zero": choice.rest_at_zero or False}] * squared
     drives = change.to(DRIVE["direct"], *resting, DRIVE["delay"])
     hold = change.each("hold", ["linear", "zero", "cubic", *(["record"] if fine else [])])
     friction = change.to(*(FRICTION[name] for name in OFFERED))
     effect = change.to(*EFFECT.values())
     drag, stops = (change.each(name, [False, True]) for name in ("drag", "stops"))
+    plain = [FRICTION["viscous"], FRICTION["coulomb"], *[FRICTION["viscous"] | {"overdamped": True}] * slow]
+    late = {"constant_gain": True, "overdamped": False}
+    together = DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False}
     once = [
-        _simple(change, slow=slow),
-        _by_place(change),
+        # Each force with and without dry friction, of a mass and, where the device looks slow, without
+        change.to(*(option | {"force": force} for option in plain for force in FORCES)),
+        # A gain by place. A mass that nothing restores is the same everywhere: that its gain is not, is offered later.
+        _restored(change.to(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))),
         hold,
-        _slow_drive(change, resting),
+        # A slow drive in place of what would take its part: a gain by place, much damping, hidden forces and friction
+        _restored(
+            change.to(
+                *(
+                    FRICTION[name] | {"force": force} | late | drive
+                    for name in OFFERED[:2]
+                    for force in FORCES[:2]
+                    for drive in (*resting, DRIVE["delay"])
+                )
+            )
+        ),
         stops,
         friction,
         drag,
         drives,
         effect,
-        _together(change),
+        # A slow drive, a slow force and a gain by place, which may each take the others' parts, so that none is missed
+        change.to(*(FRICTION[name] | together for name in OFFERED[:3])),
     ]
     curves = change.to(*({"constant_damping": d, "constant_gain": g} for d in (False, True) for g in (False, True)))
-    sizes = [change.each("basis_functions", [5, 12]), change.each("smoothing", [0.8, 1.3])]
-    damped = [change.each("overdamped", [False, True])] if slow else []
-    fewer = change.each("stops", [False])
-    force = change.each("force", FORCES)
-    return once, [*damped, curves, force, hold, drives, friction, drag, fewer, effect, *sizes]
+    again = [
+        curves,
+        change.each("force", FORCES),
+        hold,
+        drives,
+        friction,
+        drag,
+        change.each("stops", [False]),
+        effect,
+        change.each("basis_functions", [5, 12]),
+        change.each("smoothing", [0.8, 1.3]),
+    ]
+    return once, [change.each("overdamped", [False, True]), *again] if slow else again
 
 
-def _simple(change: _Change, *, slow: bool) -> Offer:
-    """Each force with and without dry friction, of a mass and, where the device looks `slow`, without."""
-    options: list[dict[str, Any]] = [FRICTION["viscous"], FRICTION["coulomb"]]
-    options += [FRICTION["viscous"] | {"overdamped": True}] * slow
-    return change.to(*(option | {"force": force} for option in options for force in FORCES))
-
-
-def _by_place(change: _Change) -> Offer:
-    """A gain by place. A mass that nothing restores is the same everywhere: that its gain is not, is offered later."""
-    offered = change.to(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))
-    return lambda best: [] if best.structure.force == "offset" else offered(best)
-
-
-def _slow_drive(change: _Change, resting: Sequence[dict[str, Any]]) -> Offer:
-    """A slow drive in place of what would take its part: a gain by place, much damping, hidden forces and friction."""
-    late = {"constant_gain": True, "overdamped": False}
-    offered = change.to(
-        *(
-            FRICTION[name] | {"force": force} | late | drive
-            for name in OFFERED[:2]
-            for force in FORCES[:2]
-            for drive in (*resting, DRIVE["delay"])
-        )
-    )
-    return lambda best: [] if best.structure.force == "offset" else offered(best)
-
-
-def _together(change: _Change) -> Offer:
-    """A slow drive, a slow force and a gain by place, which may each take the others' parts, so that none is missed."""
-    options = [FRICTION[name] for name in OFFERED[:3]]
-    return change.to(*(option | DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False} for option in options))
+def _restored(offer: Offer) -> Offer:
+    """The offer to a device that something restores: a free mass gets none."""
+    return lambda best: [] if best.structure.force == "offset" else offer(best)

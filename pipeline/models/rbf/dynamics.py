@@ -437,12 +437,11 @@ def resting_elements(c: Coefficients, x: Any, u: Sequence[Any]) -> list[Any]:
 def _traced(c: Coefficients, slip: Sequence[Any]) -> ObservedJoint:
     """A joint whose arrays take traced values."""
     functions = c.curves.shape[1]
-    curves = len(c.curves)
     sliding = np.empty((len(slip), 1), dtype=object)
     for n, value in enumerate(slip):
         sliding[n, 0] = value
     basis, slopes, curvatures = (np.empty(size, dtype=object) for size in (functions, functions, len(c.centres)))
-    values, changes, by_curve = (np.empty(curves, dtype=object) for _ in range(3))
+    values, changes, by_curve = (np.empty(len(c.curves), dtype=object) for _ in range(3))
     nothing = np.empty(0)
     return ObservedJoint(
         c=c,

@@ -1,20 +1,32 @@
 """Identification of the data-driven joint: convex start and observer homotopy.
 
-Inner validation chooses the structure of a device; that of a bistable joint, whose held-out errors a few passages
-between its wells decide, is chosen by its marginal likelihood (`evidence_search`).
+Inner validation chooses the structure of a device (`structure_search`). Held-out free runs of a bistable joint are
+decided by a few passages between its wells, so its structure and prior are chosen by their marginal likelihood while an
+observer holds it near its logs. Coupled to the measurement as much as the first level of a fit is, no passage decides:
+the errors are small, nearly linear in the parameters, and nearly white. There the marginal likelihood
+p(log | structure) = ∫ p(log | θ) p(θ) dθ has a Gaussian integrand (Laplace; MacKay 1992,
+doi:10.1162/neco.1992.4.3.415). It charges every element for the room that its prior leaves it, so that an element which
+the log does not show is left out.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from ...errors import DataRefusedError
-from ...fitting.descent import Prior
-from ...fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
+from ...fitting.homotopy import (
+    COUPLED,
+    GAINS,
+    LEVEL_TOLERANCE,
+    Callbacks,
+    HomotopyFit,
+    Schedule,
+    fit_homotopy,
+)
 from ...fitting.information import coverage
-from ...fitting.posterior import posterior_factor, robust_spread, whiteness
+from ...fitting.posterior import log_evidence, posterior_factor, robust_spread, whiteness
 from ...fitting.regression import InputAction
 from ...numerics.arrays import FloatArray
 from ...numerics.metrics import NORMAL_90, rms
@@ -23,16 +35,8 @@ from ...signals.log import Log, operating_range
 from ...system.worker_pool import OnProgress, silent
 from ..free_runs import scale_on
 from ..model_type import KnownCurves, ModelType, Training
-from .candidates import (
-    Candidate,
-    RbfChoice,
-    first_candidate,
-    joint_offers,
-    offers,
-)
-from .evidence_search import LAST_ITERATIONS, search_by_evidence
+from .candidates import Candidate, decided_fields, first_candidate, joint_offers, offers
 from .model import RbfModel
-from .parameter_layout import ParameterLayout
 from .prior import population
 from .problem import Effort, JointProblem
 from .start import is_bistable_pair, looks_overdamped
@@ -58,6 +62,12 @@ on fifteen simulated joints of three physics and eleven other devices, three of 
 ITERATIONS = 15
 """Steps per observer level before the last one; most fits converge within ten."""
 
+LAST_ITERATIONS = 300
+"""Steps at the last level of a fit; most converge within 60."""
+
+ODDS = 20.0
+"""Odds that the logs must give a candidate against the one before it: an element is shown at the level of 5 %."""
+
 
 def identify_rbf(
     records: Sequence[Log],
@@ -65,7 +75,7 @@ def identify_rbf(
     mass: float = 1.0,
     inputs: InputAction = "squared",
     angle: bool = False,
-    choice: RbfChoice | None = None,
+    decided: Mapping[str, Any] | None = None,
     candidates: Sequence[Candidate] | None = None,
     measured: KnownCurves | None = None,
     time_limit: float = RBF_TIME_LIMIT,
@@ -83,8 +93,8 @@ def identify_rbf(
         Action of the inputs: the force goes with v² or v.
     angle : bool
         True if q is an angle [rad].
-    choice : RbfChoice, optional
-        Decided parts of the structure.
+    decided : mapping, optional
+        Fields of the structure that are decided (`pipeline.models.rbf.candidates.decided_fields`).
     candidates : sequence of Candidate, optional
         Structures among which the inner validation chooses instead; a single one is taken as it is.
     measured : KnownCurves, optional
@@ -103,7 +113,7 @@ def identify_rbf(
     DataRefusedError
         No candidate follows the training logs.
     """
-    wanted = choice or RbfChoice()
+    wanted = dict(decided or {})
     if measured:
         measured.check(*operating_range(records))
         measured = measured.per_unit_mass(mass)
@@ -118,64 +128,117 @@ def identify_rbf(
     if pair and not candidates:
         fitted, tried = _fit_joint(records, setting, wanted, first, angle=angle)
     else:
-        slow = looks_overdamped(records, inputs)
-        driven = any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
-        usual = offers(wanted, fine=fine, slow=slow, driven=driven, squared=inputs == "squared")
+        usual = offers(
+            wanted,
+            fine=fine,
+            slow=looks_overdamped(records, inputs),
+            driven=any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records),
+            squared=inputs == "squared",
+        )
         offered = ([lambda _: candidates[1:]], []) if candidates else usual
-        result = search(records, setting, first, *offered)
-        tried = result.held_out
-        complete = result.complete
-        fitted = _fit_to_all(records, setting, result.chosen, setting.begin(records, result.chosen, result.fit))
-    if not fitted.fit.levels:
+        chosen, judged, tried, complete = search(records, setting, first, *offered)
+        fitted = _fit_to_all(records, setting, chosen, setting.begin(records, chosen, judged))
+    fit = fitted.fit
+    if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
-    at_end = fitted.problem.jacobian(fitted.fit.theta, fitted.fit.levels[-1].gain)
+    p, _, prior = fitted.begun
     model = RbfModel(
-        parameters=fitted.parameters,
-        theta=fitted.fit.theta,
-        spread=posterior_factor(fitted.fit, fitted.prior),
-        band_spread=robust_spread(*at_end, fitted.fit.noise, fitted.prior),
+        parameters=p,
+        theta=fit.theta,
+        spread=posterior_factor(fit, prior),
+        band_spread=robust_spread(*fitted.problem.jacobian(fit.theta, fit.levels[-1].gain), fit.noise, prior),
         mass_kg=mass,
-        diagnostics=_diagnostics(records, fitted, tried)
-        | {"effort_s": setting.effort.spent, "search_complete": complete},
     )
-    model = replace(model, diagnostics=model.diagnostics | {"elements": model.acting(records)})
+    diagnostics = _diagnostics(records, fitted, tried) | {
+        "effort_s": effort.spent,
+        "search_complete": complete,
+        "elements": model.acting(records),
+    }
+    model = replace(model, diagnostics=diagnostics)
     return replace(model, tube=scale_on(records, model, fitted.rms, TUBE_MARGIN, TUBE_LEAST))
 
 
 @dataclass(frozen=True)
 class _Fitted:
-    """A candidate fitted to whole logs, and its errors of x, dimensionless."""
+    """A candidate fitted to logs.
+
+    Attributes
+    ----------
+    candidate : Candidate
+    begun : Begun
+        Parameterisation, θ, and prior.
+    fit : HomotopyFit
+    errors : FloatArray, shape (N,)
+        Dimensionless.
+    problem : JointProblem
+    evidence : float
+        Logarithm of the marginal likelihood, where structures are compared by it; −∞ if no simulation follows the logs.
+    """
 
     candidate: Candidate
-    parameters: ParameterLayout
+    begun: Begun
     fit: HomotopyFit
-    prior: Prior
     errors: FloatArray
     problem: JointProblem
+    evidence: float = -np.inf
 
     @property
     def rms(self) -> float:
         """Of its errors, in the unit of q; infinite if nothing was fitted."""
-        return self.parameters.scales.half * rms(self.errors) if self.errors.size else np.inf
+        return self.begun[0].scales.half * rms(self.errors) if self.errors.size else np.inf
 
 
 def _fit_joint(
-    records: Sequence[Log], setting: Setting, choice: RbfChoice, first: Candidate, *, angle: bool
+    records: Sequence[Log], setting: Setting, decided: dict[str, Any], first: Candidate, *, angle: bool
 ) -> tuple[_Fitted, dict[str, float]]:
     """A bistable joint of the elements and the prior that its logs show; and the residual of each that was tried.
 
-    The mirror plane is q = 0; a joint that never crosses it has none.
+    One offer after the other is made to the best candidate so far, until the effort is spent. A candidate replaces it
+    where the logs give odds of more than `ODDS` for it. The mirror plane is q = 0; a joint that never crosses it has
+    none.
     """
     low, high = operating_range(records)
-    mirrored = low < 0.0 < high
-    taught = choice.population and not setting.measured
     offered = joint_offers(
-        choice, angle=angle, mirrored=mirrored, knows=lambda structure: taught and population().knows(structure)
+        decided,
+        angle=angle,
+        mirrored=low < 0.0 < high,
+        knows=lambda structure: not setting.measured and population().knows(structure),
     )
-    best, trials = search_by_evidence(records, setting, first, offered)
-    gains = GAINS[1:] if best.fit.levels else GAINS
-    fitted = _fit_to_all(records, setting, best.option, best.begun, gains)
-    return fitted, {label: trial.rms for label, trial in trials.items()}
+    logs = excerpts(records)
+    best = _trial(logs, setting, first, None)
+    tried = {first.label: best}
+    for offer in offered:
+        for option in offer(best.candidate):
+            if option.label not in tried and not setting.effort.exhausted():
+                tried[option.label] = _trial(logs, setting, option, best)
+        best = max(
+            [best, *(trial for trial in tried.values() if trial.evidence > best.evidence + np.log(ODDS))],
+            key=lambda trial: trial.evidence,
+        )
+    fitted = _fit_to_all(records, setting, best.candidate, best.begun, GAINS[1:] if best.fit.levels else GAINS)
+    return fitted, {label: trial.rms for label, trial in tried.items()}
+
+
+def _trial(records: Sequence[Log], setting: Setting, option: Candidate, near: _Fitted | None) -> _Fitted:
+    """A candidate fitted at the first observer gain, from the fit of another prior where that has its structure."""
+    p, start, prior = setting.begin(records, option)
+    if near is not None and near.begun[0] == p:
+        start = near.begun[1]
+    problem = JointProblem(p, records, effort=setting.effort)
+    fit = fit_homotopy(
+        problem,
+        start,
+        prior,
+        Schedule(
+            GAINS[:1],
+            last_iterations=LAST_ITERATIONS,
+            tolerance=LEVEL_TOLERANCE,
+            noise_inflation=option.noise_inflation,
+        ),
+        callbacks=Callbacks(on_progress=setting.progress(option.label, p.scales.half)),
+    )
+    evidence = log_evidence(fit, prior, Candidate.noise_inflation**2) if fit.levels else -np.inf
+    return _Fitted(option, (p, fit.theta, prior), fit, fit.residual, problem, evidence)
 
 
 def _fit_to_all(
@@ -187,7 +250,6 @@ def _fit_to_all(
 ) -> _Fitted:
     """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
     p, start, prior = begun
-    report = setting.progress(option.label, p.scales.half)
     gains = [gain for gain in levels if gain >= setting.coupled]
 
     def descend(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
@@ -203,7 +265,9 @@ def _fit_to_all(
                 noise_inflation=option.noise_inflation,
             ),
             callbacks=Callbacks(
-                enough=lambda: setting.effort.exhausted(share), on_progress=report, is_chaotic=problem.is_chaotic
+                enough=lambda: setting.effort.exhausted(share),
+                on_progress=setting.progress(option.label, p.scales.half),
+                is_chaotic=problem.is_chaotic,
             ),
         )
 
@@ -222,16 +286,15 @@ def _fit_to_all(
         fit, problem = (last, complete) if last.levels else (fit, problem)
     return _Fitted(
         candidate=option,
-        parameters=p,
+        begun=begun,
         fit=fit,
-        prior=prior,
         errors=fit.residual[problem.of_displacement] if fit.levels else fit.residual,
         problem=problem,
     )
 
 
 def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float]) -> dict[str, object]:
-    p = fitted.parameters
+    p = fitted.begun[0]
     fit = fitted.fit
     white = whiteness(fitted.errors)
     visited = coverage(
@@ -253,31 +316,17 @@ def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float
     }
 
 
-def _decided(training: Training) -> RbfChoice:
-    """Choices of the settings for the structure."""
-    structure = training.identify.structure
-    before = training.inputs_before
-    names = ("friction", "force", "damping", "gain", "drive", "effect", "hold")
-    fixed: dict[str, Any] = {name: getattr(structure, name) for name in names if getattr(structure, name) != "auto"}
-    return RbfChoice(
-        stops=None if structure.stops == "auto" else structure.stops == "both",
-        drag=None if structure.drag == "auto" else structure.drag == "quadratic",
-        rest_at_zero=None if before == "auto" else before == "zero",
-        **fixed,
-    )
-
-
 def _fit(training: Training) -> RbfModel:
     return identify_rbf(
         training.records,
         mass=training.device.mass,
         inputs=training.device.action,
         angle=training.device.displacement.symbol == "rad",
-        choice=_decided(training),
+        decided=decided_fields(training.identify.structure, training.inputs_before),
         measured=training.known_curves,
         time_limit=training.identify.time_limit,
         on_progress=training.on_progress,
     )
 
 
-RBF = ModelType(_fit, RbfModel.from_tree, "export.data_driven:realise_rbf")
+RBF = ModelType(_fit, RbfModel, "export.data_driven:realise_rbf")

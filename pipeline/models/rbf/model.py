@@ -2,22 +2,20 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import field, replace
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
-from pydantic.dataclasses import dataclass
+from pydantic import dataclasses as stored, model_validator
 
 from ...codegen.graph import trace
-from ...errors import CorruptArtifactError
 from ...fitting.posterior import first_order_curves, outcome_draws, posterior_draws
 from ...generated.terms import CONFINED_FORCE, STOP_FORCE
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
 from ...numerics.metrics import rms
 from ...signals.log import Log
-from ..base import NO_TUBES, FreeRun, TubeScale, checked
-from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, read_part, tree_of
+from ..base import NO_TUBES, FreeRun, TubeScale, checked, gain_curves
+from ..model_file import STORED, Facts, Positive, Sizes, Table, Unit, tree_of
 from .dynamics import DAMPING, FORCE, INPUT, Coefficients, basis_rows, free_rates, no_sensitivities
 from .observed_run import Coupling, Drive, observed_run
 from .parameter_layout import ParameterLayout
@@ -28,7 +26,7 @@ PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency sca
 SEED = 20251  # of the posterior draws: the same model gives the same draws
 
 
-@dataclass(frozen=True, config=STORED)
+@stored.dataclass(frozen=True, config=STORED)
 class RbfModel:
     """An identified data-driven joint (equation of motion: `pipeline.models.rbf.dynamics`), and its file."""
 
@@ -50,6 +48,15 @@ class RbfModel:
     coupling = PATH_OBSERVER_GAIN
     """Observer gain [frequency scale] at which each sample stands nearly alone."""
 
+    @model_validator(mode="after")
+    def _finite(self) -> Self:
+        with np.errstate(all="ignore"):
+            if self.theta.size != self.parameters.count or not all(
+                np.isfinite(values).all() for values in self.parameters.coefficients(self.theta)
+            ):
+                raise ValueError("theta does not fit its structure")
+        return self
+
     @property
     def fine_voltages(self) -> bool:
         """True if the inputs between the samples are those of the finer record."""
@@ -67,9 +74,15 @@ class RbfModel:
         Hidden states start at rest under the first inputs.
         """
         s = self.parameters.scales
-        states, valid = self._run(self.theta, t, v, _free(len(t)), ((q0 - s.middle) / s.half, qdot0 / s.half))
-        q = s.middle + s.half * states[:, 0]
-        return FreeRun(t, q, s.half * states[:, 1], s.half * states[:, 2], *run_status(t, valid))
+        start = ((q0 - s.middle) / s.half, qdot0 / s.half)
+        states, valid = _Driven(self.parameters, self.theta, v, sample_interval(t)).run(_free(len(t)), start)
+        return FreeRun(
+            t,
+            s.middle + s.half * states[:, 0],
+            s.half * states[:, 1],
+            s.half * states[:, 2],
+            *run_status(t, valid),
+        )
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
@@ -83,8 +96,8 @@ class RbfModel:
         measured = np.isfinite(seen)
         x = (bridged(seen, measured) - s.middle) / s.half
         driven = _Driven(self.parameters, self.theta, v, interval)
-        begin = (float(x[0]), float(speed[0]) / s.half)
-        held, _ = driven.run(Coupling(x, measured.astype(np.float64), 1.0 / interval), begin)
+        coupling = Coupling(x, measured.astype(np.float64), 1.0 / interval)
+        held, _ = driven.run(coupling, (float(x[0]), float(speed[0]) / s.half))
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             states, _ = driven.run(_free(count + 1), np.delete(held[start], 2), start)
             yield s.middle + s.half * states[:, 0]
@@ -118,22 +131,25 @@ class RbfModel:
         s = self.parameters.scales
         draws = self.draws(count)
         start = ((q0 - s.middle) / s.half, qdot0 / s.half)
-        runs = [self._run(theta, t, v, _free(len(t)), start)[0][:, 0] for theta in draws]
+        driven = (_Driven(self.parameters, theta, v, sample_interval(t)) for theta in draws)
+        runs = [each.run(_free(len(t)), start)[0][:, 0] for each in driven]
         return s.middle + s.half * np.array(runs), draws
 
     def _followed(
         self, t: FloatArray, v: FloatArray, x: FloatArray, seen: FloatArray, speed: float
     ) -> tuple[FloatArray, FloatArray]:
         """State (N, 2 + L + D) behind an observer that follows the path x, and inputs (N, K) at the samples."""
-        p = self.parameters
-        coupling = Coupling(x, seen, PATH_OBSERVER_GAIN * p.scales.frequency)
-        states, _ = self._run(self.theta, t, v, coupling, (float(x[0]), speed))
-        steps = steps_per_sample(p, sample_interval(t), self.theta)
-        u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
-        return np.delete(states, 2, axis=1), u[:: 2 * steps]
+        driven = _Driven(self.parameters, self.theta, v, sample_interval(t))
+        coupling = Coupling(x, seen, PATH_OBSERVER_GAIN * self.parameters.scales.frequency)
+        states, _ = driven.run(coupling, (float(x[0]), speed))
+        return np.delete(states, 2, axis=1), driven.drive.u[:: 2 * driven.steps]
 
     def acting(self, logs: Sequence[Log]) -> dict[str, float]:
-        """RMS force [N] of each element along logs; per unit mass where `mass_kg` is 1, and 0 of one that is absent."""
+        """RMS force [N] of each element along logs; per unit mass where `mass_kg` is 1, and 0 of one that is absent.
+
+        It is the difference between the accelerations with the element and without. Cost: a trace of the equation for
+        each element, and an evaluation of it for each sample.
+        """
         s = self.parameters.scales
         parts = [
             self._followed(
@@ -147,8 +163,13 @@ class RbfModel:
         ]
         states, inputs = (np.concatenate(each) for each in zip(*parts, strict=True))
         known = np.isfinite(states).all(axis=1)
-        forces = acting_forces(self.parameters, self.theta, states[known], inputs[known])
-        return {name: self.mass_kg * s.half * force for name, force in forces.items()}
+        at = states[known], inputs[known]
+        c = self.parameters.coefficients(self.theta)
+        whole = _accelerations(c, *at)
+        return {
+            name: 0.0 if without is None else self.mass_kg * s.half * rms(whole - _accelerations(without, *at))
+            for name, without in _left_out(self.parameters, c).items()
+        }
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
@@ -188,7 +209,7 @@ class RbfModel:
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
         p = self.parameters
-        c = self.parameters.coefficients(self.theta)
+        c = p.coefficients(self.theta)
         return {
             "structure": _equation_of_motion(p.structure),
             "origin": "data alone",
@@ -208,55 +229,26 @@ class RbfModel:
         """The model as a dictionary of arrays, numbers and texts."""
         return tree_of(self)
 
-    @classmethod
-    def from_tree(cls, tree: dict[str, Any]) -> "RbfModel":
-        """The model back from `to_tree`.
-
-        Raises
-        ------
-        CorruptArtifactError
-            An entry is missing, of another type or shape, or beyond its range.
-        """
-        model = read_part(cls, tree, "rbf", "identify")
-        parameters = model.parameters
-        with np.errstate(all="ignore"):
-            finite = model.theta.size == parameters.count and all(
-                np.isfinite(values).all() for values in parameters.coefficients(model.theta)
-            )
-        if not finite:
-            raise CorruptArtifactError("theta of the model rbf does not fit its structure; run `debist identify` again")
-        return model
-
-    def _run(
-        self, theta: FloatArray, t: FloatArray, v: FloatArray, coupling: Coupling, start: tuple[float, float]
-    ) -> tuple[FloatArray, int]:
-        return _Driven(self.parameters, theta, v, sample_interval(t)).run(coupling, start)
-
     def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         p = self.parameters
-        s = self.parameters.scales
+        s = p.scales
         c = p.coefficients(theta)
-        inputs = len(p.signs)
-        x = (q - s.middle) / s.half
-        curves: FloatArray = basis_rows(np.ascontiguousarray(x), c) @ c.curves.T
+        relaxing = INPUT + len(p.signs)
+        x = np.ascontiguousarray((q - s.middle) / s.half)
+        curves: FloatArray = basis_rows(x, c) @ c.curves.T
         ends = {"at_ends": c.at_ends, "low": np.array([c.low]), "high": np.array([c.high])}
-        confined = CONFINED_FORCE.evaluate(x=x[:, None], force=curves[:, [FORCE]], **ends)
-        curves[:, FORCE] = confined["value"][:, 0]
+        curves[:, [FORCE]] = CONFINED_FORCE.evaluate(x=x[:, None], force=curves[:, [FORCE]], **ends)["value"]
         if len(c.stops):
             curves[:, FORCE] += STOP_FORCE.evaluate(x=x[:, None], p=np.zeros(1), stops=c.stops)["value"][:, 0]
-        couplings = curves[:, INPUT + inputs : INPUT + inputs + len(c.rates)]
+        couplings = curves[:, relaxing : relaxing + len(c.rates)]
         rates = np.tile(c.rates, (len(q), 1))
         for i in range(p.structure.shape_elements):
             rates[:, i] += curves[:, p.rows[f"relaxation{i}"]]
-        damping = curves[:, DAMPING] + np.where(rates > self.parameters.pace, couplings**2 / rates, 0.0).sum(axis=1)
-        gains = curves[:, INPUT : INPUT + inputs]
-        result = {"F": -self.mass_kg * s.half * curves[:, FORCE], "d": self.mass_kg * damping}
-        for k in range(inputs):
-            if p.law == "squared":
-                result[f"dC{k + 1}_dq"] = 2.0 * self.mass_kg * s.half / s.volts**2 * gains[:, k]
-            else:
-                result[f"g{k + 1}"] = self.mass_kg * s.half / s.volts * gains[:, k]
-        return result
+        damping = curves[:, DAMPING] + np.where(rates > p.pace, couplings**2 / rates, 0.0).sum(axis=1)
+        squared = p.law == "squared"
+        gains = self.mass_kg * s.half / (s.volts**2 if squared else s.volts) * curves[:, INPUT:relaxing].T
+        forces = {"F": -self.mass_kg * s.half * curves[:, FORCE], "d": self.mass_kg * damping}
+        return forces | gain_curves(gains, squared=squared)
 
 
 class _Driven:
@@ -265,18 +257,16 @@ class _Driven:
     def __init__(self, parameters: ParameterLayout, theta: FloatArray, v: FloatArray, interval: float) -> None:
         self._c = parameters.coefficients(theta)
         self._interval = interval
-        self._steps = steps_per_sample(parameters, interval, theta)
-        u, du = parameters.inputs(v, interval, self._steps, theta)
-        self._drive = Drive(u, du, parameters.at_rest(u, theta), parameters.held)
+        self.steps = steps_per_sample(parameters, interval, theta)
+        u, du = parameters.inputs(v, interval, self.steps, theta)
+        self.drive = Drive(u, du, parameters.at_rest(u, theta), parameters.held)
 
-    def run(self, coupling: Coupling, start: ArrayLike, row: int = 0) -> tuple[FloatArray, int]:
+    def run(self, coupling: Coupling, start: FloatArray | tuple[float, float], row: int = 0) -> tuple[FloatArray, int]:
         """States from a row of the log on, and valid samples; see `observed_run`."""
-        first, last = (2 * self._steps * sample for sample in (row, row + len(coupling.measured) - 1))
-        u, du, rested, held = self._drive
+        first, last = (2 * self.steps * sample for sample in (row, row + len(coupling.measured) - 1))
+        u, du, rested, held = self.drive
         drive = Drive(u[first : last + 1], du[:, first : last + 1], rested, held)
-        states, _, valid = observed_run(
-            self._c, drive, coupling, start, self._interval, self._steps, no_sensitivities()
-        )
+        states, _, valid = observed_run(self._c, drive, coupling, start, self._interval, self.steps, no_sensitivities())
         return states, valid
 
 
@@ -285,9 +275,8 @@ def _free(samples: int) -> Coupling:
     return Coupling(np.zeros(samples), np.zeros(samples), 0.0)
 
 
-def _equation_of_motion(structure: JointStructure) -> str:
+def _equation_of_motion(s: JointStructure) -> str:
     """The terms that a structure has, with F as it is drawn: positive where it pulls towards smaller q."""
-    s = structure
     pulled = s.shape_elements > 0
     elements = bool(s.rates)
     terms = [
@@ -298,37 +287,13 @@ def _equation_of_motion(structure: JointStructure) -> str:
         *["- Dahl friction"] * bool(s.slips),
         "+ gains u",
     ]
-    equations = [
-        " ".join(terms),
-        *["F with end stops"] * s.stops,
-        *["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] * elements,
-    ]
-    return ", ".join(equations)
-
-
-def acting_forces(p: ParameterLayout, theta: FloatArray, states: FloatArray, inputs: FloatArray) -> dict[str, float]:
-    """RMS of the acceleration [1/s²] that each element of the equation adds to states, 0 of one that is absent.
-
-    It is the difference between the accelerations with the element and without. Cost: a trace of the equation for each
-    element, and N evaluations of it.
-
-    Parameters
-    ----------
-    p : ParameterLayout
-        Structure.
-    theta : FloatArray, shape (P,)
-        Its parameters.
-    states : FloatArray, shape (N, 2 + L + D)
-        x, p, hidden elements and friction.
-    inputs : FloatArray, shape (N, K)
-        Acting inputs there.
-    """
-    c = p.coefficients(theta)
-    whole = _accelerations(c, states, inputs)
-    return {
-        name: 0.0 if without is None else rms(whole - _accelerations(without, states, inputs))
-        for name, without in _left_out(p, c).items()
-    }
+    return ", ".join(
+        [
+            " ".join(terms),
+            *["F with end stops"] * s.stops,
+            *["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] * elements,
+        ]
+    )
 
 
 def _left_out(p: ParameterLayout, c: Coefficients) -> dict[str, Coefficients | None]:
@@ -357,7 +322,7 @@ def _without_curves(c: Coefficients, *rows: int | slice) -> Coefficients:
 
 
 def _accelerations(c: Coefficients, states: FloatArray, inputs: FloatArray) -> FloatArray:
-    """ṗ [1/s²] at the states, shape (N,)."""
+    """ṗ [1/s²] at the states (N, 2 + L + D) under acting inputs (N, K), shape (N,)."""
     elements = 2 + len(c.rates)
     rates = trace(
         lambda x, slip, u: {"dx": free_rates(c, x, slip, u)}, x=elements, slip=len(c.slip_force), u=inputs.shape[1]

@@ -11,7 +11,6 @@ Sensitivities are those of the discrete scheme itself, so Gauss-Newton sees the 
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ...numerics.arrays import FloatArray
 from ...numerics.fixed_step import Methods, inlined, integrator, workspace
@@ -271,9 +270,8 @@ def _rested(
         pulls = c.curves[row : row + inputs] @ at
         w[n] = rest @ pulls
         for block in np.flatnonzero(wrt.kind == INPUT_SHAPE):
-            shape = wrt.first[block]
             for m in range(wrt.start[block], wrt.start[block + 1]):
-                sensitivity[n, m] = change[shape + m - wrt.start[block]] @ pulls
+                sensitivity[n, m] = change[wrt.first[block] + m - wrt.start[block]] @ pulls
     for block in np.flatnonzero((wrt.kind == WEIGHT) & (wrt.first >= first)):
         n, k = divmod(wrt.first[block] - first, 1 + inputs)
         if k > 0:
@@ -287,7 +285,7 @@ def observed_run(
     c: Coefficients,
     drive: Drive,
     coupling: Coupling,
-    start: ArrayLike,
+    start: FloatArray | tuple[float, float],
     interval: float,
     steps: int,
     wrt: SensitivityParameters,
@@ -343,8 +341,7 @@ def observed_run(
     x = np.concatenate([start[:2], w, np.zeros(2 * parameters), w_sensitivity.ravel()])
     nodes = np.arange(2 * steps * (count - 1) + 1) / (2 * steps)
     path = np.asarray(spline_through(measured)(nodes) if gain else np.zeros(len(nodes)))
-    basis, slopes = np.zeros((2, c.curves.shape[1]))
-    values, changes, by_curve = np.zeros((3, len(c.curves)))
+    curves, functions = c.curves.shape
     system = ObservedJoint(
         c=c,
         wrt=wrt,
@@ -358,12 +355,12 @@ def observed_run(
         began=np.zeros(1 + parameters),
         slip=slip,
         sliding=slip.copy(),
-        basis=basis,
-        slopes=slopes,
+        basis=np.zeros(functions),
+        slopes=np.zeros(functions),
         curvatures=np.zeros(len(c.centres)),
-        values=values,
-        changes=changes,
-        by_curve=by_curve,
+        values=np.zeros(curves),
+        changes=np.zeros(curves),
+        by_curve=np.zeros(curves),
         by=np.zeros(13),
         relaxing=np.zeros((4, elements)),
         states=states,

@@ -9,8 +9,7 @@ from functools import cached_property
 from typing import Annotated
 
 import numpy as np
-from pydantic import BeforeValidator, Field
-from pydantic.dataclasses import dataclass
+from pydantic import BeforeValidator, Field, dataclasses as stored
 
 from ...fitting.regression import InputAction
 from ...generated.terms import BENT, PAST_ZONE
@@ -43,7 +42,7 @@ SLIP_FLOOR = 2e-3
 """Shortest Dahl length, as a share of half the range: shorter ones are a spring too stiff for the integration step."""
 
 
-@dataclass(frozen=True, config=STORED)
+@stored.dataclass(frozen=True, config=STORED)
 class ParameterLayout:
     """The parameter vector of one structure."""
 
@@ -100,12 +99,16 @@ class ParameterLayout:
         s = self.structure
         k = len(self.signs)
         m = self.structure.basis_functions
+        # Of each shape element its relaxation, then the pulls of the inputs
+        shapes = (
+            name for i in range(s.shape_elements) for name in (f"relaxation{i}", *(f"pull{i}_{n}" for n in range(k)))
+        )
         sizes = {
             "force": {"curve": POLYNOMIALS + m, "polynomial": POLYNOMIALS, "offset": 1}[s.force],
             "damping": 1 if s.constant_damping else m,
             **{f"input{i}": 1 if s.constant_gain else m for i in range(k)},
             **{f"coupling{i}": m for i in range(len(s.rates))},
-            **dict.fromkeys(self._shapes, m),
+            **dict.fromkeys(shapes, m),
             "rate": len(s.rates),
             "slip_force": s.slips,
             "slip_length": s.slips,
@@ -125,16 +128,8 @@ class ParameterLayout:
     @cached_property
     def rows(self) -> dict[str, int]:
         """Row of each block of weights in `dynamics.Coefficients.curves`."""
-        inputs = (f"input{i}" for i in range(len(self.signs)))
-        couplings = (f"coupling{i}" for i in range(len(self.structure.rates)))
-        names = ["force", "damping", *inputs, *couplings, *self._shapes]
-        return {name: row for row, name in enumerate(names)}
-
-    @property
-    def _shapes(self) -> list[str]:
-        """Blocks of the shape elements: of each its relaxation, then the pulls of the inputs."""
-        parts = ("relaxation{i}", *(f"pull{{i}}_{n}" for n in range(len(self.signs))))
-        return [part.format(i=i) for i in range(self.structure.shape_elements) for part in parts]
+        names = list(self.slices)
+        return {name: row for row, name in enumerate(names[: names.index("rate")])}
 
     @cached_property
     def dimensionless(self) -> tuple[FloatArray, FloatArray]:
@@ -142,17 +137,12 @@ class ParameterLayout:
         offset = np.zeros(self.count)
         scale = np.ones(self.count)
         stiffness = self.units.stiffness
-        frequency = self.units.frequency
+        offsets = dict.fromkeys(("damping", "relaxation", "rate"), np.log(self.units.frequency))
+        offsets |= dict.fromkeys(("input", "slip_force"), np.log(stiffness))
+        scales = {"force": stiffness, "coupling": np.sqrt(stiffness), "pull": np.sqrt(stiffness)}
         for name, where in self.slices.items():
-            kind = kind_of(name)
-            if kind == "force":
-                scale[where] = stiffness
-            elif kind in ("damping", "relaxation", "rate"):
-                offset[where] = np.log(frequency)
-            elif kind in ("input", "slip_force"):
-                offset[where] = np.log(stiffness)
-            elif kind in ("coupling", "pull"):
-                scale[where] = np.sqrt(stiffness)
+            offset[where] = offsets.get(kind_of(name), 0.0)
+            scale[where] = scales.get(kind_of(name), 1.0)
         if self.structure.force != "offset":
             scale[self.cubic], offset[self.cubic] = 1.0, np.log(stiffness)
         return offset, scale
@@ -166,31 +156,24 @@ class ParameterLayout:
     def coefficients(self, theta: FloatArray) -> Coefficients:
         """The equation of motion for a parameter vector."""
         s = self.structure
-        k = len(self.signs)
         part = {name: theta[where] for name, where in self.slices.items()}
-        rows = self.rows
         positive = ("damping", *(f"relaxation{i}" for i in range(s.shape_elements)))
-        curves = np.zeros((len(rows), POLYNOMIALS + s.basis_functions))
-        curves[FORCE, : len(part["force"])] = part["force"]
+        curves = np.zeros((len(self.rows), POLYNOMIALS + s.basis_functions))
+        for name, row in self.rows.items():
+            curves[row, self.basis_of(name)] = np.exp(part[name]) if name in positive else part[name]
         if s.force != "offset":
             curves[FORCE, POLYNOMIALS - 1] = -np.exp(part["force"][POLYNOMIALS - 1])
         for i, sign in enumerate(self.signs):
-            gain = part[f"input{i}"]
-            curves[INPUT + i, self.basis_of(f"input{i}")] = sign * np.exp(gain) if sign else gain
-        for name in rows:
-            if name == "force" or name in (f"input{i}" for i in range(k)):
-                continue
-            curves[rows[name], self.basis_of(name)] = np.exp(part[name]) if name in positive else part[name]
+            if sign:
+                curves[INPUT + i, self.basis_of(f"input{i}")] = sign * np.exp(part[f"input{i}"])
         inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
         low = -1.0 - 3.0 * OVERHANG
         high = 1.0 + 3.0 * OVERHANG
-        slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
-        end_stops = np.concatenate((part["stops"][:2], np.exp(part["stops"][2:])))  # places; stiffness, resistance
         c = Coefficients(
             curves=curves,
             rates=np.exp(part["rate"]),
             slip_force=np.exp(part["slip_force"]),
-            slip_length=slip_length,
+            slip_length=SLIP_FLOOR + np.exp(part["slip_length"]),
             inertia=inertia,
             centres=self.centres,
             bend=self.bend,
@@ -198,7 +181,7 @@ class ParameterLayout:
             high=high,
             arm=self.arm,
             drag=float(np.exp(part["drag"]).sum()),
-            stops=end_stops,
+            stops=np.concatenate((part["stops"][:2], np.exp(part["stops"][2:]))),  # places; stiffness, resistance
             ends=np.zeros((2, curves.shape[1])),
             at_ends=np.zeros(2),
         )
@@ -211,16 +194,16 @@ class ParameterLayout:
         factor = np.ones(self.count)
         if self.structure.force != "offset":
             factor[self.cubic] = -np.exp(theta[self.cubic])
-        relaxations = (f"relaxation{i}" for i in range(self.structure.shape_elements))
-        for name in ("damping", *relaxations, "inertia", "drag"):
-            factor[self.slices[name]] = np.exp(theta[self.slices[name]])
+        at = self.slices
+        for name in ("damping", *(f"relaxation{i}" for i in range(self.structure.shape_elements)), "inertia", "drag"):
+            factor[at[name]] = np.exp(theta[at[name]])
         for i, sign in enumerate(self.signs):
             if sign:
-                factor[self.slices[f"input{i}"]] = sign * np.exp(theta[self.slices[f"input{i}"]])
-        length = np.exp(theta[self.slices["slip_length"]])
-        factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
-        factor[self.slices["inertia_centre"]] = -1.0  # of the arm, which counts from there
-        factor[self.slices["stops"]][2:] = np.exp(theta[self.slices["stops"]][2:])
+                factor[at[f"input{i}"]] = sign * np.exp(theta[at[f"input{i}"]])
+        length = np.exp(theta[at["slip_length"]])
+        factor[at["slip_length"]] = length / (SLIP_FLOOR + length)
+        factor[at["inertia_centre"]] = -1.0  # of the arm, which counts from there
+        factor[at["stops"]][2:] = np.exp(theta[at["stops"]][2:])
         return SensitivityParameters(*self._blocks, factor)
 
     @cached_property
@@ -228,9 +211,8 @@ class ParameterLayout:
         """Kind, first place, first column and first parameter of each block that has parameters."""
         shape = self.slices["input_offset"].start
         blocks = []
-        for name, where in self.slices.items():
-            if where.start == where.stop:
-                continue
+        filled = {name: where for name, where in self.slices.items() if where.start < where.stop}
+        for name, where in filled.items():
             kind = _KINDS.get(name, WEIGHT)
             if kind == WEIGHT:
                 first = self.rows[name]
@@ -290,8 +272,8 @@ class ParameterLayout:
         if s.input_delay:
             by_delay = -np.exp(theta[self.slices["input_delay"]]) * np.gradient(volts, half, axis=0)[None]
         if s.input_lag and not s.effect_lags:
-            by_delay = self._behind(by_delay, half, theta, rest_at_zero=True)
-            volts, by_lag = self._lagged(volts, half, theta)
+            by_delay, _ = self._behind(by_delay, half, theta, rest_at_zero=True)
+            (volts,), by_lag = self._behind(volts[None], half, theta, rest_at_zero=s.rest_at_zero)
         u, slope, by_shape = self._effect(volts, theta)
         by_offset = np.zeros((len(theta[self.slices["input_offset"]]), *volts.shape))
         for i in range(len(by_offset)):
@@ -299,25 +281,21 @@ class ParameterLayout:
         by_lag, by_delay = slope * by_lag, slope * by_delay
         if s.input_lag and s.effect_lags:
             by_offset, by_delay, by_shape = (
-                self._behind(change, half, theta, rest_at_zero=s.rest_at_zero)
+                self._behind(change, half, theta, rest_at_zero=s.rest_at_zero)[0]
                 for change in (by_offset, by_delay, by_shape)
             )
-            u, by_lag = self._lagged(u, half, theta)
+            (u,), by_lag = self._behind(u[None], half, theta, rest_at_zero=s.rest_at_zero)
         return np.ascontiguousarray(u), np.concatenate([by_offset, by_lag, by_delay, by_shape])
 
-    def _lagged(self, u: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Values at every half step [s] behind the lag, and their derivative by its logarithm, (1, n, K)."""
-        lag = float(np.exp(theta[self.slices["input_lag"]][0]))
-        s = self.structure
-        behind, by_lag = lagged(u, half, lag, held=s.hold == "zero", rest_at_zero=s.rest_at_zero)
-        return behind, by_lag[None]
-
-    def _behind(self, changes: FloatArray, half: float, theta: FloatArray, *, rest_at_zero: bool) -> FloatArray:
-        """Derivatives (m, n, K) of values, behind the lag."""
+    def _behind(
+        self, values: FloatArray, half: float, theta: FloatArray, *, rest_at_zero: bool
+    ) -> tuple[FloatArray, FloatArray]:
+        """Values (m, n, K) at every half step [s] behind the lag, and their derivatives by its logarithm."""
         lag = float(np.exp(theta[self.slices["input_lag"]][0]))
         held = self.structure.hold == "zero"
-        parts = [lagged(change, half, lag, held=held, rest_at_zero=rest_at_zero)[0] for change in changes]
-        return np.array(parts).reshape(changes.shape)
+        parts = [lagged(each, half, lag, held=held, rest_at_zero=rest_at_zero) for each in values]
+        behind, by_lag = (np.array([part[i] for part in parts]).reshape(values.shape) for i in (0, 1))
+        return behind, by_lag
 
     def _effect(self, volts: FloatArray, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Effect of the drives, freed of offset, bent, past a dead zone, squared; its derivatives by the drive, and by
@@ -350,8 +328,7 @@ class ParameterLayout:
             return np.ascontiguousarray(u[0])
         if self.structure.effect_lags:
             return np.zeros(u.shape[1])
-        acting, _, _ = self._effect(np.zeros((1, u.shape[1])), theta)
-        return np.ascontiguousarray(acting[0])
+        return np.ascontiguousarray(self._effect(np.zeros((1, u.shape[1])), theta)[0][0])
 
 
 def kind_of(block: str) -> str:

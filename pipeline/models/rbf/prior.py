@@ -51,36 +51,40 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
         None for a device without a mirror plane.
     """
     rows = _PriorRows(p.count)
-    at = p.slices
+    at = _places(p)
     s = p.units
     size = 2.5 * s.stiffness
-    force = np.arange(at["force"].start, at["force"].stop)
+    force = at["force"]
     rows.each(force[: POLYNOMIALS - 1], 0.0, 3.0 * size)
     rows.each(force[POLYNOMIALS - 1 : POLYNOMIALS], np.log(s.stiffness), LOG_SPREAD)
-    bells = force[POLYNOMIALS:]
     bump = size * (ARM_BUMP if p.structure.turning_arm else 1.0)
-    rows.each(bells, 0.0, 0.5 * bump)
-    rows.smooth(bells, 0.3 * bump)
-    damping = np.arange(at["damping"].start, at["damping"].stop)
+    rows.each(force[POLYNOMIALS:], 0.0, 0.5 * bump)
+    rows.smooth(force[POLYNOMIALS:], 0.3 * bump)
+    damping = at["damping"]
     rows.smooth(damping, 0.7)
     rows.each(damping, start[damping] if p.structure.overdamped else np.log(SLOW_DAMPING * s.frequency), 2.0)
     for k, sign in enumerate(p.signs):
-        gain = np.arange(at[f"input{k}"].start, at[f"input{k}"].stop)
+        gain = at[f"input{k}"]
         unit = 1.0 if sign else float(np.abs(start[gain]).max())
         rows.smooth(gain, 0.3 * unit)
         rows.each(gain, start[gain], GAIN_SPREAD * unit)
     for i in range(len(p.structure.rates)):
-        coupling = np.arange(at[f"coupling{i}"].start, at[f"coupling{i}"].stop)
         spread = 0.5 if i < p.structure.shape_elements else 0.3
-        rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
-        rows.each(coupling, 0.0, spread * np.sqrt(s.stiffness))
-    _shapes(rows, p, start)
-    stops = np.arange(at["stops"].start, at["stops"].stop)
+        rows.smooth(at[f"coupling{i}"], 0.1 * np.sqrt(s.stiffness))
+        rows.each(at[f"coupling{i}"], 0.0, spread * np.sqrt(s.stiffness))
+    for i in range(p.structure.shape_elements):
+        # Shape elements relax about as fast as they start, and inputs pull little at them.
+        relaxation = at[f"relaxation{i}"]
+        rows.smooth(relaxation, 0.3)
+        rows.each(relaxation, start[relaxation], 1.0)
+        for k in range(len(p.signs)):
+            rows.smooth(at[f"pull{i}_{k}"], 0.1 * np.sqrt(s.stiffness))
+            rows.each(at[f"pull{i}_{k}"], 0.0, 0.5 * np.sqrt(s.stiffness))
+    stops = at["stops"]
     rows.each(stops[:2], start[stops[:2]], STOP_SPREAD)
     rows.each(stops[2:], start[stops[2:]], LOG_SPREAD)
     for name, spread in (SPREADS | dict.fromkeys(_LOGARITHMS, LOG_SPREAD)).items():
-        index = np.arange(at[name].start, at[name].stop)
-        rows.each(index, start[index], spread)
+        rows.each(at[name], start[at[name]], spread)
     if symmetry is not None and s.middle == 0.0:
         _mirror(rows, p, symmetry)
     return Prior(np.array(rows.rows), np.array(rows.right))
@@ -96,7 +100,7 @@ def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
         _gains_alike(rows, p, symmetry)
     for name in blocks:
         spread = symmetry * UNLIKENESS.get(name, 1.0)
-        for i in range(p.slices[name].start, p.slices[name].stop):
+        for i in _places(p)[name]:
             j = int(np.argmax(np.abs(image[i])))
             if i < j:
                 rows.add([i, j], [1.0, -image[i, j]], 0.0, spread * scale[i])
@@ -106,25 +110,15 @@ def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
 
 def _gains_alike(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
     """The two gains have mirrored courses; one side may be stronger than the other everywhere."""
-    left, right = (np.arange(p.count)[p.slices[f"input{k}"]] for k in (0, 1))
-    same = np.full(len(left), 1.0 / len(left))
+    left, right = (_places(p)[f"input{k}"] for k in (0, 1))
     for i in range(len(left)):
-        apart = np.eye(len(left))[i] - same
+        apart = np.eye(len(left))[i] - 1.0 / len(left)
         rows.add([*left, *right[::-1]], [*apart, *-apart], 0.0, symmetry)
 
 
-def _shapes(rows: "_PriorRows", p: ParameterLayout, start: FloatArray) -> None:
-    """Shape elements relax about as fast as they start, and inputs pull little at them."""
-    at = p.slices
-    unit = np.sqrt(p.units.stiffness)
-    for i in range(p.structure.shape_elements):
-        relaxation = np.arange(at[f"relaxation{i}"].start, at[f"relaxation{i}"].stop)
-        rows.smooth(relaxation, 0.3)
-        rows.each(relaxation, start[relaxation], 1.0)
-        for k in range(len(p.signs)):
-            pull = np.arange(at[f"pull{i}_{k}"].start, at[f"pull{i}_{k}"].stop)
-            rows.smooth(pull, 0.1 * unit)
-            rows.each(pull, 0.0, 0.5 * unit)
+def _places(p: ParameterLayout) -> dict[str, IntArray]:
+    """Places of each block in θ."""
+    return {name: np.arange(p.count)[where] for name, where in p.slices.items()}
 
 
 class _PriorRows:
@@ -141,11 +135,11 @@ class _PriorRows:
         self.rows.append(row / spread)
         self.right.append(mean / spread)
 
-    def each(self, index: FloatArray, means: FloatArray | float, spread: float) -> None:
+    def each(self, index: IntArray, means: FloatArray | float, spread: float) -> None:
         for i, mean in zip(index, np.broadcast_to(means, index.shape), strict=True):
             self.add([int(i)], [1.0], float(mean), spread)
 
-    def smooth(self, index: FloatArray, spread: float) -> None:
+    def smooth(self, index: IntArray, spread: float) -> None:
         """Second differences along the centres are small."""
         for a, b, c in zip(index, index[1:], index[2:], strict=False):
             self.add([int(a), int(b), int(c)], [-1.0, 2.0, -1.0], 0.0, spread)
@@ -158,7 +152,7 @@ def mirror_image(p: ParameterLayout) -> FloatArray:
     belongs to one of one or three inputs has no image: zeros.
     """
     image = np.zeros((p.count, p.count))
-    at = {name: np.arange(p.count)[where] for name, where in p.slices.items()}
+    at = _places(p)
 
     def put(name: str, other: str, factor: float, *, turned: bool) -> None:
         """Make a block of the image from another, end for end if it is a curve along the centres."""
@@ -176,8 +170,8 @@ def mirror_image(p: ParameterLayout) -> FloatArray:
         elif name == "input_offset":
             put(name, name, 1.0, turned=True)
         else:
-            curve = kind in ("damping", "coupling", "relaxation")
-            put(name, name, -1.0 if name == "inertia_centre" else 1.0, turned=curve)
+            factor = -1.0 if name == "inertia_centre" else 1.0
+            put(name, name, factor, turned=kind in ("damping", "coupling", "relaxation"))
     return image
 
 
@@ -210,9 +204,8 @@ class Population:
         """The prior of a joint of a structure that it knows, whose mirror plane is q = 0."""
         offset, scale = p.dimensionless
         matrix = self.root / scale
-        right = self.root @ self.mean + matrix @ offset
         order = np.arange(p.count) if p.signs == (1, -1) else _exchanged(p)
-        return Prior(matrix[:, order], right)
+        return Prior(matrix[:, order], self.root @ self.mean + matrix @ offset)
 
 
 def blocks_of(p: ParameterLayout) -> dict[str, int]:
@@ -228,11 +221,11 @@ def _of_other_input(block: str) -> str:
 def _exchanged(p: ParameterLayout) -> IntArray:
     """Place of each parameter in θ of a joint with exchanged inputs, shape (P,)."""
     order = np.arange(p.count)
-    at = p.slices
+    at = _places(p)
     for name in at:
         if kind_of(name) in ("pull", "input"):
-            order[at[name]] = np.arange(p.count)[at[_of_other_input(name)]]
-    order[at["input_offset"]] = order[at["input_offset"]][::-1]
+            order[at[name]] = at[_of_other_input(name)]
+    order[at["input_offset"]] = at["input_offset"][::-1]
     return order
 
 
@@ -293,21 +286,20 @@ def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: Kn
 def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: KnownCurves) -> Prior:
     """The prior with a row for each measured point, of first order at θ."""
     c = p.coefficients(theta)
-    wrt = p.sensitivity_parameters(theta)
+    factor = p.sensitivity_parameters(theta).factor
     rows = [prior.matrix]
     right = [prior.right]
     volts = p.scales.volts**2 if p.law == "squared" else p.scales.volts
     curves = {"force": measured.force} | {f"input{k}": gain for k, gain in enumerate(measured.gains)}
     for name, curve in curves.items():
-        if curve is None:
-            continue
-        finite = np.isfinite(curve)
-        where = p.slices[name]
-        y = curve[finite] * (-1.0 if name == "force" else volts) / p.scales.half
-        basis = basis_rows(np.ascontiguousarray((measured.q[finite] - p.scales.middle) / p.scales.half), c)
-        block = np.zeros((len(y), p.count))
-        block[:, where] = basis[:, p.basis_of(name)] * wrt.factor[where]
-        spread = KEPT * np.abs(y).max()
-        rows.append(block / spread)
-        right.append((y - basis @ c.curves[p.rows[name]] + block @ theta) / spread)
+        if curve is not None:
+            finite = np.isfinite(curve)
+            where = p.slices[name]
+            y = curve[finite] * (-1.0 if name == "force" else volts) / p.scales.half
+            basis = basis_rows(np.ascontiguousarray((measured.q[finite] - p.scales.middle) / p.scales.half), c)
+            block = np.zeros((len(y), p.count))
+            block[:, where] = basis[:, p.basis_of(name)] * factor[where]
+            spread = KEPT * np.abs(y).max()
+            rows.append(block / spread)
+            right.append((y - basis @ c.curves[p.rows[name]] + block @ theta) / spread)
     return Prior(np.vstack(rows), np.concatenate(right))

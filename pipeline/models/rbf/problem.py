@@ -53,10 +53,6 @@ class Effort:
     limit: float = float("inf")
     spent: float = 0.0
 
-    def spend(self, steps: int, sensitivities: int = 0) -> None:
-        """Count a simulation, as `simulation_effort`."""
-        self.spent += simulation_effort(steps, sensitivities)
-
     def exhausted(self, share: float = 1.0) -> bool:
         """True once a share of the limit is spent."""
         return self.spent >= share * self.limit
@@ -93,9 +89,9 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
         Longest step [1/pace].
     """
     c = p.coefficients(theta)
-    decays = ["damping", *(f"relaxation{i}" for i in range(p.structure.shape_elements))]
-    curves = c.curves[[p.rows[name] for name in decays]]
-    fastest = max(float((basis_rows(p.centres, c) @ curves.T).max()), float(c.rates.max(initial=0.0)))
+    rows = [p.rows["damping"], *(p.rows[f"relaxation{i}"] for i in range(p.structure.shape_elements))]
+    decaying = basis_rows(p.centres, c) @ c.curves[rows].T
+    fastest = max(float(decaying.max()), float(c.rates.max(initial=0.0)))
     touching = 0.0
     if p.structure.stops:
         stiffness, resistance = c.stops[2:]
@@ -188,12 +184,11 @@ class _Log:
         if (steps, delay) in self.nodes:
             return self.nodes[steps, delay]
         hold = p.structure.hold
-        rows = self.past + len(self.measured)
         spline = self.spline if hold == "cubic" else None
         own = steps if self.every == 1 else 1
         drive = drive_at_nodes(self.inputs, self.spacing, own, hold, delay, spline, squared=p.squares_first)
         if self.every > 1:
-            drive = _averaged(drive, self.every)[: 2 * rows - 1]
+            drive = _averaged(drive, self.every)[: 2 * (self.past + len(self.measured)) - 1]
             if steps > 1:
                 drive = drive_at_nodes(drive, self.interval / 2.0, steps, "linear")[::2]
         drive = np.ascontiguousarray(drive / p.scales.volts)
@@ -262,8 +257,10 @@ class JointProblem:
     def jacobian_effort(self, theta: FloatArray) -> float:
         """Seconds of a Jacobian by the cost model."""
         p = self.parameters
-        steps = [log.split * steps_per_sample(p, log.interval, theta, self.step) for log in self.logs]
-        return sum(simulation_effort(count, p.count) for count in steps)
+        return sum(
+            simulation_effort(log.split * steps_per_sample(p, log.interval, theta, self.step), p.count)
+            for log in self.logs
+        )
 
     def is_chaotic(self, theta: FloatArray) -> bool:
         """True if the free run of any log diverges from one that starts beside it."""
@@ -280,11 +277,12 @@ class JointProblem:
     @property
     def of_displacement(self) -> BoolArray:
         """Mask of the rows of the residual that are errors of x; the others are weighted errors of the velocity."""
-        kinds = [
-            np.arange(np.count_nonzero(log.in_residual)) < np.count_nonzero(log.observe[: log.split] > 0.0)
-            for log in self.logs
-        ]
-        return np.concatenate(kinds)
+        return np.concatenate(
+            [
+                np.arange(np.count_nonzero(log.in_residual)) < np.count_nonzero(log.observe[: log.split] > 0.0)
+                for log in self.logs
+            ]
+        )
 
     def held_out(self, theta: FloatArray, gain: float, coupled: float = 0.0) -> list[FloatArray]:
         """Errors behind the split of each log, free or at an observer gain `coupled`; infinite where a run diverged."""
@@ -292,7 +290,8 @@ class JointProblem:
         for log in self.logs:
             observe = log.observe.copy()
             observe[log.split :] *= coupled / gain
-            states, _, _ = self._run(theta, log, gain, stop=len(log.measured), sensitive=False, observe=observe)
+            freed = replace(log, observe=observe)
+            states, _, _ = self._run(theta, freed, gain, stop=len(log.measured), sensitive=False)
             error = (states[:, 0] - log.measured)[log.split :][log.observe[log.split :] > 0.0]
             errors.append(np.where(np.isfinite(error), error, np.inf))
         return errors
@@ -305,21 +304,17 @@ class JointProblem:
         *,
         stop: int,
         sensitive: bool,
-        observe: FloatArray | None = None,
     ) -> tuple[FloatArray, FloatArray, int]:
         p = self.parameters
-        seen = log.observe if observe is None else observe
         steps = steps_per_sample(p, log.interval, theta, self.step)
         skipped = 2 * steps * log.past
-        count = 2 * steps * (stop - 1) + 1
-        volts = log.at_nodes(p, steps, p.delay(theta))[: skipped + count]
+        volts = log.at_nodes(p, steps, p.delay(theta))[: skipped + 2 * steps * (stop - 1) + 1]
         u, du = p.acting(volts, log.interval / steps / 2.0, theta)
-        if skipped:
-            u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
+        u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
         wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
-        self.effort.spend(stop * steps, len(wrt.factor))
+        self.effort.spent += simulation_effort(stop * steps, len(wrt.factor))
         drive = Drive(u, du, p.at_rest(u, theta, begins=log.past == 0), p.held and log.every == 1)
-        coupling = Coupling(log.measured[:stop], seen[:stop], gain * p.scales.frequency)
+        coupling = Coupling(log.measured[:stop], log.observe[:stop], gain * p.scales.frequency)
         start = (float(log.measured[0]), log.start)
         return observed_run(p.coefficients(theta), drive, coupling, start, log.interval, steps, wrt)
 
@@ -329,7 +324,6 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
     hold = p.structure.hold
     past = 0
     every = min(thinning, max(1, int(step / (p.pace * record.interval))))
-    observe = record.valid[::every].astype(np.float64)
     measured = bridged((record.q - s.middle) / s.half, record.valid)
     if record.fine is not None:  # then the samples have been low-pass filtered, and runs are not
         measured = sharpened(measured, record.valid)
@@ -339,14 +333,13 @@ def _log(p: ParameterLayout, record: Log, free_after: float | None, step: float,
         before = record.past if hold == "record" or record.past.ndim == 2 else record.past[:, 0]
         past = len(before) // every
         inputs = np.concatenate((before[len(before) - past * every :], inputs))
-    split = len(measured) if free_after is None else int(free_after * len(measured))
     travel, weight = _travel(p, record, every)
     return _Log(
         measured=measured,
-        observe=observe,
+        observe=record.valid[::every].astype(np.float64),
         start=float(record.qdot[0] / s.half),
         interval=every * record.interval,
-        split=split,
+        split=len(measured) if free_after is None else int(free_after * len(measured)),
         travel=travel,
         weight=weight,
         inputs=inputs,
@@ -378,6 +371,5 @@ def _travel(p: ParameterLayout, record: Log, every: int) -> tuple[FloatArray | N
 def _averaged(values: FloatArray, every: int) -> FloatArray:
     """Every so-many-th row of a centred average over as many, so that noise between the rows stays out."""
     window = np.ones(every) if every % 2 else np.concatenate(([0.5], np.ones(every - 1), [0.5]))
-    reach = len(window) // 2
-    smooth = [np.convolve(np.pad(column, reach, "edge"), window / every, "valid") for column in values.T]
-    return np.column_stack(smooth)[::every]
+    padded = np.pad(values, ((len(window) // 2,) * 2, (0, 0)), "edge")
+    return np.column_stack([np.convolve(column, window / every, "valid") for column in padded.T])[::every]

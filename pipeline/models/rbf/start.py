@@ -64,14 +64,13 @@ def data_scales(
     if volts == 0.0:
         raise InputError("all inputs are zero in all training logs; the joint was never driven")
     centred = centred and low < 0.0 < high
-    middle = 0.0 if centred else 0.5 * (low + high)
     half = max(-low, high) if centred else 0.5 * (high - low)
     speed, acceleration = (
         rms(np.concatenate([getattr(r, name)[r.valid] for r in records])) / half for name in ("qdot", "qddot")
     )
     slopes = np.concatenate([np.gradient(np.where(r.valid, r.qdot, np.nan), r.interval) for r in records])
     return JointScales(
-        middle=middle,
+        middle=0.0 if centred else 0.5 * (low + high),
         half=half,
         volts=volts,
         stiffness=acceleration,
@@ -112,31 +111,29 @@ def starting_joint(
     provisional = ParameterLayout(structure, measured, action, (0,) * inputs)
     scales = provisional.units
     motion, target = _motion(records, provisional)
-    if timing is None:
-        timed = _best_timing(records, provisional, motion, target)
-    else:
-        timed = _undriven(provisional)
-        for name, times in timing.items():
-            timed[provisional.slices[name]] = times
-    columns = [*motion[:2], *_gains(_driven(records, provisional, timed), motion[2])]
-    signs = tuple(_signs(columns, target, structure)) if action == "squared" else (0,) * inputs
-    if known_signs and action == "squared":
-        signs = tuple(known_signs.get(i, sign) for i, sign in enumerate(signs))
+    timed = _timed(provisional, timing) if timing else _best_timing(records, provisional, motion, target)
+    columns = _columns(records, provisional, timed, motion)
+    signs = (0,) * inputs
+    if action == "squared":  # the signs of the mean forces of a fit without bounds
+        weights = _bounded_fit(columns, target, structure, signs)
+        means = [np.mean(basis @ w) for basis, w in zip(columns[2:], weights[2:], strict=True)]
+        signs = tuple((known_signs or {}).get(i, 1 if mean >= 0.0 else -1) for i, mean in enumerate(means))
     parameters = ParameterLayout(structure, measured, action, signs)
     fitted = _bounded_fit(columns, target, structure, signs)
-    typical = [_typical_gain(basis, gain, scales) for basis, gain in zip(columns[2:], fitted[2:], strict=True)]
-    start = _start_vector(parameters, fitted, typical)
+    pairs = zip(columns[2:], fitted[2:], strict=True)
+    start = _start_vector(parameters, fitted, [_typical_gain(basis, gain, scales) for basis, gain in pairs])
+    at = parameters.slices
     if structure.slips:
-        start[parameters.slices["slip_force"]] = np.log(START_SLIP_FORCE * scales.stiffness / structure.slips)
-        start[parameters.slices["slip_length"]] = np.log(SLIP_LENGTHS[: structure.slips])
-    if structure.slips and not structure.shape_elements:  # whose memory would be taken for friction
-        forces, lengths = _best_slips(records, scales, columns, target, structure.slips)
-        start[parameters.slices["slip_force"]] = np.log(forces)
-        start[parameters.slices["slip_length"]] = np.log(lengths)
+        forces: FloatArray | float = START_SLIP_FORCE * scales.stiffness / structure.slips
+        lengths = np.array(SLIP_LENGTHS[: structure.slips])
+        if not structure.shape_elements:  # whose memory would be taken for friction
+            forces, lengths = _best_slips(records, scales, columns, target, structure.slips)
+        start[at["slip_force"]] = np.log(forces)
+        start[at["slip_length"]] = np.log(lengths)
     if structure.stops:
-        start[parameters.slices["stops"]] = _best_stops(records, scales, columns, target)
+        start[at["stops"]] = _best_stops(records, scales, columns, target)
     for name in TIMES:
-        start[parameters.slices[name]] = timed[parameters.slices[name]]
+        start[at[name]] = timed[at[name]]
     return parameters, start
 
 
@@ -151,15 +148,14 @@ def is_bistable_pair(records: Sequence[Log], action: InputAction) -> bool:
     """
     if action != "squared" or records[0].v.shape[1] != 2:
         return False
-    plain = JointStructure(rates=(), shape_elements=0, slips=0, arc=False)
-    p, start = starting_joint(records, plain, action, centred=False)
-    if p.signs[0] == p.signs[1]:
-        return False
+    p, start = starting_joint(
+        records, JointStructure(rates=(), shape_elements=0, slips=0, arc=False), action, centred=False
+    )
     coefficients = p.coefficients(start)
     x = np.linspace(-1.0, 1.0, PLACES)
     force = basis_rows(x, coefficients) @ coefficients.curves[FORCE]
     turns = np.flatnonzero(np.diff(np.sign(force)))
-    if not np.array_equal(np.sign(force[turns]), [1.0, -1.0, 1.0]):
+    if p.signs[0] == p.signs[1] or not np.array_equal(np.sign(force[turns]), [1.0, -1.0, 1.0]):
         return False
     left, saddle, right = np.abs(x[turns])
     return bool(saddle < min(left, right))
@@ -185,44 +181,41 @@ def looks_overdamped(records: Sequence[Log], action: InputAction) -> bool:
         )
         p = ParameterLayout(plain, data_scales(records, centred=False), action, (0,) * records[0].v.shape[1])
         motion, target = _motion(records, p)
-        u = _driven(records, p, np.zeros(p.count))
-        return 1.0 - _misfit([*motion[:2], *_gains(u, motion[2])], target) / float(target @ target)
+        return 1.0 - _misfit(_columns(records, p, np.zeros(p.count), motion), target) / float(target @ target)
 
     return explained(overdamped=True) > explained(overdamped=False)
-
-
-def _undriven(p: ParameterLayout) -> FloatArray:
-    """θ of zeros but for a dead zone's logarithm, of which zero would be one as wide as the largest drive."""
-    theta = np.zeros(p.count)
-    theta[p.slices["input_zone"]] = np.log(ZONE)
-    return theta
 
 
 def _best_timing(
     records: Sequence[Log], p: ParameterLayout, motion: list[FloatArray], target: FloatArray
 ) -> FloatArray:
-    """A parameter vector with the lag and the delay at which the accelerations are fitted best, all else zero.
+    """`_timed` θ with the lag and the delay at which the accelerations are fitted best.
 
     The accelerations are linear in the curves, so only the two times are searched (variable projection). A descent
     alone would end where a slow drive is taken for a strongly damped device.
     """
-
-    def at(lag: float, delay: float) -> FloatArray:
-        """θ of a lag and a delay [1/frequency scale]; all else is zero."""
-        theta = _undriven(p)
-        theta[p.slices["input_lag"]] = np.log(lag / p.units.frequency)
-        theta[p.slices["input_delay"]] = np.log(delay / p.units.frequency)
-        return theta
-
-    def misfit(times: tuple[float, float]) -> float:
-        """Rest of the convex fit at a lag and a delay [1/frequency scale]."""
-        return _misfit([*motion[:2], *_gains(_driven(records, p, at(*times)), motion[2])], target)
-
     s = p.structure
-    if not (s.input_lag or s.input_delay):
-        return at(1.0, 1.0)
-    tried = product(LAGS if s.input_lag else (1.0,), DELAYS if s.input_delay else (1.0,))
-    return at(*min(tried, key=misfit))
+    tried = [
+        _timed(p, dict(zip(TIMES, np.log(np.array(times) / p.units.frequency), strict=True)))
+        for times in product(LAGS if s.input_lag else (1.0,), DELAYS if s.input_delay else (1.0,))
+    ]
+
+    def misfit(theta: FloatArray) -> float:
+        """Rest of the convex fit with the drive of θ."""
+        return _misfit(_columns(records, p, theta, motion), target)
+
+    return min(tried, key=misfit) if len(tried) > 1 else tried[0]
+
+
+def _timed(p: ParameterLayout, timing: Mapping[str, FloatArray]) -> FloatArray:
+    """θ with the logarithms of lag and delay [s], all else zero but that of a dead zone: zero would be one as wide as
+    the largest drive.
+    """
+    theta = np.zeros(p.count)
+    theta[p.slices["input_zone"]] = np.log(ZONE)
+    for name, times in timing.items():
+        theta[p.slices[name]] = times
+    return theta
 
 
 def _best_slips(
@@ -237,12 +230,11 @@ def _best_slips(
     Cost: for each length a pass over the samples, and for each of `count` steps at most five normal equations.
     """
     paths = [np.interp(r.t, r.t[r.valid], r.q[r.valid]) / scales.half for r in records]
-
-    def state(length: float) -> FloatArray:
-        """Resisting force at the valid samples, shape (N, 1)."""
-        return -np.concatenate([slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)])[:, None]
-
-    states = {length: state(length) for length in SLIP_LENGTHS}
+    # Resisting forces at the valid samples, shape (N, 1)
+    states = {
+        length: -np.concatenate([slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)])[:, None]
+        for length in SLIP_LENGTHS
+    }
     chosen = list[float]()
 
     def misfit(length: float) -> float:
@@ -274,12 +266,12 @@ def _best_stops(
         stops = (np.array([left, right, *each]) for each in ((1.0, 0.0), (0.0, 1.0)))
         return np.hstack([STOP_FORCE.evaluate(x=x[:, None], p=p[:, None], stops=each)["value"] for each in stops])
 
-    tried = product(-np.array(STOP_PLACES), STOP_PLACES)
-    places = min(tried, key=lambda ends: _misfit([*columns, stop_forces(*ends)], target))
+    pairs = product(-np.array(STOP_PLACES), STOP_PLACES)
+    places = min(pairs, key=lambda ends: _misfit([*columns, stop_forces(*ends)], target))
     matrix = np.column_stack([*columns, stop_forces(*places)])
     stiffness, resistance = np.linalg.lstsq(matrix, target, rcond=None)[0][-2:]
-    least = STOP_LEAST * scales.stiffness, STOP_LEAST * scales.frequency
-    return np.array([*places, np.log(max(stiffness, least[0])), np.log(max(resistance, least[1]))])
+    stiffness = max(stiffness, STOP_LEAST * scales.stiffness)
+    return np.array([*places, np.log(stiffness), np.log(max(resistance, STOP_LEAST * scales.frequency))])
 
 
 def _driven(records: Sequence[Log], p: ParameterLayout, timing: FloatArray) -> FloatArray:
@@ -299,21 +291,22 @@ def _motion(records: Sequence[Log], p: ParameterLayout) -> tuple[list[FloatArray
     An overdamped device has no measurable acceleration: the force that balances its damping stands in its place.
     """
     s = p.units
-    shape = p.structure
     x = np.concatenate([(r.q[r.valid] - s.middle) / s.half for r in records])
     speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
     target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
     basis = basis_rows(x, p.coefficients(np.zeros(p.count)))
     damping = -speed[:, None] * basis[:, p.basis_of("damping")]
-    if shape.overdamped:
+    if p.structure.overdamped:
         damping = np.zeros_like(damping)
         target = OVERDAMPED * s.frequency * speed
     return [basis[:, p.basis_of("force")], damping, basis[:, p.basis_of("input0")]], target
 
 
-def _gains(u: FloatArray, basis: FloatArray) -> list[FloatArray]:
-    """Columns of each g_k: the basis times u_k."""
-    return [signal[:, None] * basis for signal in u.T]
+def _columns(
+    records: Sequence[Log], p: ParameterLayout, theta: FloatArray, motion: list[FloatArray]
+) -> list[FloatArray]:
+    """Columns of F, of d and of each g_k, which are those of `_motion` times u_k with the drive of θ."""
+    return [*motion[:2], *(signal[:, None] * motion[2] for signal in _driven(records, p, theta).T)]
 
 
 def _misfit(columns: list[FloatArray], target: FloatArray) -> float:
@@ -324,12 +317,6 @@ def _misfit(columns: list[FloatArray], target: FloatArray) -> float:
     gram[np.diag_indices_from(gram)] += 1e-8
     right = matrix.T @ target
     return float(target @ target - right @ np.linalg.solve(gram, right))
-
-
-def _signs(columns: list[FloatArray], target: FloatArray, structure: JointStructure) -> list[int]:
-    """Sign of the mean force of each input."""
-    weights = _bounded_fit(columns, target, structure, (0,) * (len(columns) - 2))
-    return [1 if np.mean(basis @ w) >= 0.0 else -1 for basis, w in zip(columns[2:], weights[2:], strict=True)]
 
 
 def _bounded_fit(
@@ -350,18 +337,15 @@ def _bounded_fit(
         low[first:last] = 0.0 if sign > 0 else -np.inf
         high[first:last] = 0.0 if sign < 0 else np.inf
     # The triangular factor has the normal equations' size but not their squared condition number.
-    scaled = np.vstack((matrix / norms, RIDGE * np.eye(matrix.shape[1])))
-    q, r = np.linalg.qr(scaled)
-    right = q[: len(target)].T @ (target / size)
-    solution = lsq_linear(r, right, (low, high)).x / norms * size
+    q, r = np.linalg.qr(np.vstack((matrix / norms, RIDGE * np.eye(matrix.shape[1]))))
+    solution = lsq_linear(r, q[: len(target)].T @ (target / size), (low, high)).x / norms * size
     return list(np.split(solution, ends[:-1]))
 
 
 def _typical_gain(basis: FloatArray, gain: FloatArray, scales: JointScales) -> float:
     """Size of the weights that gives the mean force of an input; that of the springs if it never acted."""
     drive = float(np.sum(np.abs(basis)))
-    mean = abs(float(np.sum(basis @ gain))) / drive if drive > 0.0 else 0.0
-    return max(mean, 0.05 * scales.stiffness)
+    return max(abs(float(np.sum(basis @ gain))) / drive if drive > 0.0 else 0.0, 0.05 * scales.stiffness)
 
 
 def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[float]) -> FloatArray:
@@ -383,8 +367,8 @@ def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[fl
     for i, gain in enumerate(gains):
         theta[at[f"input{i}"]] = np.log(typical[i]) if p.signs[i] else gain
     for i in range(len(p.structure.rates)):
-        stiffness = (STIFF if i < p.structure.shape_elements else SOFT) * s.stiffness
-        theta[at[f"coupling{i}"]] = np.sqrt(stiffness) / overlap
+        share = STIFF if i < p.structure.shape_elements else SOFT
+        theta[at[f"coupling{i}"]] = np.sqrt(share * s.stiffness) / overlap
     for i in range(p.structure.shape_elements):
         theta[at[f"relaxation{i}"]] = np.log(START_RELAXATION * s.frequency / overlap)
         for k, sign in enumerate(p.signs):

@@ -7,8 +7,7 @@ from dataclasses import replace
 from typing import Annotated, Literal, Self
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
-from pydantic.dataclasses import dataclass
+from pydantic import BeforeValidator, Field, dataclasses as stored, model_validator
 from scipy.interpolate import CubicSpline
 
 from ...numerics.arrays import FloatArray
@@ -35,7 +34,7 @@ _MOST_ELEMENTS = 16
 _Elements = Annotated[int, Field(ge=0, le=_MOST_ELEMENTS)]
 
 
-@dataclass(frozen=True, config=STORED)
+@stored.dataclass(frozen=True, config=STORED)
 class JointStructure:
     """Terms of the data-driven joint; the text below a field is its line of help in the file."""
 
@@ -93,13 +92,8 @@ class JointStructure:
             raise ValueError(f"{self.shape_elements} shape elements among {len(self.rates)} elements")
         return self
 
-    @property
-    def remembers_inputs(self) -> bool:
-        """True if a hidden state depends on the inputs before the first sample."""
-        return self.input_lag or self.shape_elements > 0
 
-
-@dataclass(frozen=True, config=STORED)
+@stored.dataclass(frozen=True, config=STORED)
 class JointScales:
     """Units of the dimensionless joint."""
 
@@ -176,16 +170,15 @@ def drive_at_nodes(
     """
     inputs = known_inputs(v)
     spacing = interval * len(v) / len(inputs)
-    # Counted in known times, so that a node on a sample is exactly on it.
-    nodes = np.arange(2 * steps * (len(v) - 1) + 1, dtype=np.float64)
     half = interval / spacing / (2 * steps)
-    at: FloatArray = nodes * half - delay / spacing
+    # Counted in known times, so that a node on a sample is exactly on it.
+    at: FloatArray = np.arange(2 * steps * (len(v) - 1) + 1, dtype=np.float64) * half - delay / spacing
     times = np.arange(len(inputs))
     if hold == "zero" and delay:
         return _held_means(inputs, at)
     if hold == "record":
-        acting = inputs * inputs if squared else inputs
-        means = _record_nodes(np.ascontiguousarray(acting), float(at[0]), 2.0 * half, len(at) // 2)
+        acting = np.ascontiguousarray(inputs * inputs if squared else inputs)
+        means = _record_nodes(acting, float(at[0]), 2.0 * half, len(at) // 2)
         return np.sign(means) * np.sqrt(np.abs(means)) if squared else means
     at = np.clip(at, 0.0, times[-1])
     if hold == "zero":

@@ -76,28 +76,6 @@ Fit = tuple[ParameterLayout, FloatArray]
 
 
 @dataclass(frozen=True)
-class SearchResult:
-    """The chosen structure.
-
-    Attributes
-    ----------
-    chosen : Candidate
-    fit : Fit or None
-        The fit by which it was judged; None if nothing was offered.
-    held_out : dict of str to float
-        RMS held-out error of each candidate that was tried, in the unit of q, the geometric mean of the folds; empty if
-        nothing was offered.
-    complete : bool
-        True if all was offered and judged before `SEARCH_SHARE` of the effort was spent.
-    """
-
-    chosen: Candidate
-    fit: Fit | None
-    held_out: dict[str, float]
-    complete: bool
-
-
-@dataclass(frozen=True)
 class Setting:
     """Settings that all candidates share.
 
@@ -125,13 +103,19 @@ class Setting:
         """Parameterisation, start and prior of a candidate; lag and delay start as in another fit of it."""
         structure = option.structure
         if self.measured:
-            structure = replace(structure, force="curve", constant_gain=False, bent_input=False, dead_zone=False)
-            structure = replace(structure, stops=structure.stops and self.measured.force is None)
+            structure = replace(
+                structure,
+                force="curve",
+                constant_gain=False,
+                bent_input=False,
+                dead_zone=False,
+                stops=structure.stops and self.measured.force is None,
+            )
         p, start = starting_joint(
             records,
             structure,
             self.inputs,
-            centred=option.centred,
+            centred=option.population or option.symmetry is not None,  # q = 0 is the mirror plane
             known_signs=self.measured.signs if self.measured else None,
             reach=self.measured.reach if self.measured else (np.inf, -np.inf),
             timing={name: like[1][like[0].slices[name]] for name in TIMES} if like else None,
@@ -158,7 +142,7 @@ def search(
     first: Candidate,
     once: Sequence[Offer],
     again: Sequence[Offer] = (),
-) -> SearchResult:
+) -> tuple[Candidate, Fit | None, dict[str, float], bool]:
     """One offer after the other, each to the best candidate so far: `once`, then `again` until none is taken.
 
     The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. One
@@ -182,6 +166,18 @@ def search(
         The simplest one.
     once, again : sequence of Offer
         Offers, those of `again` up to `ROUNDS` times.
+
+    Returns
+    -------
+    Candidate
+        The chosen one.
+    Fit or None
+        The fit by which it was judged; None if nothing was offered.
+    dict of str to float
+        RMS held-out error of each candidate that was tried, in the unit of q, the geometric mean of the folds; empty if
+        nothing was offered.
+    bool
+        True if all was offered and judged before `SEARCH_SHARE` of the effort was spent.
     """
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
@@ -216,30 +212,20 @@ def search(
             complete = False
             break
         others = turns[number](best)
-        if others and not tried:
-            setting, tried = _coupled(records, setting, first)
-        affordable = _affordable(others, setting.effort, judged)
+        if others and not tried and judged(first).chaotic:
+            # Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps
+            # them together, the better one errs less.
+            setting = replace(setting, coupled=COUPLED)
+            tried[first.label] = _judge(records, setting, first, None)
+        affordable = [(judged(each).rms, each) for each in others if not setting.effort.exhausted(SEARCH_SHARE)]
         complete = complete and len(affordable) == len(others)
-        for option in sorted(affordable, key=lambda option: judged(option).rms):
+        for _, option in sorted(affordable, key=lambda pair: pair[0]):
             if better(option, best):
                 best = option
                 last_taken = max(number + 1, len(once))
                 taken.append(option)
     held_out = {label: judgement.rms for label, judgement in tried.items()}
-    return SearchResult(best, tried[best.label].fits[0] if tried else None, held_out, complete)
-
-
-def _affordable(
-    options: Sequence[Candidate], effort: Effort, judge: Callable[[Candidate], "_Judged"]
-) -> list[Candidate]:
-    """The options that could be judged before the effort was spent, in order."""
-    judged = list[Candidate]()
-    for option in options:
-        if effort.exhausted(SEARCH_SHARE):
-            break
-        judge(option)
-        judged.append(option)
-    return judged
+    return best, tried[best.label].fits[0] if tried else None, held_out, complete
 
 
 @dataclass(frozen=True)
@@ -283,19 +269,6 @@ def _in_equal_units(new: _Judged, old: _Judged, kind: int) -> tuple[FloatArray, 
     units = [np.sqrt(rms(a) * rms(b)) + np.finfo(float).tiny for a, b in pairs]
     first, second = ([pair[i] / unit for pair, unit in zip(pairs, units, strict=True)] for i in (0, 1))
     return np.concatenate(first), np.concatenate(second)
-
-
-def _coupled(records: Sequence[Log], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
-    """The setting with the observer gain at which candidates are compared, and the first one judged at it.
-
-    Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps them
-    together, the better one errs less.
-    """
-    judgement = _judge(records, setting, first, None)
-    if judgement.chaotic:
-        setting = replace(setting, coupled=COUPLED)
-        judgement = _judge(records, setting, first, None)
-    return setting, {first.label: judgement}
 
 
 def excerpts(records: Sequence[Log]) -> list[Log]:
@@ -346,19 +319,19 @@ def _judge(records: Sequence[Log], setting: Setting, option: Candidate, near: _J
     Samples of a run that is lost count `DIVERGED_ERROR_HALF_RANGES`. The fits start from those of a candidate `near`
     by, where that is given: what both have in common needs no second search.
     """
-    folds = _folds(records)
     timed = option.structure.input_lag or option.structure.input_delay
     errors = list[FloatArray]()
     fits = list[Fit]()
     chaotic = False
     followed = np.empty(0)
-    for i, (fitted, judged, after) in enumerate(folds):
+    for i, (fitted, judged, after) in enumerate(_folds(records)):
         # One log may say little of lag and delay, and even of a gain's sign: they start as the fit of all has them.
         p, start, prior = setting.begin(fitted, option, fits[0] if timed and fits else None)
         fit = _quick_fit(p, fitted, start, prior, setting, option, near.fits[i] if near else None)
         problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-        at = (COUPLED, setting.coupled)
-        both = [np.concatenate(problem.held_out(fit.theta, GAINS[1], coupled)) for coupled in at]
+        both = [
+            np.concatenate(problem.held_out(fit.theta, GAINS[1], coupled)) for coupled in (COUPLED, setting.coupled)
+        ]
         errors.append(p.scales.half * np.minimum(np.abs(both), DIVERGED_ERROR_HALF_RANGES))
         fits.append((p, fit.theta))
         chaotic = chaotic or fit.chaotic
@@ -398,13 +371,12 @@ def _quick_fit(
 
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
         """A quick homotopy from θ over the observer gains [frequency scale] that are strong enough."""
-        strong = [gain for gain in gains if gain >= setting.coupled]
         return fit_homotopy(
             problem,
             theta,
             prior,
             Schedule(
-                gains=strong,
+                gains=[gain for gain in gains if gain >= setting.coupled],
                 iterations=steps,
                 last_iterations=2 * steps,
                 tolerance=LEVEL_TOLERANCE,
@@ -424,9 +396,8 @@ def _quick_fit(
 
 def _alike(p: ParameterLayout, near: ParameterLayout) -> bool:
     """True if the fit of another structure is a good start: its inputs act alike, its scales and signs are equal."""
-    names = ("effect_lags", "rest_at_zero", *TIMES)
-    drive = all(getattr(p.structure, name) == getattr(near.structure, name) for name in names)
-    return drive and near.scales == p.scales and near.signs == p.signs
+    same = (getattr(p.structure, n) == getattr(near.structure, n) for n in ("effect_lags", "rest_at_zero", *TIMES))
+    return all(same) and near.scales == p.scales and near.signs == p.signs
 
 
 def _adopted(p: ParameterLayout, start: FloatArray, near: ParameterLayout, theta: FloatArray) -> FloatArray:

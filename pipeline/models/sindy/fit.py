@@ -3,12 +3,12 @@
 Weak form and sparse regression are pysindy's estimators.
 """
 
-import importlib
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
+import pysindy
 
 from ...device.device import Device
 from ...errors import InputError
@@ -19,8 +19,6 @@ from ...scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error
 from ...signals.log import Log, operating_range
 from ..polynomial_dynamics import FIRST_INPUT, QDOT, PolynomialDynamics, Q, free_run
 from .weak_form import LAG_SETS, Library, Problem, prepare_problem, seeded
-
-SearchStatus = Literal["completed", "limit"]
 
 MOST_INPUT_LAGS = 2
 """Most lags of a set with lagged inputs: a log of this length does not determine more terms."""
@@ -45,10 +43,6 @@ class Treatment:
 
     library: Library
     threshold: float
-
-
-class _LimitReachedError(Exception):
-    """The search has reached its limit of candidates."""
 
 
 def fit_sindy(
@@ -86,31 +80,29 @@ def fit_sindy(
     problem = prepare_problem(trajectories, plant)
     errors: dict[Treatment, FloatArray] = {}
     terms: dict[Treatment, int] = {}
+    refused = set[Treatment]()
 
     def error(candidate: Treatment) -> float:
-        """Mean error over the folds, computed once for each candidate."""
+        """Mean error over the folds, computed once for each candidate; infinite beyond the limit of candidates."""
         if candidate not in errors:
             if most is not None and len(errors) >= most:
-                raise _LimitReachedError
+                refused.add(candidate)
+                return np.inf
             errors[candidate], terms[candidate] = _cross_validate(problem, candidate)
         return float(errors[candidate].mean())
 
-    status: SearchStatus = "completed"
-    try:
-        _search(error, problem, angle=plant.displacement.symbol == "rad")
-    except _LimitReachedError:
-        status = "limit"
+    _search(error, problem, angle=plant.displacement.symbol == "rad")
     means = {candidate: float(values.mean()) for candidate, values in errors.items()}
     limit = max(min(means.values()), NEGLIGIBLE)
     chosen = min((c for c in means if means[c] <= limit), key=lambda c: (terms[c], means[c]))
-    return _refit(problem, chosen, errors, status)
+    return _refit(problem, chosen, errors, "limit" if refused else "completed")
 
 
 def _search(error: Callable[[Treatment], float], problem: Problem, *, angle: bool) -> None:
     """Try candidates in order; each stage keeps the best of the one before."""
     present = {lag.time for lag in problem.empty.lags}
-    sets = [tuple(ratio * problem.time_scale for ratio in ratios) for ratios in LAG_SETS]
-    sets = [times for times in sets if present.issuperset(times)]
+    scaled = (tuple(ratio * problem.time_scale for ratio in ratios) for ratios in LAG_SETS)
+    sets = [times for times in scaled if present.issuperset(times)]
 
     def best_of(libraries: Iterable[Library]) -> Library:
         """The library of least held-out error."""
@@ -137,7 +129,7 @@ def _fitted(problem: Problem, candidate: Treatment, fold: int | None) -> Polynom
     columns = problem.columns(candidate.library)
     rows, target = problem.without(fold)
     theta, scaled, norms, length = _scaled(rows[:, columns], target)
-    optimizer = importlib.import_module("pysindy").STLSQ(threshold=candidate.threshold, alpha=RIDGE)
+    optimizer = pysindy.STLSQ(threshold=candidate.threshold, alpha=RIDGE)
     with seeded():
         optimizer.fit(theta, scaled[:, None])
     coefficients = np.nan_to_num(np.asarray(optimizer.coef_, dtype=np.float64)[0]) * length / norms
@@ -145,8 +137,7 @@ def _fitted(problem: Problem, candidate: Treatment, fold: int | None) -> Polynom
     d = problem.empty
     terms = problem.exponents[columns[nonzero]]
     used = np.flatnonzero(terms[:, d.scales.size :].any(axis=0))
-    velocity = np.zeros((1, d.scales.size + used.size), dtype=np.int64)
-    velocity[0, QDOT] = 1
+    velocity = np.arange(d.scales.size + used.size) == QDOT
     table = np.zeros((2, nonzero.size + 1))
     table[0, 0] = d.scales[QDOT]  # q̇ = v, not regressed
     table[1, 1:] = coefficients[nonzero]
@@ -174,20 +165,17 @@ def _scaled(rows: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArra
 def _cross_validate(problem: Problem, candidate: Treatment) -> tuple[FloatArray, int]:
     """Free-run NRMSE of q for each held-out fold, and the most terms that any fold kept."""
     folds = sorted({block.fold for block in problem.blocks})
-    errors = []
-    terms = 0
-    for fold in folds:
-        dynamics = _fitted(problem, candidate, fold if len(folds) > 1 else None)
-        terms = max(terms, len(dynamics.exponents) - 1)
-        parts = ((block, i) for block in problem.blocks if block.fold == fold for i in range(STARTS))
-        errors.append(float(np.mean([_error(problem, dynamics, *part) for part in parts])))
-    return np.array(errors), terms
+    fitted = {fold: _fitted(problem, candidate, fold if len(folds) > 1 else None) for fold in folds}
+    errors = [
+        np.mean([_error(problem, fit, b, i) for b in problem.blocks if b.fold == fold for i in range(STARTS)])
+        for fold, fit in fitted.items()
+    ]
+    return np.array(errors), max(len(fit.exponents) - 1 for fit in fitted.values())
 
 
 def _error(problem: Problem, dynamics: PolynomialDynamics, block: HeldOutBlock, part: int) -> float:
     """Free-run NRMSE of q over one of the `STARTS` parts of a block."""
-    length = block.stop - block.start
-    first, last = (block.start + length * i // STARTS for i in (part, part + 1))
+    first, last = (block.start + (block.stop - block.start) * i // STARTS for i in (part, part + 1))
     whole = problem.trajectories[block.source]
     x = whole.part(first, last)
     path, _ = free_run(dynamics, x.drive, whole.interval, float(x.q[0]), float(x.qdot[0]))
@@ -195,7 +183,7 @@ def _error(problem: Problem, dynamics: PolynomialDynamics, block: HeldOutBlock, 
 
 
 def _refit(
-    problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArray], status: SearchStatus
+    problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArray], status: str
 ) -> tuple[PolynomialDynamics, dict[str, Any]]:
     rows, target = problem.without(None)
     theta, scaled, _, _ = _scaled(rows[:, problem.columns(chosen.library)], target)
@@ -222,7 +210,7 @@ def _refit(
     }
 
 
-def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> PolynomialDynamics:
+def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> tuple[PolynomialDynamics, dict[str, Any]]:
     """``pysindy.SINDy().fit(x, t=…, u=…)`` with x = [q, q̇] and u = v² (or v), everything else left alone.
 
     The defaults are second-degree polynomials, STLSQ with a threshold of 0.1 on raw coefficients and second-order
@@ -242,7 +230,6 @@ def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> PolynomialD
     InputError
         No data, a constant displacement, or differing sample intervals or inputs.
     """
-    pysindy = importlib.import_module("pysindy")
     low, high = operating_range(trajectories)
     if len({x.v.shape[1] for x in trajectories}) != 1 or np.ptp([x.interval for x in trajectories]) > 1e-9:
         raise InputError("the training logs differ in inputs or sample interval; ingest them alike")
@@ -262,6 +249,10 @@ def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> PolynomialD
     scales = np.array([length, length, 1.0, 1.0, 1.0, *[input_scale] * inputs])
     coefficients = length * np.asarray(model.coefficients(), dtype=np.float64)
     used = np.any(coefficients != 0.0, axis=0)
-    return PolynomialDynamics(
+    dynamics = PolynomialDynamics(
         exponents[used], coefficients[:, used], scales, (), plant.squared, *escape_bounds(low, high)
     )
+    return dynamics, {
+        "library": "poly2(q, q̇, u), pysindy's default, in the units of the log",
+        "terms_kept": int(np.count_nonzero(coefficients[1])),
+    }

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -12,7 +12,7 @@ from ...device.device import Device
 from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from ...numerics.fixed_step import run_status
 from ...signals.log import Log
-from ..base import FreeRun, checked
+from ..base import FreeRun, checked, gain_curves
 from ..model_file import (
     MOST_INPUTS,
     Exponents,
@@ -24,7 +24,6 @@ from ..model_file import (
     Table,
     Unit,
     Units,
-    read_part,
 )
 from ..model_type import ModelType
 from ..polynomial_dynamics import (
@@ -171,11 +170,9 @@ class SindyModel(ModelFile):
         x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, np.zeros_like(q), 1.0)
         x = np.column_stack([x, np.zeros((q.size, len(d.lags)))])
         damping = self._slope(x, QDOT) + self._slope(x, FRICTION)
-        curves = {"F": -self.mass_kg * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass_kg * damping}
-        for k in range(d.inputs):
-            g = self.mass_kg * self._slope(x, FIRST_INPUT + k)
-            curves |= {f"dC{k + 1}_dq": 2.0 * g} if d.squared else {f"g{k + 1}": g}
-        return curves
+        gains = (self.mass_kg * self._slope(x, FIRST_INPUT + k) for k in range(d.inputs))
+        forces = {"F": -self.mass_kg * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass_kg * damping}
+        return forces | gain_curves(gains, squared=d.squared)
 
     def _slope(self, x: FloatArray, variable: int) -> FloatArray:
         """∂q̈/∂(variable) at rest, where all lags have followed it: its terms of first power, per unit of it."""
@@ -210,17 +207,15 @@ class SindyModel(ModelFile):
 
     def _sum(self, row: int) -> str:
         d = self.dynamics
-        symbols = self._symbols()
         sources = np.array([*range(d.scales.size), *(lag.source for lag in d.lags)])
         scales = np.where(sources == FRICTION, 1.0, d.scales[sources])
         orders = np.ones(sources.size, dtype=np.int64)
         orders[FIRST_INPUT : d.scales.size] = 2 if d.squared else 1
         parts = []
-        for powers, scaled in zip(d.exponents, d.coefficients[row], strict=True):
-            if scaled == 0.0:
-                continue
+        kept = d.coefficients[row] != 0.0
+        for powers, scaled in zip(d.exponents[kept], d.coefficients[row, kept], strict=True):
             value = scaled / float(np.prod(scales**powers))
-            factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(symbols, powers * orders, strict=True) if n]
+            factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(self._symbols(), powers * orders, strict=True) if n]
             unit = self._unit(np.bincount(sources, powers, d.scales.size).astype(int), row)
             number = f"{value:+.4g}{unit}" if unit or value != 1.0 else ""
             parts.append("·".join([number, *factors]).strip("·"))
@@ -241,54 +236,46 @@ class SindyModel(ModelFile):
         return {"structure": "sparse polynomial", "equations": self.equations(), **self.diagnostics}
 
 
-def identify_sindy(trajectories: Sequence[Log], plant: Device, *, most: int | None = None) -> SindyModel:
-    """SINDy at its best: see `pipeline.models.sindy.fit.fit_sindy`.
+def identify_sindy(
+    trajectories: Sequence[Log],
+    plant: Device,
+    *,
+    most: int | None = None,
+    name: Literal["sindy", "sindy-default"] = "sindy",
+) -> SindyModel:
+    """SINDy at its best, or as pysindy ships it; see `pipeline.models.sindy.fit`.
 
     Parameters
     ----------
     trajectories : sequence of Log
         Gap-free segments of the training logs, voltages as finely as they are known.
     plant : Device
-        Action of the inputs, units, and the mass, which scales the characteristic curves only.
+        Action of the inputs, units, those of the log among them, and the mass, which scales the characteristic curves
+        only.
     most : int, optional
-        Candidates that the search tries, see `fit_sindy`.
+        Candidates that the search for `sindy` tries.
+    name : {"sindy", "sindy-default"}
+        The model.
 
     Raises
     ------
     InputError
         No data, differing inputs, or a constant displacement.
     """
-    from .fit import fit_sindy
+    from .fit import fit_default_sindy, fit_sindy
 
-    dynamics, notes = fit_sindy(trajectories, plant, most=most)
-    return SindyModel.of(dynamics, plant, "sindy", notes)
-
-
-def identify_default_sindy(trajectories: Sequence[Log], plant: Device) -> SindyModel:
-    """SINDy as pysindy ships it: `pipeline.models.sindy.fit.fit_default_sindy`.
-
-    Parameters
-    ----------
-    trajectories : sequence of Log
-        Gap-free segments of the training logs.
-    plant : Device
-        Action of the inputs, units, those of the log among them, and mass.
-    """
-    from .fit import fit_default_sindy
-
-    dynamics = fit_default_sindy(trajectories, plant)
-    library = "poly2(q, q̇, u), pysindy's default, in the units of the log"
-    notes = {"library": library, "terms_kept": int(np.count_nonzero(dynamics.coefficients[1]))}
-    return SindyModel.of(dynamics, plant, "sindy-default", notes)
+    best = name == "sindy"
+    dynamics, notes = fit_sindy(trajectories, plant, most=most) if best else fit_default_sindy(trajectories, plant)
+    return SindyModel.of(dynamics, plant, name, notes)
 
 
 SINDY = ModelType(
     lambda data: identify_sindy(data.fitted_segments, data.device, most=data.compare.candidates),
-    partial(read_part, SindyModel, name="sindy", command="compare"),
+    SindyModel,
     "export.data_driven:realise_polynomial",
 )
 SINDY_DEFAULT = ModelType(
-    lambda data: identify_default_sindy(data.segments, data.device),
-    partial(read_part, SindyModel, name="sindy", command="compare"),
+    lambda data: identify_sindy(data.segments, data.device, name="sindy-default"),
+    SindyModel,
     "export.data_driven:realise_polynomial",
 )

@@ -9,7 +9,6 @@ draws the places of test functions from NumPy's global state (its issue 485), wh
 A `Problem` holds the rows for every candidate term and every held-out block.
 """
 
-import importlib
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -17,6 +16,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import pysindy
 from scipy.interpolate import CubicHermiteSpline
 
 from ...device.device import Device
@@ -58,14 +58,10 @@ def seeded() -> Iterator[None]:
 
 def feature_library(variables: int, angle: bool) -> Any:
     """Pysindy's library of the powers of q, and of q (for an `angle` also sin q, cos q) times every other variable."""
-    pysindy = importlib.import_module("pysindy")
     libraries = [pysindy.PolynomialLibrary(HIGHEST), pysindy.PolynomialLibrary(COUPLED), pysindy.IdentityLibrary()]
-    inputs = [[Q], [Q], [k for k in range(variables) if k not in (Q, SINE, COSINE)]]
-    tensors = [[0, 1, 1]]
-    if angle:
-        libraries.append(pysindy.PolynomialLibrary(1))
-        inputs = [*inputs, [SINE, COSINE]]
-        tensors = [[0, 1, 1, 0], [0, 0, 1, 1]]
+    libraries += [pysindy.PolynomialLibrary(1)] * angle
+    inputs = [[Q], [Q], [k for k in range(variables) if k not in (Q, SINE, COSINE)], *[[SINE, COSINE]] * angle]
+    tensors = [[0, 1, 1, 0], [0, 0, 1, 1]] if angle else [[0, 1, 1]]
     return pysindy.GeneralizedLibrary(libraries, tensors, inputs, exclude_libraries=[1, 2])
 
 
@@ -109,7 +105,6 @@ def weak_rows(
     target : FloatArray, shape (count,)
         −∫ φ' q̇ dt. Cost: about 2 ms a test function, nearly all of it in setting up pysindy's library.
     """
-    pysindy = importlib.import_module("pysindy")
     features = feature_library(x.shape[1], angle)
     with seeded():
         terms = np.asarray(features.fit_transform(x))
@@ -119,48 +114,7 @@ def weak_rows(
             pysindy.IdentityLibrary(), spatiotemporal_grid=interval * np.arange(len(x)), K=count, H_xt=half_width, p=4
         )
         rows = np.asarray(weak.fit_transform(terms[:, first]))
-        target = np.asarray(weak.convert_u_dot_integral(qdot[:, None]))[:, 0]
-    return exponents[first], rows, target
-
-
-def admitted(
-    exponents: IntArray, inputs: int, degrees: tuple[int, int, int], friction: bool, turning: bool, lags: set[int]
-) -> IntArray:
-    """Terms of a library: their places in `exponents`.
-
-    Parameters
-    ----------
-    exponents : IntArray, shape (P, V)
-        All candidate terms.
-    inputs : int
-        Number of inputs.
-    degrees : (int, int, int)
-        Highest power of q alone, as a factor of velocities and lags, and as a factor of inputs.
-    friction : bool
-        True if tanh(q̇/w) is one of them.
-    turning : bool
-        True if 1, sin q and cos q stand in the place of the powers of q.
-    lags : set of int
-        Columns of the lag states that may enter.
-    """
-    alone, moving, driven = degrees
-    chosen = []
-    for place, row in enumerate(exponents):
-        circle = int(row[SINE] + row[COSINE])
-        if (row[Q] if turning else circle) or (not turning and row[FRICTION] and row[Q]):
-            continue
-        power = circle if turning else int(row[Q])
-        others = [k for k in np.flatnonzero(row) if k not in (Q, SINE, COSINE)]
-        limit = alone
-        if others:
-            (other,) = others
-            last = FIRST_INPUT + inputs
-            if (other == FRICTION and not friction) or (other >= last and other not in lags):
-                continue
-            limit = driven if FIRST_INPUT <= other < last else moving
-        if power <= limit:
-            chosen.append(place)
-    return np.array(chosen, dtype=np.int64)
+        return exponents[first], rows, np.asarray(weak.convert_u_dot_integral(qdot[:, None]))[:, 0]
 
 
 LAG_SETS = ((), (1.0, 8.0), (2.0, 16.0), (1 / 3, 2.0, 8.0))
@@ -209,8 +163,7 @@ class Library:
         alone, moving, driven = (f"poly{degree}(q)" for degree in self.degrees)
         if self.turning:
             alone, moving, driven = ("(1, sin q, cos q)" if degree else "1" for degree in self.degrees)
-        friction = " + tanh q̇" if self.friction else ""
-        return f"{alone} + {moving}·(q̇{z}{u}) + {driven}·u{friction}"
+        return f"{alone} + {moving}·(q̇{z}{u}) + {driven}·u{' + tanh q̇' * self.friction}"
 
 
 @dataclass(frozen=True)
@@ -221,7 +174,7 @@ class Problem:
     ----------
     trajectories : sequence of Log
         Gap-free segments.
-    blocks : list of HeldOutBlock
+    blocks : sequence of HeldOutBlock
         Their parts; `rows` and `targets` have an entry for each, of shapes (K, P) and (K,).
     exponents : IntArray, shape (P, V)
         The candidate terms.
@@ -236,9 +189,9 @@ class Problem:
     """
 
     trajectories: Sequence[Log]
-    blocks: list[HeldOutBlock]
-    rows: list[FloatArray]
-    targets: list[FloatArray]
+    blocks: Sequence[HeldOutBlock]
+    rows: Sequence[FloatArray]
+    targets: Sequence[FloatArray]
     exponents: IntArray
     empty: PolynomialDynamics
     span: float
@@ -247,12 +200,28 @@ class Problem:
 
     def columns(self, library: Library) -> IntArray:
         """Places of the library's terms."""
+        last = self.empty.scales.size
         lags = {
-            self.empty.scales.size + k
+            last + k
             for k, lag in enumerate(self.empty.lags)
             if lag.time in library.lags and (lag.source == QDOT or library.lagged_inputs)
         }
-        return admitted(self.exponents, self.empty.inputs, library.degrees, library.friction, library.turning, lags)
+        alone, moving, driven = library.degrees
+        chosen = []
+        for place, row in enumerate(self.exponents):
+            circle = int(row[SINE] + row[COSINE])
+            if (row[Q] if library.turning else circle) or (not library.turning and row[FRICTION] and row[Q]):
+                continue
+            others = [k for k in np.flatnonzero(row) if k not in (Q, SINE, COSINE)]
+            limit = alone
+            if others:
+                (other,) = others
+                if (other == FRICTION and not library.friction) or (other >= last and other not in lags):
+                    continue
+                limit = driven if FIRST_INPUT <= other < last else moving
+            if (circle if library.turning else row[Q]) <= limit:
+                chosen.append(place)
+        return np.array(chosen, dtype=np.int64)
 
     def without(self, fold: int | None) -> tuple[FloatArray, FloatArray]:
         """The regression on all blocks but those of a fold."""
@@ -292,14 +261,14 @@ def prepare_problem(trajectories: Sequence[Log], plant: Device) -> Problem:
     blocks = held_out_blocks(trajectories)
     half_width = _half_width(trajectories, blocks, time_scale)
     angle = plant.displacement.symbol == "rad"
-    weak = [_weak_block(trajectories, block, empty, half_width, angle) for block in blocks]
-    usable = [i for i, (exponents, _, _) in enumerate(weak) if len(exponents)]
+    weak = [(block, *_weak_block(trajectories, block, empty, half_width, angle)) for block in blocks]
+    used, exponents, rows, targets = zip(*(each for each in weak if len(each[1])), strict=True)
     return Problem(
         trajectories=trajectories,
-        blocks=[blocks[i] for i in usable],
-        rows=[weak[i][1] for i in usable],
-        targets=[weak[i][2] for i in usable],
-        exponents=weak[usable[0]][0],
+        blocks=used,
+        rows=rows,
+        targets=targets,
+        exponents=exponents[0],
         empty=empty,
         span=high - low,
         time_scale=time_scale,

@@ -27,8 +27,7 @@ def kinematics(signals: Table, fine: Table, prototype: Prototype) -> tuple[Table
     prototype : Prototype
         Its settings of the stage.
     """
-    unit = ALPHA_UNIT[device(prototype).displacement.symbol][1]
-    qdot, qddot, notes = derivatives(fine, signals["t"], prototype, unit)
+    qdot, qddot, notes = derivatives(fine, signals["t"], prototype)
     if "velocity" in signals and (warning := contradiction(signals)):
         notes["warnings"] = [warning]
     masked = signals["segment"] < 0
@@ -53,9 +52,7 @@ def contradiction(signals: Table) -> str | None:
     return f"q moves {factor:.3g} times as far as qdot; check unit, scale and sign of both in [channels]"
 
 
-def derivatives(
-    fine: Table, t: FloatArray, prototype: Prototype, unit: float
-) -> tuple[FloatArray, FloatArray, dict[str, Any]]:
+def derivatives(fine: Table, t: FloatArray, prototype: Prototype) -> tuple[FloatArray, FloatArray, dict[str, Any]]:
     """Velocity and acceleration at the times `t`, from a record whose grid holds them.
 
     Where the velocity was measured it is smoothed, with parameters of its own chosen by its noise, and differentiated
@@ -69,16 +66,15 @@ def derivatives(
         Times [s] on the record's grid.
     prototype : Prototype
         Its settings of the stage.
-    unit : float
-        SI value of the unit that alpha and epsilon are set for.
 
     Returns
     -------
     qdot, qddot : FloatArray, shape (N,)
         NaN where the record is masked.
     notes : dict
-        For each segment its parameters, noise (in the same unit) and convergence.
+        For each segment its parameters and noise, in the unit that alpha and epsilon are set for, and convergence.
     """
+    unit = ALPHA_UNIT[device(prototype).displacement.symbol][1]
     settings = prototype.differentiate
     measured = "velocity" in fine
     grid = fine["t"]
@@ -101,15 +97,18 @@ def derivatives(
             }
         )
     index = np.rint((t - grid[0]) / interval).astype(np.int64)
-    notes = {
-        "method": settings.method,
-        "of": "velocity" if measured else "q",
-        **({"order": method["order"]} if settings.method == "tvregdiff" else {}),
-        "interval_s": interval,
-        "unit_si": unit,
-        "stretches": segments,
-    }
-    return rates[0, index], rates[1, index], notes
+    return (
+        rates[0, index],
+        rates[1, index],
+        {
+            "method": settings.method,
+            "of": "velocity" if measured else "q",
+            **({"order": method["order"]} if settings.method == "tvregdiff" else {}),
+            "interval_s": interval,
+            "unit_si": unit,
+            "stretches": segments,
+        },
+    )
 
 
 def differentiator(settings: Differentiate, *, measured: bool, unit: float) -> dict[str, Any]:

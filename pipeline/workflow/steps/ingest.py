@@ -1,7 +1,7 @@
-"""Ingest: a raw log examined, masked and brought to uniform records."""
+"""Ingest: a raw log corrected, examined, masked and brought to uniform records."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from ...diagnostics.sentences import judge, sentences
 from ...errors import DataRefusedError
 from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
-from ...signals.columns import finite, missing, select
+from ...signals.columns import finite, missing, scaled, select
 from ...signals.findings import (
     Finding,
     coarse_inputs,
@@ -25,7 +25,7 @@ from ...signals.findings import (
     saturation,
     scale_suspicion,
 )
-from ...signals.log import LONGEST_BRIDGE, UNKNOWN, RawLog
+from ...signals.log import LONGEST_BRIDGE, UNKNOWN, Corrections, RawLog
 from ...signals.noise import held_samples, mains_at_another_rate, resolution
 from ...signals.outliers import Trusted, dropout_remarks, trusted, without_spikes
 from ...signals.signal_quality import SignalQuality, examine_signal, span
@@ -39,17 +39,33 @@ _MUCH_DISCARDED = 0.03
 """Share of the rows that may be left out where time steps back, before another remedy is named."""
 
 
-@dataclass(frozen=True)
-class Examined:
-    """A raw log that was not refused: its usable segments, its nominal step [s], and what was noticed."""
+def corrected_log(log: RawLog, by: Corrections) -> RawLog:
+    """A raw log whose readings are corrected; a measured velocity is left as its own sensor read it."""
+    made: dict[tuple[int, float], FloatArray] = {}
 
-    usable: Survey
-    raw_step: float
-    notes: dict[str, Any]
+    def base(time: FloatArray, delay: float = 0.0) -> FloatArray:
+        """A corrected time base, made once, so that signals that shared one do so still."""
+        return made.setdefault((id(time), delay), scaled(time, by.clock, delay))
+
+    inputs = [
+        (base(time, by.delay), scaled(samples, gain, 0.0))
+        for (time, samples), gain in zip(log.inputs, by.gains, strict=True)
+    ]
+    q = base(log.q[0]), scaled(log.q[1], by.gain_q, by.zero)
+    velocity = None if log.velocity is None else (base(log.velocity[0]), log.velocity[1])
+    return RawLog(q, tuple(inputs), velocity, log.notes)
 
 
-def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
+def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[Resampling, Resampling], dict[str, Any]]:
     """Examine a raw log in SI units and mask what cannot be trusted.
+
+    Returns
+    -------
+    (Resampling, Resampling)
+        The log brought to two uniform grids: that of the fine record, and that of the signals. The interval of the fine
+        record is a whole fraction of the sample interval, and never finer than the log.
+    dict
+        What was noticed.
 
     Raises
     ------
@@ -75,7 +91,10 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
     left_out = _left_out(trusted, warnings, prototype)
     _refuse_no_record(where, usable.span, settings.sample_interval, usable.rows.keep.size * raw_step)
     _refuse_other_clock(where, clock := examine(signals.q[0]), quality, prototype)
-    masked = Resampling(usable, settings.sample_interval).report
+    finest = max(settings.record_interval, raw_step * (1.0 - 1e-3))
+    fine = settings.sample_interval / max(1, int(settings.sample_interval / finest + 1e-9))
+    resamplings = (Resampling(usable, fine), Resampling(usable, settings.sample_interval))
+    masked = resamplings[1].report
     lacking, findings = _lacking(signals, settings.sample_interval)
     unknown = inputs_unknown(usable, LONGEST_BRIDGE * settings.sample_interval)
     warnings += [
@@ -98,7 +117,7 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> Examined:
     # An interval around each place where rows are missing belongs to what is not known of the inputs.
     around = [(a - settings.sample_interval, b + settings.sample_interval) for a, b in trusted.dropouts.cuts.tolist()]
     notes |= left_out | {"cut_off_s": ends, UNKNOWN: sorted([*unknown, *around])}
-    return Examined(usable, raw_step, notes | _sensor(signals, quality))
+    return resamplings, notes | _sensor(signals, quality)
 
 
 def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
@@ -126,8 +145,8 @@ def _few_samples(signals: RawLog, interval: float) -> tuple[list[str], list[Find
     """
     own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q[0]}
     steps = {name: nominal_step(time) for name, time in own.items()}
-    lasts = {name: float(time[-1] - time[0]) for name, time in own.items()}
-    return [name for name in own if seldom(own[name].size, steps[name], lasts[name])], coarse_inputs(steps, interval)
+    few = [name for name, time in own.items() if seldom(time.size, steps[name], float(time[-1] - time[0]))]
+    return few, coarse_inputs(steps, interval)
 
 
 def _refuse_no_record(where: str, span: tuple[float, float], interval: float, covered: float) -> None:
@@ -161,10 +180,14 @@ def _sensor(signals: RawLog, quality: SignalQuality) -> dict[str, Any]:
 
     A sketch of the samples serves to recognise a copy.
     """
-    lines = [line.frequency for line in quality.hum if line.stands_out]
     step = resolution(signals.q[1])
-    held = held_samples(signals.q[1], step)
-    return {"noise": quality.noise, "resolution": step, "hum": lines, "held": held, "sketch": sketch(*signals.q)}
+    return {
+        "noise": quality.noise,
+        "resolution": step,
+        "hum": [line.frequency for line in quality.hum if line.stands_out],
+        "held": held_samples(signals.q[1], step),
+        "sketch": sketch(*signals.q),
+    }
 
 
 def _cut_off(usable: Survey, clock: TimeQuality) -> float:
@@ -193,7 +216,6 @@ def _discarded(rows: TimeRows) -> list[str]:
     """Messages on rows that are left out where time steps back."""
     if not rows.turns.size:
         return []
-
     share = rows.backward / rows.time.size
     places = counted(int(rows.turns.size), "place")
     much = "; give the parts as logs of their own, or repair the clock" if share > _MUCH_DISCARDED else ""
@@ -216,9 +238,9 @@ def _gaps(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> Iterato
     ]
     for what, count, places, then in kinds:
         if count:
-            (before, after), several = places[0], "the first " if count > 1 else ""
-            place = f"{several}from {stamped(before)} to {stamped(after)} s"
-            yield f"{counted(count, 'gap')} {what}, {place}: {then}"
+            before, after = map(stamped, places[0])
+            several = "the first " if count > 1 else ""
+            yield f"{counted(count, 'gap')} {what}, {several}from {before} to {after} s: {then}"
 
 
 def _left_out(trusted: Trusted, warnings: list[str], prototype: Prototype) -> dict[str, int]:
@@ -281,13 +303,3 @@ def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> list[s
                 f"{name} spans {largest - smallest:.3g} {unit.symbol} and looks {size}: check its unit in [channels]"
             )
     return warnings
-
-
-def resamplings(examined_log: Examined, settings: Ingest) -> tuple[Resampling, Resampling]:
-    """A log brought to two uniform grids: that of the fine record, and that of the signals.
-
-    The interval of the fine record is a whole fraction of the sample interval, and never finer than the log.
-    """
-    finest = max(settings.record_interval, examined_log.raw_step * (1.0 - 1e-3))
-    fine = settings.sample_interval / max(1, int(settings.sample_interval / finest + 1e-9))
-    return Resampling(examined_log.usable, fine), Resampling(examined_log.usable, settings.sample_interval)

@@ -52,7 +52,7 @@ def validated(
     began = time.process_time()
     result = free_run(log, model)
     notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
-    notes["horizons"] = _horizons(log, model, {name: seconds for name, (seconds, _) in HORIZONS.items()}, plant)
+    notes["horizons"] = _horizons(log, model, plant)
     notes["basis_functions"] = model.describe().get("basis_functions")
     ensemble = drawn_runs(log, model) if isinstance(model, HasTubes) or isinstance(wells, Wells) else None
     notes |= trust_notes(log, wells, trained, ensemble, plant)
@@ -68,15 +68,15 @@ def measured_path(log: Log, model: DynamicModel) -> tuple[MeasuredPath, Predict]
     return MeasuredPath(log.t, v, log.q, log.qdot), predictor(model)
 
 
-def _horizons(log: Log, model: DynamicModel, horizons: Mapping[str, float], plant: Device) -> dict[str, Any]:
+def _horizons(log: Log, model: DynamicModel, plant: Device) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
-    shortest = SHORTEST_HORIZON * log.interval
-    possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= log.duration}
-
+    shortest = SHORTEST_HORIZON * log.interval * (1.0 - 1e-9)
+    possible = [h for h, _ in HORIZONS.values() if h == 0.0 or shortest <= h <= log.duration]
     path, predict = measured_path(log, model)
-    horizon_scores = horizon_errors(predict, path, list(possible.values()), plant=plant, most_starts=_RESTARTS)
-    errors = dict(zip(possible, horizon_scores, strict=True))
-    return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
+    errors = dict(
+        zip(possible, horizon_errors(predict, path, possible, plant=plant, most_starts=_RESTARTS), strict=True)
+    )
+    return {name: asdict(errors.get(h, HorizonError(h, None, None, 0, 0))) for name, (h, _) in HORIZONS.items()}
 
 
 def trust_notes(

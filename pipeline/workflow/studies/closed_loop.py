@@ -26,7 +26,7 @@ from ...settings.logs import Number, SettingsTable, Whole
 from ...store.outputs import new_outputs, rebased
 from ...store.run_folder import RunFolder
 from ...units.units import parse_quantity, to_si
-from ..run_models import load_design
+from ..run_contents import load_design
 
 _NAMED = {"nominal": nominal, "table1": table1}
 _MOST_STEPS = 50
@@ -323,10 +323,14 @@ def closed_loop_log(
     with new_outputs(path.parent, "rig closed-loop", force=None, names=names) as staged:
         run = run_loop(joint.parameters, joint.bench, scenario, _controller(controller, play))
         written = write_log(staged / path.name, options.format, run, path.stem)
-        files = [rebased(file, staged, path.parent) for file in written]
     places = joint.places
-    refused = {"commands_not_finite": run.commands_not_finite, "commands_clipped": run.commands_clipped}
     steps = step_metrics(run.t, run.true_q, run.target, places["right"] - places["left"])
     moves = len(steps) > _MOST_STEPS  # a reference that moves has no steps
     followed = {"steps": [], "rms_m": rms(run.true_q - run.target)} if moves else {"steps": list(map(asdict, steps))}
-    return files, {"joint": joint.name, "places_m": places, **followed, **refused}
+    return [rebased(file, staged, path.parent) for file in written], {
+        "joint": joint.name,
+        "places_m": places,
+        **followed,
+        "commands_not_finite": run.commands_not_finite,
+        "commands_clipped": run.commands_clipped,
+    }

@@ -42,7 +42,10 @@ def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> 
             "format": "debist-linear/1",
             "model": joint_run.name,
             "v_V": list(voltages),
-            "equilibria": [model.to_json() | {"bode": bode(model)} for model in _linear_models(joint_run, voltages)],
+            "equilibria": [
+                model.to_json() | {"bode": bode(model)}
+                for model in equilibria(joint_run.plant, np.array(voltages, np.float64))
+            ],
             "measured": _measured_ringing(joint_run),
         }
 
@@ -54,10 +57,6 @@ def linear_models(root: Path, voltages: tuple[float, float]) -> list[LinearModel
     """Equilibria and linear models of a run's joint under constant voltages [V]."""
     joint_run = control_run(root)
     joint_run.check_voltages("v1, v2", *voltages)
-    return _linear_models(joint_run, voltages)
-
-
-def _linear_models(joint_run: ControlRun, voltages: tuple[float, float]) -> list[LinearModel]:
     return equilibria(joint_run.plant, np.array(voltages, dtype=np.float64))
 
 
@@ -112,8 +111,8 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
         (staged / "linear.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8", newline="\n")
         structs: dict[str, Any] = {}
         for number, point in enumerate(document["equilibria"], start=1):
-            matrices = {name: np.array(point[name]) for name in ("A", "B", "C", "D", "B_squared")}
-            structs[f"equilibrium_{number}"] = matrices | {
+            structs[f"equilibrium_{number}"] = {
+                **{name: np.array(point[name]) for name in ("A", "B", "C", "D", "B_squared")},
                 "x0": np.array(point["x0"])[:, None],
                 "v0": np.array(point["v_V"])[:, None],
                 "q0": point["q_m"],
@@ -144,8 +143,9 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
             ],
         }
 
-    what_matters = {"lag": settings.lag, "draws": DRAWS, "highest": control_run(root).limit}
-    return kept_document(root, "map", what_matters, observer, work)
+    return kept_document(
+        root, "map", {"lag": settings.lag, "draws": DRAWS, "highest": control_run(root).limit}, observer, work
+    )
 
 
 def _one_map(joint_run: ControlRun, converters: Converters, to: Well, on_progress: OnProgress) -> dict[str, Any]:
@@ -212,8 +212,13 @@ def pulse(
             "predicted": {"t_s": INTERVAL * np.arange(snap.q.shape[1]), "q_m": snap.q[0], "low_m": low, "high_m": high},
         }
 
-    what_matters = {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS}
-    return kept_document(root, f"pulse-to-{to}", what_matters, observer, work)
+    return kept_document(
+        root,
+        f"pulse-to-{to}",
+        {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS},
+        observer,
+        work,
+    )
 
 
 def with_draws(model: HybridModel, converters: Converters, places: tuple[float, float, float], to: Well) -> Ensemble:
@@ -265,12 +270,11 @@ def write_pulse(root: Path, document: Mapping[str, Any], output: Path, *, force:
         True if a file of others may be replaced.
     """
     check_pulse_name(output)
-    t = np.array(document["t_s"])
-    v = np.array(document["v_V"])
+    sequence = Sequence(np.array(document["t_s"]), np.array(document["v_V"]))
     about = {key: value for key, value in document.items() if key not in ("t_s", "v_V", "predicted")}
     with new_outputs(output.parent, "control", force=force, made_from=control_run(root).origin) as staged:
         for ending in ENDINGS:
-            save_sequence(staged / f"{output.stem}{ending}", Sequence(t, v), about)
+            save_sequence(staged / f"{output.stem}{ending}", sequence, about)
         written = sorted(staged.iterdir())
     return [rebased(path, staged, output.parent) for path in written]
 

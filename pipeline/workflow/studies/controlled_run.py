@@ -22,7 +22,7 @@ from ...store.run_folder import RunFolder, Written
 from ...system.names import shell_word
 from ...system.worker_pool import OnProgress
 from ..engine import Observer, Task, bring_up_to_date
-from ..run_models import WORST, controlled_model, failed_validations, load_run_model
+from ..run_contents import WORST, controlled_model, failed_validations, load_run_model
 
 ALGORITHM = "22"
 _MISSED = 0.09
@@ -223,13 +223,12 @@ def kept_document(
             document = json.dumps(findings, indent=1, allow_nan=False, default=lambda value: value.tolist())
             return {name: run.write_text(name, document + "\n", {})}
 
-        inputs = (joint_run.artifact, *joint_run.records)
         task = Task(
             stage="control",
             title=title,
             algorithm=ALGORITHM,
             settings=settings,
-            inputs=inputs,
+            inputs=(joint_run.artifact, *joint_run.records),
             outputs=(name,),
             work=write,
             reports=True,

@@ -79,9 +79,8 @@ class RunDifferences:
     @property
     def equal(self) -> bool:
         """True if nothing differs by more than rounding, the page and figures of equal numbers apart."""
-        changed = self.settings or self.versions or self.sources
         states = {comparison.state for of_run in self.artifacts for comparison in of_run}
-        return not changed and states <= {"equal", "close", "drawn"}
+        return not (self.settings or self.versions or self.sources) and states <= {"equal", "close", "drawn"}
 
 
 Pairs = Mapping[tuple[str, str], str]
@@ -124,16 +123,12 @@ def _called(name: str, pairs: Pairs) -> str:
     return f"{role}/{pairs[role, log]}/{file}" if slash and (role, log) in pairs else name
 
 
-def _compare_runs(root: Path, other: Path) -> list[Comparison]:
+def _comparisons(first: RunFolder, second: RunFolder) -> tuple[Comparison, ...]:
     """Compare the content of every artifact of two runs."""
-    return in_snapshot(root, lambda first: in_snapshot(other, lambda second: _comparisons(first, second)))
-
-
-def _comparisons(first: RunFolder, second: RunFolder) -> list[Comparison]:
     pairs = paired_logs(_log_contents(first), _log_contents(second))
     others = {_called(name, pairs): name for name in second.manifest.artifacts}
     names = sorted(first.manifest.artifacts.keys() | others.keys())
-    return [_compare(first, second, name, others.get(name), pairs) for name in names]
+    return tuple(_compare(first, second, name, others.get(name), pairs) for name in names)
 
 
 def _compare(first: RunFolder, second: RunFolder, name: str, other: str | None, pairs: Pairs) -> Comparison:
@@ -180,8 +175,13 @@ def diff_runs(roots: Sequence[Path]) -> RunDifferences:
     pairs = [paired_logs(contents[0], of_run) for of_run in contents]  # names of each run's logs in the first run
     facts = [in_snapshot(root, partial(_facts, pairs=of_run)) for root, of_run in zip(roots, pairs, strict=True)]
     different = {part: changes([run[part] for run in facts]) for part in facts[0]}
-    artifacts = tuple(tuple(_compare_runs(roots[0], root)) for root in roots[1:])
-    return RunDifferences(tuple(root.name if alone else str(root) for root in roots), **different, artifacts=artifacts)
+    return RunDifferences(
+        names=tuple(root.name if alone else str(root) for root in roots),
+        artifacts=in_snapshot(
+            roots[0], lambda run: tuple(in_snapshot(root, partial(_comparisons, run)) for root in roots[1:])
+        ),
+        **different,
+    )
 
 
 def _facts(run: RunFolder, *, pairs: Pairs) -> dict[str, dict[str, Any]]:

@@ -22,9 +22,8 @@ from ...store.manifest import MANIFEST
 from ...store.run_folder import RunFolder, in_snapshot
 from ...store.trees import write_tree
 from ...system.names import shell_word
-from ..logs import load_logs
 from ..prior_knowledge import read_siblings
-from ..run_models import load_run_model, model_artifact
+from ..run_contents import load_logs, load_run_model, model_artifact
 from ..steps.identify import fitted_parts
 
 
@@ -142,8 +141,8 @@ def series_of(roots: Sequence[Path], at: str | None) -> Series:
         for run, own in zip(runs[1:], of_runs[1:], strict=True):
             parts = [part for of_log in run.training for part in of_log]
             own += instrument_facts(instruments, parts, run.plant.displacement.symbol)
-    facts = facts_over_time(ascending, of_runs)
-    return Series(tuple(roots[i].name for i in order), tuple(ascending), "run" if at is None else "day", facts)
+    names = tuple(roots[i].name for i in order)
+    return Series(names, tuple(ascending), "run" if at is None else "day", facts_over_time(ascending, of_runs))
 
 
 @dataclass(frozen=True)
@@ -178,6 +177,9 @@ def _read(run: RunFolder) -> _Run:
     prototype = run.prototype
     if sheet["facts_from"] is None:
         raise InputError(f"{run.root}: no model has curves, so there are no facts to follow; identify hybrid or rbf")
-    training = [fitted_parts(log) for log in load_logs(run, prototype, "train")]
-    model = load_run_model(run, prototype, sheet["facts_from"])
-    return _Run(sheet, model, device(prototype), training)
+    return _Run(
+        sheet=sheet,
+        model=load_run_model(run, prototype, sheet["facts_from"]),
+        plant=device(prototype),
+        training=[fitted_parts(log) for log in load_logs(run, prototype, "train")],
+    )

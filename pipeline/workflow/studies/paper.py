@@ -31,13 +31,13 @@ from ...settings.models import CENTRES, SMOOTHING
 from ...settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
 from ...signals.differentiate import AlphaStudy, alpha_study
 from ...signals.log import Log
-from ...store import layout, schemas
+from ...store import layout
 from ...store.atomic import run_lock
 from ...store.run_folder import RunFolder, Written
 from ...units.units import ALPHA_UNIT
 from .. import stage_validate as validate
 from ..engine import Observer, Task, TaskStatus, bring_up_to_date, tasks_of
-from ..report_data import read_run
+from ..report_data import read_run, read_study
 from ..run import STAGE_NAMES, Planned, of_stages, plan
 from .study import study_task
 
@@ -75,10 +75,9 @@ ENDINGS: tuple[Format, ...] = ("svg", "pdf")
 
 @dataclass(frozen=True)
 class PaperRun:
-    """Paths of the figures, and Table 2 with the printed values beside the computed ones."""
+    """The recipe's run, which holds the figures, and Table 2 with the printed values beside the computed ones."""
 
     root: Path
-    page: Path
     done: list[TaskStatus]
     table: list[dict[str, Any]]
 
@@ -98,10 +97,11 @@ def paper_settings(prototype: Prototype) -> Prototype:
         )
     if device(prototype).displacement.symbol != "m":
         raise InputError(f"{prototype.name}: q of the paper's joint is a length; take `debist run` for another device")
-    plant = prototype.plant.model_copy(update={"parameters": prototype.plant.parameters or "nominal", "curves": None})
     return prototype.model_copy(
         update={
-            "plant": plant,
+            "plant": prototype.plant.model_copy(
+                update={"parameters": prototype.plant.parameters or "nominal", "curves": None}
+            ),
             "ingest": prototype.ingest.model_copy(
                 update={"sample_interval": SAMPLE_INTERVAL, "record_interval": SAMPLE_INTERVAL}
             ),
@@ -134,7 +134,7 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
         done = bring_up_to_date(
             run, [*tasks, study_task(recipe, "basis", jobs=1), _task(recipe, prototype_file)], observer
         )
-    return PaperRun(root, root / layout.PAPER, done, run.record(layout.PAPER).notes["table_2"])
+    return PaperRun(root, done, run.record(layout.PAPER).notes["table_2"])
 
 
 def _opened(source: Path) -> tuple[Prototype, Path, Path]:
@@ -151,23 +151,28 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
     assert parameters is not None  # noqa: S101 - `paper_settings` names a set
     models = (*prototype.identify.models, *prototype.baselines)
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
-    inputs = (
-        layout.MODELS,
-        layout.SCORES,
-        layout.study("basis"),
-        *(layout.baseline(model) for model in prototype.baselines),
-        *(layout.kinematics(role, log) for role, log in logs),
-        *(layout.predictions(role, log, model) for role, log in logs for model in models),
-    )
-    names = [name for name in FIGURES if name != "fig-15" or prototype.logs.validation]
-    outputs = (layout.PAPER, *(layout.paper_figure(name, ending) for name in names for ending in ENDINGS))
     return Task(
         stage="paper",
         title="figures and page",
         algorithm=ALGORITHM,
         settings={"prototype": prototype.model_dump(mode="json")},
-        inputs=inputs,
-        outputs=outputs,
+        inputs=(
+            layout.MODELS,
+            layout.SCORES,
+            layout.study("basis"),
+            *(layout.baseline(model) for model in prototype.baselines),
+            *(layout.kinematics(role, log) for role, log in logs),
+            *(layout.predictions(role, log, model) for role, log in logs for model in models),
+        ),
+        outputs=(
+            layout.PAPER,
+            *(
+                layout.paper_figure(name, ending)
+                for name in FIGURES
+                if name != "fig-15" or prototype.logs.validation
+                for ending in ENDINGS
+            ),
+        ),
         work=lambda run: _work(run, prototype, parameters),
     )
 
@@ -212,9 +217,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         for role in ROLES
         if (logs := data.role(role))
     }
-    chosen = (prototype.identify.basis_functions, prototype.identify.smoothing)
-    schema = schemas.schema_of(schemas.STUDIES["basis"], device(prototype))
-    units = {column.key: column.unit for column in schema.columns}
+    study = read_study(run, "basis", data.device)
     begin = float(training.motion.t[0])
     q = np.linspace(network.centres[0], network.centres[-1], 241)
     drawn = {name: data.models[name] for name in DRAWN if name in data.models}
@@ -223,7 +226,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         "fig-08": draw.basis_figure(q, basis_values(q, network.centres, network.width), network.weights[0]),
         "lag-search": draw.lag_figure(network.diagnostics["lag_search"]),
         "fig-11a": draw.signals_figure(training),
-        "fig-11b": draw.basis_study_figure(run.read_table(layout.study("basis")), units, chosen),
+        "fig-11b": draw.basis_study_figure(study.columns, study.units, (CENTRES, SMOOTHING)),
         "fig-11c": draw.alpha_figure(*_alpha_study(training.motion), float(RECIPE.alpha)),
         "fig-12": compared["train"],
         "fig-13": window(compared["train"], *(begin + at for at in draw.ZOOM)),

@@ -15,10 +15,10 @@ from ...models.analytical.reduced_order import Motions, pulse_sequence, simulate
 from ...models.analytical.statics import static_path
 from ...numerics.arrays import FloatArray
 from ...settings.logs import SettingsTable, Whole
-from ...signals.log import Log, log_of
+from ...signals.log import Log, log_of, voltages
 from ...store.outputs import new_outputs
 from ...store.tables import Table, read_table
-from ..logs import between
+from ..run_contents import between
 
 
 def energy_over_q(
@@ -68,8 +68,7 @@ def simulate(parameters: JointParameters, voltage: float, signals: Path | None =
         return simulate_both(parameters, *pulse_sequence(voltage))
     table = _columns(signals, "t", "v1", "v2")
     q = table["q"][np.isfinite(table["q"])] if "q" in table else np.empty(0)
-    v = np.column_stack([table["v1"], table["v2"]])
-    return simulate_both(parameters, table["t"], v, q0=float(q[0]) if q.size else None)
+    return simulate_both(parameters, table["t"], voltages(table), q0=float(q[0]) if q.size else None)
 
 
 class SearchFile(SettingsTable):
@@ -123,8 +122,15 @@ def calibrate(
     motions = [segment for path in kinematics for segment in motion(path).segments()]
     if not motions:
         raise InputError("there is nothing to calibrate on; name kinematics.parquet files with valid samples")
-    rng = np.random.default_rng(search.seed)
-    return fit(motions, parameters, rng, names=names, starts=search.starts, jobs=search.threads, report=report)
+    return fit(
+        motions,
+        parameters,
+        np.random.default_rng(search.seed),
+        names=names,
+        starts=search.starts,
+        jobs=search.threads,
+        report=report,
+    )
 
 
 def write_parameters(fit: Calibration, target: Path) -> None:

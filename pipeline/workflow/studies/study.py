@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ...device.device import Device, device
+from ...models.paper.estimation import drifted, follow
 from ...models.paper.model import identify_rbf_paper
-from ...models.paper.online import drifted, follow, memories
 from ...numerics.arrays import FloatArray, sample_interval
 from ...reporting.plotted import paper_figure
 from ...scoring.cross_validation import amount_study, held_out_error, noise_study
@@ -23,12 +23,11 @@ from ...store.atomic import refuse_link, run_lock, write_bytes
 from ...store.columns import StudyName
 from ...store.outputs import new_outputs
 from ...store.run_folder import RunFolder, Written
-from ...store.tables import Table
 from ...system.worker_pool import in_processes
 from ...units.units import ALPHA_UNIT
 from ..engine import Observer, Task, bring_up_to_date
-from ..logs import load_logs, sources
 from ..report_data import read_study
+from ..run_contents import load_logs, sources
 from ..steps.differentiate import differentiator
 
 ALGORITHM = "2"
@@ -42,7 +41,7 @@ REPEATS = 4
 FORGETTING = (1.0, 0.9995, 0.998)
 DRIFTS = (0.0, 0.1)  # growth of the restoring force over the logs
 
-Columns = dict[str, "FloatArray"]
+Columns = Mapping[str, FloatArray]
 
 
 @dataclass(frozen=True)
@@ -61,10 +60,10 @@ class StudyResult:
         Notes of the study.
     """
 
-    columns: Table
-    units: dict[str, str]
+    columns: Columns
+    units: Mapping[str, str]
     figure: Path
-    notes: dict[str, Any]
+    notes: Mapping[str, Any]
 
 
 def run_study(root: Path, name: StudyName, observer: Observer, *, jobs: int = 1) -> StudyResult:
@@ -87,10 +86,8 @@ def run_study(root: Path, name: StudyName, observer: Observer, *, jobs: int = 1)
         run = RunFolder.open(root)
         bring_up_to_date(run, [study_task(run.prototype, name, jobs)], observer)
         study = read_study(run, name, device(run.prototype))
-        notes = dict(run.record(layout.study(name)).notes)
-        columns = dict(study.columns)
-        units = dict(study.units)
-        return StudyResult(columns, units, _draw(run.root, name, columns, units), notes)
+        figure = _draw(run.root, name, study.columns, study.units)
+        return StudyResult(study.columns, study.units, figure, run.record(layout.study(name)).notes)
 
 
 def study_task(prototype: Prototype, name: StudyName, jobs: int) -> Task:
@@ -126,8 +123,8 @@ def _work(run: RunFolder, prototype: Prototype, name: StudyName, jobs: int) -> M
         "online": _online,
     }
     columns, notes = studies[name](run, prototype, plant)
-    schema = schemas.schema_of(schemas.STUDIES[name], plant)
-    return {layout.study(name): run.write_table(layout.study(name), schema, columns, notes)}
+    artifact = layout.study(name)
+    return {artifact: run.write_table(artifact, schemas.schema_of(schemas.STUDIES[name], plant), columns, notes)}
 
 
 def _alpha(run: RunFolder, prototype: Prototype, plant: Device) -> tuple[Columns, dict[str, Any]]:
@@ -135,10 +132,9 @@ def _alpha(run: RunFolder, prototype: Prototype, plant: Device) -> tuple[Columns
     table = run.read_table(layout.record("train", log))
     longest = max(np.unique(table["segment"][table["segment"] >= 0]), key=lambda n: np.sum(table["segment"] == n))
     rows = table["segment"] == longest
-    t = table["t"][rows]
     order = prototype.differentiate.order
-    unit = ALPHA_UNIT[plant.displacement.symbol][1]
-    study = alpha_study(table["q"][rows], sample_interval(t), unit * np.array(ALPHAS), order=order)
+    alphas = ALPHA_UNIT[plant.displacement.symbol][1] * np.array(ALPHAS)
+    study = alpha_study(table["q"][rows], sample_interval(table["t"][rows]), alphas, order=order)
     notes = {
         "log": f"train/{log}",
         "order": order,
@@ -163,8 +159,8 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     work = partial(_one_basis, _segments(run, prototype, "train"), _held_out(run, prototype), _recipe(prototype, plant))
     mse, condition, nrmse = np.array(list(in_processes(work, grid, jobs))).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
-    columns = {"basis_functions": counts, "smoothing": smoothings, "mse": mse, "condition": condition, "nrmse": nrmse}
-    return columns, {"model": "rbf-paper"}
+    errors = {"mse": mse, "condition": condition, "nrmse": nrmse}
+    return {"basis_functions": counts, "smoothing": smoothings, **errors}, {"model": "rbf-paper"}
 
 
 def _recipe(prototype: Prototype, plant: Device) -> dict[str, Any]:
@@ -201,15 +197,13 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device) -> tuple[Columns,
     rng = np.random.default_rng(0)
     low, high = operating_range(data)
     amounts = sorted({max(50, round(share * total)) for share in SHARES})
-    by_amount = amount_study(data, held_out, identify, amounts, repeats=REPEATS, rng=rng)
     levels = [(high - low) * share for share in NOISES]
-    by_noise = noise_study(data, held_out, identify, smooth, levels, repeats=REPEATS, rng=rng)
-    points = [(p.level, 0.0, p) for p in by_amount] + [(float(total), p.level, p) for p in by_noise]
-    summary = np.array([_summary(p.errors) for _, _, p in points])
-    samples, noise = np.array([point[:2] for point in points], dtype=np.float64).T
-    columns = {"samples": samples, "noise": noise} | dict(
-        zip(("nrmse", "nrmse_low", "nrmse_high"), summary.T, strict=True)
-    )
+    points = [
+        *((p.level, 0.0, p) for p in amount_study(data, held_out, identify, amounts, repeats=REPEATS, rng=rng)),
+        *((total, p.level, p) for p in noise_study(data, held_out, identify, smooth, levels, repeats=REPEATS, rng=rng)),
+    ]
+    rows = np.array([(samples, noise, *_summary(point.errors)) for samples, noise, point in points])
+    columns = dict(zip(("samples", "noise", "nrmse", "nrmse_low", "nrmse_high"), rows.T, strict=True))
     return columns, {"model": "rbf-paper", "repeats": REPEATS, "refused": sum(p.refused for _, _, p in points)}
 
 
@@ -227,19 +221,13 @@ def _online(run: RunFolder, prototype: Prototype, plant: Device) -> tuple[Column
     for drift in DRIFTS:
         measured, growth = drifted(rows, target, weights, len(model.centres), drift)
         for forgetting in FORGETTING:
-            errors = follow(rows, measured, force, growth[:, None] * truth, forgetting=forgetting)
-            constant = np.ones(len(errors.samples))
-            tables.append(
-                {
-                    "forgetting": forgetting * constant,
-                    "drift": drift * constant,
-                    "t": interval * errors.samples,
-                    "curve_error": errors.curve_error,
-                    "prediction_error": errors.prediction_error,
-                }
-            )
-    columns = {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
-    return columns, {"model": "rbf-paper", "memories": memories(FORGETTING, interval), "lag_s": model.lag_s}
+            looks = follow(rows, measured, force, growth[:, None] * truth, forgetting=forgetting)
+            constant = np.ones(len(looks[0]))
+            tables.append((forgetting * constant, drift * constant, interval * looks[0], *looks[1:]))
+    names = ("forgetting", "drift", "t", "curve_error", "prediction_error")
+    columns = {name: np.concatenate(parts) for name, *parts in zip(names, *tables, strict=True)}
+    memories = ["all" if value >= 1.0 else f"{interval / (1.0 - value):.3g} s" for value in FORGETTING]
+    return columns, {"model": "rbf-paper", "memories": memories, "lag_s": model.lag_s}
 
 
 def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:

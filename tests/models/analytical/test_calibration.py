@@ -18,7 +18,7 @@ def log_of(joint: JointParameters, noise: float = 0.0, seed: int = 0, count: int
     v[750:] = np.maximum(v[750:], 0.6 * v[750:, ::-1])
     run = simulate(joint, t, v, rest_state(joint, equilibria(joint, v[0])[0].q, 0.0, v[0]), tolerance=1e-6)
     measured = run.q + noise * np.random.default_rng(seed).standard_normal(t.size)
-    return Log(t, measured, run.q_dot, run.q_ddot, v)
+    return Log(t, measured, run.qdot, run.qddot, v)
 
 
 def test_true_parameters_leave_no_error() -> None:

@@ -8,14 +8,15 @@ import pytest
 from typer.testing import CliRunner
 
 from pipeline.commands.physics import app
+from pipeline.device.device import JOINT
 from pipeline.device.parameters import NOMINAL, TABLE1, joint_parameters
 from pipeline.errors import InputError
 from pipeline.models.analytical.calibration import Calibration
 from pipeline.models.analytical.full_order import rest_state, simulate
 from pipeline.models.analytical.reduced_order import pulse_sequence
 from pipeline.models.analytical.statics import equilibria
-from pipeline.store.schemas import KINEMATICS, resolve
-from pipeline.store.tables import write_table
+from pipeline.store.schemas import KINEMATICS, schema_of
+from pipeline.store.tables import write_pieces
 from pipeline.workflow.studies.physics import write_parameters
 
 
@@ -40,8 +41,7 @@ def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     run = simulate(truth, t, v, rest_state(truth, equilibria(truth, v[0])[0].q, 0.0, v[0]))
     columns = {"t": t, "q": run.q, "v1": v[:, 0], "v2": v[:, 1], "segment": np.zeros(t.size, np.int32)}
     source, target = tmp_path / "kinematics.parquet", tmp_path / "joint.toml"
-    schema = resolve(KINEMATICS, displacement="m", inputs=("V", "V"))
-    write_table(source, schema, columns | {"qdot": run.q_dot, "qddot": run.q_ddot})
+    write_pieces(source, schema_of(KINEMATICS, JOINT), [columns | {"qdot": run.qdot, "qddot": run.qddot}])
     once = tmp_path / "once.toml"
     once.write_text("starts = 1\n")
     document = answer("calibrate", str(source), "--paper", "--search", str(once), "-o", str(target))

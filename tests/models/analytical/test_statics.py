@@ -5,7 +5,6 @@ import pytest
 
 from pipeline.device.parameters import NOMINAL, TABLE1
 from pipeline.models.analytical.bifurcation import (
-    EquilibriumBranch,
     bistable_from,
     branch_through,
     characteristics,
@@ -18,6 +17,7 @@ from pipeline.models.analytical.bifurcation import (
 )
 from pipeline.models.analytical.full_order import rest_state
 from pipeline.models.analytical.statics import equilibria, static_path, unactuated_path
+from pipeline.numerics.continuation import Branch
 
 MIRRORED = {"left": "right", "right": "left"}
 
@@ -92,11 +92,11 @@ def test_switching_happens_at_the_fold() -> None:
     assert branch.stable.any() and not branch.stable.all()
 
 
-def _distance(branches: list[EquilibriumBranch], z_b: float, q: float, phi: float) -> float:
+def _distance(branches: list[Branch], z_b: float, q: float, phi: float) -> float:
     """From an equilibrium to the nearest drawn one: chords in (z_b over 10 mm, q over 10 mm, φ)."""
     target, nearest = np.array([1e2 * z_b, 1e2 * q, phi]), np.inf
     for branch in branches:
-        x = np.column_stack([1e2 * branch.parameter, 1e2 * branch.q, branch.phi])
+        x = np.column_stack([1e2 * branch.parameter, branch.y * [1e2, 1.0]])
         along = np.diff(x, axis=0)
         share = ((target - x[:-1]) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-300)
         feet = x[:-1] + np.clip(share, 0.0, 1.0)[:, None] * along

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.models.hybrid.driving_voltages import DrivingVoltages
-from pipeline.models.hybrid.parameters import Instruments
+from pipeline.models.hybrid.log_reading import DrivingVoltages, Instruments
 
 DT, SAMPLES, REFINED = 0.01, 41, 10
 LARGE = 1e9

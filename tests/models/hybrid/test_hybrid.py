@@ -12,11 +12,11 @@ from pipeline.errors import CorruptArtifactError, DataRefusedError
 from pipeline.models.base import predictor
 from pipeline.models.choose import choose
 from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.identify import BASIS_FUNCTIONS, HYBRID, identify_hybrid
+from pipeline.models.hybrid.identify import BASIS_FUNCTIONS, identify_hybrid
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.start import prior_root
-from pipeline.models.model_type import Training
+from pipeline.models.model_type import Training, model_from_tree
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import Identify
 from pipeline.signals.log import Log
@@ -112,7 +112,7 @@ def test_bands_of_curves_leave_force_and_damping_open_where_no_correction_acts(
     q = np.linspace(-0.012, 0.012, 25)
     expected, found, known = model.curves(q), model.of_curves.curves(q), truth.curves(q)
     closed = replace(model, curve_spread=model.band_spread).curve_ensemble(q, 400)
-    opened = HYBRID.read(model.to_tree()).curve_ensemble(q, 400)
+    opened = model_from_tree("hybrid", model.to_tree()).curve_ensemble(q, 400)
     for name, values in expected.items():
         np.testing.assert_allclose(found[name], values, rtol=1e-9, atol=1e-9 * np.abs(values).max())
     for name in ("F", "dC1_dq", "dC2_dq"):
@@ -177,19 +177,19 @@ def test_a_log_that_begins_in_motion_is_compared_from_where_its_hidden_states_ar
 
 def test_the_tree_goes_round(identified: tuple[HybridModel, HybridModel]) -> None:
     _, model = identified
-    again = HYBRID.read(model.to_tree())
+    again = model_from_tree("hybrid", model.to_tree())
     t, v = pulses(4, 4.0)
     np.testing.assert_array_equal(again.simulate(t, v, -0.01, 0.0).q, model.simulate(t, v, -0.01, 0.0).q)
     assert again.describe() == model.describe()
     tree = model.to_tree()
     del tree["theta"]
     with pytest.raises(CorruptArtifactError, match="theta"):
-        HYBRID.read(tree)
+        model_from_tree("hybrid", tree)
     with pytest.raises(CorruptArtifactError, match="another version of debist"):
-        HYBRID.read(model.to_tree() | {"constants": "l | bending"})
+        model_from_tree("hybrid", model.to_tree() | {"constants": "l | bending"})
     narrower = model.to_tree()["prior_std"] * np.where(np.array(condensed_parameters.NAMES) == "delay", 1.0 / 3.0, 1.0)
     with pytest.raises(CorruptArtifactError, match="another version of debist"):
-        HYBRID.read(model.to_tree() | {"prior_std": narrower})  # θ would mean another delay
+        model_from_tree("hybrid", model.to_tree() | {"prior_std": narrower})  # θ would mean another delay
 
 
 @pytest.mark.parametrize("volts", [5e3, 1e6])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.models.paper.online import drifted, follow, memories
+from pipeline.models.paper.estimation import drifted, follow
 
 
 def _stream(count: int = 4000) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -17,13 +17,13 @@ def _stream(count: int = 4000) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.n
 def test_a_constant_joint_is_found_and_nothing_forgotten_is_best() -> None:
     rows, weights, target, force = _stream()
     truth = np.tile(force @ weights, (len(target), 1))
-    kept = follow(rows, target, force, truth, forgetting=1.0)
-    forgetful = follow(rows, target, force, truth, forgetting=0.98)
-    assert kept.curve_error[-1] < 1e-4
-    assert kept.curve_error[-1] < forgetful.curve_error[-1] < 1e-3
-    assert kept.samples[-1] == len(target)
-    assert kept.prediction_error[0] > 0.9  # nothing is known before the first sample
-    assert kept.prediction_error[-1] < 1e-3
+    samples, kept, prediction = follow(rows, target, force, truth, forgetting=1.0)
+    _, forgetful, _ = follow(rows, target, force, truth, forgetting=0.98)
+    assert kept[-1] < 1e-4
+    assert kept[-1] < forgetful[-1] < 1e-3
+    assert samples[-1] == len(target)
+    assert prediction[0] > 0.9  # nothing is known before the first sample
+    assert prediction[-1] < 1e-3
 
 
 def test_a_drift_is_followed_by_forgetting_alone() -> None:
@@ -32,12 +32,8 @@ def test_a_drift_is_followed_by_forgetting_alone() -> None:
     assert growth[[0, -1]] == pytest.approx([1.0, 1.2])
     assert planted - target == pytest.approx((growth - 1.0) * (rows[:, :3] @ weights[:3]))
     truth = growth[:, None] * (force @ weights)
-    kept = follow(rows, planted, force, truth, forgetting=1.0)
-    forgetful = follow(rows, planted, force, truth, forgetting=0.98)
+    _, kept, _ = follow(rows, planted, force, truth, forgetting=1.0)
+    _, forgetful, _ = follow(rows, planted, force, truth, forgetting=0.98)
     # Nothing forgotten, the estimate is the mean over the drift: 10 % of F behind.
-    assert kept.curve_error[-1] == pytest.approx(0.1 * np.sqrt(np.mean((force @ weights) ** 2)) / 3.0, rel=0.1)
-    assert forgetful.curve_error[-1] < 0.05 * kept.curve_error[-1]
-
-
-def test_memories_are_times() -> None:
-    assert memories((1.0, 0.998), 0.01) == ["all", "5 s"]
+    assert kept[-1] == pytest.approx(0.1 * np.sqrt(np.mean((force @ weights) ** 2)) / 3.0, rel=0.1)
+    assert forgetful[-1] < 0.05 * kept[-1]

@@ -3,17 +3,17 @@ import pytest
 
 from pipeline.fitting.descent import Prior
 from pipeline.fitting.homotopy import Callbacks, Schedule, fit_homotopy
-from pipeline.models.rbf.problem import Effort
+from pipeline.models.rbf.problem import Effort, simulation_effort
 
 
 def test_effort_counts_simulations_and_not_the_clock():
     effort = Effort(limit=1.0)
-    effort.spend(10_000)
+    effort.spent += simulation_effort(10_000)
     alone = effort.spent
-    effort.spend(10_000, 20)
+    effort.spent += simulation_effort(10_000, 20)
     assert effort.spent - alone > 2.0 * alone
     assert not effort.exhausted()
-    effort.spend(3_000_000)
+    effort.spent += simulation_effort(3_000_000)
     assert effort.exhausted()
 
 

@@ -3,13 +3,14 @@ import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.free_runs import tubes
-from pipeline.models.model_type import KnownCurves
-from pipeline.models.rbf.candidates import FRICTION, Candidate, RbfChoice
+from pipeline.models.model_type import KnownCurves, model_from_tree
+from pipeline.models.rbf.candidates import FRICTION, Candidate, decided_fields
 from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped
 from pipeline.models.rbf.structure import JointScales, JointStructure
+from pipeline.settings.prototype import Structure
 from pipeline.signals.differentiate import differentiate
 from pipeline.signals.log import Log
 
@@ -99,14 +100,14 @@ def test_the_same_data_give_the_same_model():
 
 
 def test_tree_round_trip(identified):
-    again = RbfModel.from_tree(identified.to_tree())
+    again = model_from_tree("rbf", identified.to_tree())
     fresh = log(planted(), 12, n=300)
     before, after = (m.simulate(fresh.t, fresh.v, fresh.q[0], 0.0).q for m in (identified, again))
     assert (before == after).all()
     broken = identified.to_tree()
     del broken["theta"]
     with pytest.raises(CorruptArtifactError, match="theta"):
-        RbfModel.from_tree(broken)
+        model_from_tree("rbf", broken)
 
 
 def test_tubes_hold_nine_tenths_of_another_log_of_the_same_device_and_stand_in_the_file(identified):
@@ -116,7 +117,7 @@ def test_tubes_hold_nine_tenths_of_another_log_of_the_same_device_and_stand_in_t
     around = tubes(free, draws, identified.tube)
     assert around.coverage(fresh.q) > 0.86
     assert np.median(around.high - around.low) < 0.1 * np.ptp(fresh.q)
-    assert RbfModel.from_tree(identified.to_tree()).tube == identified.tube
+    assert model_from_tree("rbf", identified.to_tree()).tube == identified.tube
 
 
 def test_constant_and_undriven_logs_are_refused():
@@ -192,7 +193,7 @@ def slider(seed, *, n=1200, bend=0.0, drag=0.0, stop=None, zone=0.0):
 
 def test_the_hold_of_the_input_is_found_and_makes_the_free_run_exact():
     """And a delay or a lag that ends at next to nothing stays out: its input moves this slider at once."""
-    model = identify_rbf([slider(9, n=600)], inputs="linear", choice=RbfChoice(friction="viscous"))
+    model = identify_rbf([slider(9, n=600)], inputs="linear", decided=FRICTION["viscous"])
     assert model.parameters.structure.hold == "zero"
     assert model.parameters.structure.constant_gain
     assert not model.parameters.structure.input_delay and not model.parameters.structure.input_lag
@@ -367,7 +368,10 @@ def test_heat_that_follows_the_square_of_an_input_is_told_from_an_input_that_lag
     q = run.q + 1e-4 * rng.standard_normal(700)
     log = Log(t, q, run.qdot, run.qddot, v, np.ones(700, dtype=bool))
     model = identify_rbf(
-        [log], choice=RbfChoice("viscous", force="polynomial", damping="constant", gain="constant", effect="plain")
+        [log],
+        decided=decided_fields(
+            Structure(friction="viscous", force="polynomial", damping="constant", gain="constant", effect="plain")
+        ),
     )
     assert "lagged effect" in model.diagnostics["chosen"]
     assert np.exp(model.theta[model.parameters.slices["input_lag"]]) == pytest.approx(0.4, rel=0.05)
@@ -383,7 +387,9 @@ def test_only_two_wells_between_two_pulls_are_taken_for_a_bistable_joint():
 
 def test_two_inputs_at_one_well_are_searched_for_and_fitted_in_free_run():
     """The structure of a bistable joint has no lag of the drive and is never fitted in free run."""
-    model = identify_rbf([seesaw(1, n=400)], angle=True, choice=RbfChoice(friction="viscous", effect="plain"))
+    model = identify_rbf(
+        [seesaw(1, n=400)], angle=True, decided=decided_fields(Structure(friction="viscous", effect="plain"))
+    )
     assert "lagged input" in model.diagnostics["chosen"]
     assert model.diagnostics["reached_free_run"]
     assert np.exp(model.theta[model.parameters.slices["input_lag"]]) == pytest.approx(0.2, rel=0.01)
@@ -413,8 +419,10 @@ def test_what_has_no_inertia_looks_overdamped_and_what_swings_does_not():
 
 @pytest.mark.long
 def test_a_device_without_inertia_is_followed():
-    choice = RbfChoice(friction="viscous", drive="direct", effect="plain", gain="constant", drag=False, stops=False)
-    model = identify_rbf([level(1)], inputs="linear", choice=choice)
+    choice = decided_fields(
+        Structure(friction="viscous", drive="direct", effect="plain", gain="constant", drag="none", stops="none")
+    )
+    model = identify_rbf([level(1)], inputs="linear", decided=choice)
     assert any("overdamped" in one for one in model.diagnostics["candidates"])
     fresh = level(2)
     run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from pipeline.device.device import JOINT, Device
+from pipeline.models.model_type import model_from_tree
 from pipeline.models.polynomial_dynamics import PolynomialDynamics, free_run
-from pipeline.models.sindy.model import SINDY, SindyModel, identify_sindy
+from pipeline.models.sindy.model import SindyModel, identify_sindy
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.signals.log import Log
@@ -82,7 +83,7 @@ def test_characteristic_curves_are_those_planted(model: SindyModel) -> None:
 
 
 def test_round_trip_through_the_tree_changes_no_prediction(model: SindyModel) -> None:
-    again = SINDY.read(model.to_tree())
+    again = model_from_tree("sindy", model.to_tree())
     v, t = pulses(500, 3), 0.01 * np.arange(500)
     np.testing.assert_array_equal(again.simulate(t, v, -0.01, 0.0).q, model.simulate(t, v, -0.01, 0.0).q)
 
@@ -125,7 +126,7 @@ def test_a_pendulum_is_found_in_sines() -> None:
     data = Log(t, *free_run(pendulum, v, 0.01, 0.0, 0.0)[0].T, v)
     model = identify_sindy([data], Device(None, SiUnit(1.0, "rad"), (SiUnit(1.0, "1"),), "squared", None))
     assert "sin q" in model.diagnostics["library"]
-    acceleration = SINDY.read(model.to_tree()).equations()[1]
+    acceleration = model_from_tree("sindy", model.to_tree()).equations()[1]
     for part in ("q̈ [rad/s²]", "-20 rad s^-2·sin q", " s^-1·q̇", "+25 rad s^-2·v1^2"):
         assert part in acceleration
     assert len(model.dynamics.exponents) == 4

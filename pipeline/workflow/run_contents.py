@@ -1,4 +1,4 @@
-"""The models that a run holds: their names, the main model first, how one is loaded, and what control made of them."""
+"""What a run holds as fits, exports and control take it: its logs, its models, and what control made of them."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -11,17 +11,114 @@ from ..export.subject import Subject, Validity
 from ..models.base import DynamicModel
 from ..models.free_runs import start_of
 from ..models.model_type import model_from_tree
+from ..numerics.arrays import FloatArray, sample_interval
+from ..settings.logs import ROLES, Role
 from ..settings.prototype import Prototype
-from ..signals.log import Log
+from ..signals.log import UNKNOWN, Corrections, Log, log_of, voltages
 from ..store import layout
 from ..store.run_folder import RunFolder
+from ..store.tables import Table
 from ..system.names import shell_word
-from .logs import load_logs, load_motion
+from ..units.units import TIME, parse_quantity
 from .steps.identify import EQUATIONS, IDENTIFIED
 
 WORST = 0.15
 """NRMSE of q on a validation log above which a model does not know where the device is."""
 TITLES = ("linear", "map", "pulse-to-right", "pulse-to-left", "design")
+
+
+def sources(prototype: Prototype, *roles: Role) -> tuple[str, ...]:
+    """The artifacts that `load_motion` reads, of the logs in these roles, or in all."""
+    return tuple(
+        artifact(role, log)
+        for role, log, _ in layout.logs(prototype)
+        if role in (roles or ROLES)
+        for artifact in (layout.kinematics, layout.record)
+    )
+
+
+def load_motion(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Log:
+    """A log of a run, with its derivatives.
+
+    Parameters
+    ----------
+    run : RunFolder
+        The run.
+    prototype : Prototype
+        Its settings.
+    role : {"train", "validation"}
+        Role of the log.
+    log : str
+        Its name in the run.
+    """
+    kinematics, fine = (run.read_table(artifact(role, log)) for artifact in (layout.kinematics, layout.record))
+    return motion(kinematics, fine, prototype, run.record(layout.record(role, log)).notes.get(UNKNOWN, ()))
+
+
+def load_logs(run: RunFolder, prototype: Prototype, *roles: Role) -> list[Log]:
+    """The logs of a run in these roles, or all."""
+    logs = layout.logs(prototype)
+    return [load_motion(run, prototype, role, log) for role, log, _ in logs if role in (roles or ROLES)]
+
+
+def motion(kinematics: Table, fine: Table | None, prototype: Prototype, unknown: Sequence[Sequence[float]] = ()) -> Log:
+    """A log from its tables.
+
+    Parameters
+    ----------
+    kinematics : Table
+        Columns t, q, qdot, qddot, v1, v2, segment, and perhaps velocity, at the sample interval.
+    fine : Table or None
+        The uniform record with the inputs between those samples.
+    prototype : Prototype
+        Its settings state what the inputs were before the log: where they were zero, they begin at zero.
+    unknown : sequence of (float, float)
+        Spans [s] in which the inputs were not recorded.
+    """
+    log = log_of(kinematics, None if fine is None else between(kinematics["t"], fine), unknown)
+    if prototype.plant.inputs_before == "zero":
+        first = int(np.argmax(log.valid))
+        log.v[first] = 0.0
+        if log.fine is not None:
+            log.fine[first, 0] = 0.0
+    return log
+
+
+def between(t: FloatArray, fine: Table) -> FloatArray | None:
+    """The inputs of the fine record in each interval of t, shape (N, r, K); None where it is not finer."""
+    grid = fine["t"]
+    refined = round(sample_interval(t) / sample_interval(grid))
+    if refined == 1:
+        return None
+    # The record ends with the last sample or within the interval behind it, where nothing is simulated.
+    first = int(np.searchsorted(grid, t[0] - 1e-9))
+    v = voltages(fine)
+    places = np.minimum(first + np.arange(len(t) * refined), len(v) - 1)
+    return np.asarray(v[places].reshape(len(t), refined, -1))
+
+
+def corrections(prototype: Prototype) -> dict[tuple[Role, str], Corrections]:
+    """Corrections stated in [logs], by each log's role and its name in the run.
+
+    Raises
+    ------
+    InputError
+        A zero in another unit than that of q, or a gain of an input that the device has not.
+    """
+    plant = device(prototype)
+    stated = dict[tuple[Role, str], Corrections]()
+    for role, log, part in layout.log_parts(prototype):
+        where = f"{prototype.name}: logs.{role}: {part.file}"
+        if len(plant.inputs) == 1 and part.gain.v2 != 1.0:
+            raise InputError(f"{where}: gain.v2 is stated, but [channels] has no v2; leave it out")
+        stated[role, log] = Corrections(
+            gains=(part.gain.v1, part.gain.v2)[: len(plant.inputs)],
+            zero=parse_quantity(part.zero, (plant.displacement.symbol,), f"{where}: zero"),
+            gain_q=part.gain.q,
+            delay=parse_quantity(part.delay, TIME, f"{where}: delay"),
+            clock=part.clock,
+        )
+    return stated
 
 
 def identified_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
@@ -126,12 +223,16 @@ def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None
 def subject(run: RunFolder, prototype: Prototype, name: str | None) -> Subject:
     """A model of the run, the main model if none is named, and what travels along with it."""
     chosen, artifact = model_artifact(run, prototype, name)
-    model = model_from_tree(chosen, run.read_tree(artifact, chosen))
     # The first validation log, or the first training log where there is none; of one with gaps the longest part.
     role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
-    check = load_motion(run, prototype, role, log).longest_part()
-    logs = load_logs(run, prototype, "train")
-    return subject_on(check, model, prototype, logs=logs, name=chosen, origin=run.record(artifact).content_hash)
+    return subject_on(
+        load_motion(run, prototype, role, log).longest_part(),
+        model_from_tree(chosen, run.read_tree(artifact, chosen)),
+        prototype,
+        logs=load_logs(run, prototype, "train"),
+        name=chosen,
+        origin=run.record(artifact).content_hash,
+    )
 
 
 def subject_on(
@@ -161,7 +262,7 @@ def subject_on(
         prototype=prototype.name,
         name=name,
         model=model,
-        validity=validity_of(logs, prototype),
+        validity=_validity_of(logs, prototype),
         origin=origin,
         t=t - t[0],
         v=check.v,
@@ -170,7 +271,7 @@ def subject_on(
     )
 
 
-def validity_of(logs: Sequence[Log], prototype: Prototype) -> Validity:
+def _validity_of(logs: Sequence[Log], prototype: Prototype) -> Validity:
     """Ranges of the training logs."""
     plant = device(prototype)
 
