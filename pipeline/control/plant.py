@@ -19,8 +19,8 @@ from ..numerics.compiled import compiled
 from ..numerics.continuation import outermost_pair
 
 if TYPE_CHECKING:
+    from ..models.hybrid.log_reading import Instruments
     from ..models.hybrid.model import HybridModel
-    from ..models.hybrid.parameters import Instruments
 
 
 NAMES = (
