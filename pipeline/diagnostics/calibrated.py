@@ -54,7 +54,7 @@ def _one(model: HybridModel, i: int) -> Calibrated:
     powers = np.array(POWERS[entry.unit])
     row = np.zeros(len(DEVIATIONS))
     at = model.theta[: len(DEVIATIONS)] * PRIOR_STD
-    by_size = powers[1:] * PRIOR_STD[_SIZES]
+    by_size = np.zeros(len(_SIZES)) if i in OF_INSTRUMENTS else powers[1:] * PRIOR_STD[_SIZES]
     units = np.log([getattr(model.joint.similarity, unit) for unit in ("mass", "length", "time", "voltage")])
     if i not in OF_INSTRUMENTS:
         units[1:] += at[_SIZES]
@@ -62,14 +62,12 @@ def _one(model: HybridModel, i: int) -> Calibrated:
         row[i] = PRIOR_STD[i]
         if i in _SIZES:
             at[i] = row[i] = 0.0  # it is one of the units
-        if i not in OF_INSTRUMENTS:
-            row[_SIZES] += by_size
+        row[_SIZES] += by_size
         ends = begin * np.exp(at[i] + powers @ units + _bounds(model, row))
     else:
         factor = np.exp(powers @ units)
         row[i] = factor * PRIOR_STD[i]
-        if i not in OF_INSTRUMENTS:
-            row[_SIZES] += factor * (begin + at[i]) * by_size
+        row[_SIZES] += factor * (begin + at[i]) * by_size
         ends = factor * (begin + at[i]) + _bounds(model, row)
     value, low, high = (float(end) for end in ends)
     if entry.typical is not None:
@@ -83,8 +81,8 @@ def _one(model: HybridModel, i: int) -> Calibrated:
 
 def _bounds(model: HybridModel, row: FloatArray) -> FloatArray:
     """0 and the central 90 % about it of a number that depends on the deviations by `row`, shape (3,)."""
-    sd = float(np.sqrt(np.sum((row @ model.spread[: len(row)]) ** 2)))
-    return NORMAL_90 * sd * np.array([0.0, -1.0, 1.0])
+    deviation = float(np.sqrt(np.sum((row @ model.spread[: len(row)]) ** 2)))
+    return NORMAL_90 * deviation * np.array([0.0, -1.0, 1.0])
 
 
 _SIZES = [NAMES.index(f"log {unit}") for unit in ("length", "time", "voltage")]

@@ -63,8 +63,8 @@ def input_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     yield from (_noise(fact, i, plant) for i in range(len(fact.input_forces)))
     yield from (*_correlated(fact, plant), *_input_actions(fact, plant))
     if plant.joint:
-        yield from (*_late(fact, plant), _field(fact, plant), *_rest_levels(fact, plant))
-        yield from (*_scale(fact, plant), *_sides(fact))
+        yield from (*_late(fact, plant), _field(fact, plant), *_rest_levels(fact, plant), *_scale(fact, plant))
+        yield from _sides(fact)
 
 
 def _unseen_force(fact: LogFacts, i: int) -> Finding:
@@ -230,8 +230,8 @@ def _input_actions(fact: LogFacts, plant: Device) -> Iterator[Finding]:
             numbers["left_by_membranes"] = Number(signed)
             yield Finding("signed_monitor", "fair", fact.signals.name, actions[1], numbers)
         else:
-            severity: Severity = "good" if other >= OTHER_ACTION * own else "fair"
-            yield Finding("law", severity, fact.signals.name, actions[1], numbers)
+            as_stated = other >= OTHER_ACTION * own
+            yield Finding("law", "good" if as_stated else "fair", fact.signals.name, actions[1], numbers)
 
 
 ROUNDING = 1e-9
@@ -302,8 +302,9 @@ def _ranges(fact: LogFacts, plant: Device) -> Iterator[Finding]:
             numbers |= {"least": Number(allowed[0], unit), "most": Number(allowed[1], unit)}
         if times is not None:
             numbers["times"] = Number(times)
-        code = "still" if still else "range"
-        yield Finding(code, severity, fact.signals.name, name, numbers, "scale" if judged else None)
+        yield Finding(
+            "still" if still else "range", severity, fact.signals.name, name, numbers, "scale" if judged else None
+        )
 
 
 def _resolution(fact: LogFacts, plant: Device) -> Finding:
@@ -329,8 +330,8 @@ def _rests(fact: LogFacts, plant: Device) -> Finding:
     if not isinstance(fact.wells, Wells):
         return Finding("no_rests", "unseen", fact.signals.name, fact.wells.reason.partition(":")[0])
     left, right = (Number(place, plant.displacement.symbol) for place in (fact.wells.left, fact.wells.right))
-    about_zero = not plant.joint or left.value < 0.0 < right.value
-    return Finding("rests", "good" if about_zero else "fair", fact.signals.name, "q", {"left": left, "right": right})
+    severity: Severity = "good" if left.value < 0.0 < right.value or not plant.joint else "fair"
+    return Finding("rests", severity, fact.signals.name, "q", {"left": left, "right": right})
 
 
 def check_logs(logs: Sequence[LogSignals], plant: Device, sample_interval: float) -> list[Finding]:

@@ -59,9 +59,9 @@ def overlap(first: LogSignals, second: LogSignals) -> Finding | None:
     if len(stamps) < _FEWEST:
         return None
     (other_start, start), (other_stop, stop) = stamps.min(axis=0).tolist(), stamps.max(axis=0).tolist()
-    numbers = {"start": start, "stop": stop, "other_start": other_start, "other_stop": other_stop}
-    spans = {name: Number(time, "s") for name, time in numbers.items()}
-    return Finding("shared_recording", "fair", second.name, first.name, spans)
+    spans = {"start": start, "stop": stop, "other_start": other_start, "other_stop": other_stop}
+    numbers = {name: Number(time, "s") for name, time in spans.items()}
+    return Finding("shared_recording", "fair", second.name, first.name, numbers)
 
 
 def _windows(time: FloatArray, q: FloatArray) -> Iterator[tuple[FloatArray, FloatArray]]:
@@ -73,8 +73,8 @@ def _windows(time: FloatArray, q: FloatArray) -> Iterator[tuple[FloatArray, Floa
         with np.errstate(over="ignore"):
             powers = np.cumprod(np.full(part.size, _FACTOR))
             sums = np.concatenate((np.zeros(1, np.uint64), np.cumsum(part.view(np.uint64) * powers)))
-            inverse = np.uint64(pow(int(_FACTOR), -1, 1 << 64))
-            hashes = (sums[_WINDOW:] - sums[:-_WINDOW]) * np.cumprod(np.full(part.size - _WINDOW + 1, inverse))
+            inverses = np.cumprod(np.full(part.size - _WINDOW + 1, np.uint64(pow(int(_FACTOR), -1, 1 << 64))))
+            hashes = (sums[_WINDOW:] - sums[:-_WINDOW]) * inverses
         with np.errstate(invalid="ignore"):
             moves = np.diff(part, prepend=part[0]) != 0.0
         counts = [np.concatenate(([0], np.cumsum(each))) for each in (moves, np.isfinite(part))]

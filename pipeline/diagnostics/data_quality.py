@@ -70,10 +70,14 @@ def _remark_checks(data: RunData) -> list[Check]:
 def _masked_check(data: RunData) -> Check:
     """Share of the rows without a measurement, with the count of each cause; the cut-off ends of a log count too."""
     cut = sum(float(log.record_notes.get("cut_off_s", 0.0)) / log.motion.interval for log in data.logs)
-    rows = sum(len(log.motion.t) for log in data.logs) + cut
-    masked = (sum(int(np.count_nonzero(~log.motion.valid)) for log in data.logs) + cut) / rows
+    masked = sum(int(np.count_nonzero(~log.motion.valid)) for log in data.logs) + cut
     counts = {cause: sum(int(log.record_notes.get(cause, 0)) for log in data.logs) for cause in MASKS}
-    return graded("data", "masked", masked, numbers={cause: Number(count) for cause, count in counts.items() if count})
+    return graded(
+        "data",
+        "masked",
+        masked / (sum(len(log.motion.t) for log in data.logs) + cut),
+        numbers={cause: Number(count) for cause, count in counts.items() if count},
+    )
 
 
 def _extrapolation_checks(data: RunData) -> list[Check]:
@@ -119,8 +123,11 @@ def _numbers_of_log(data: RunData, log: LogData) -> tuple[float, float, float]:
     notes = log.kinematics_notes
     of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
     stated = (s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std"))
-    noise = min(max(stated, default=quality.noise), _noise_of_residual(data, log))
-    return quality.largest - quality.smallest, noise, quality.low_rail + quality.high_rail
+    return (
+        quality.largest - quality.smallest,
+        min(max(stated, default=quality.noise), _noise_of_residual(data, log)),
+        quality.low_rail + quality.high_rail,
+    )
 
 
 def _noise_of_residual(data: RunData, log: LogData) -> float:

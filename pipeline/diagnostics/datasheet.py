@@ -214,12 +214,13 @@ def make_datasheet(data: RunData) -> Datasheet:
     if source is not None:
         drawn = draws.get(source, [])
         modelled = _by_model(data, curves[source], drawn)
-        stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
-        wells = believed_wells(wells, source, stable, plant=data.device)
+        places = equilibria(curves[source].q, curves[source].force)
+        wells = believed_wells(wells, source, sum(place.stable for place in places), plant=data.device)
         rings = simulated_ring_downs(data.models[source], modelled.values, curves[source], len(data.device.inputs))
-        drawn_rings = drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device)
-        modelled.limits.update(intervals(rings, drawn_rings))
         modelled.values.update(rings)
+        modelled.limits.update(
+            intervals(rings, drawn_ring_downs(data.models[source], rings, curves[source], drawn, data.device))
+        )
     measured = rest_events([(log.t, log.q, log.v) for log in motions], wells, hum, plant=data.device)
     in_free_run = _in_free_run(data, source, wells)
     facts = tuple(_facts(data, modelled, measured, wells, in_free_run))

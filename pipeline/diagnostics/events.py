@@ -266,8 +266,8 @@ def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:
         return np.empty(0)
     reached = REACH * noise_std(v[np.isfinite(v)])
     means = blocks.mean(axis=1)
-    calm = np.append(False, np.abs(np.diff(means)) < CHANGE * largest)
-    plateaus = [run for run in runs_of(calm) if run.stop - run.start >= STILL]
+    calm = runs_of(np.append(False, np.abs(np.diff(means)) < CHANGE * largest))
+    plateaus = [run for run in calm if run.stop - run.start >= STILL]
     lags = []
     for before, after in pairwise(plateaus):
         count = min(after.stop - after.start, SETTLED)
@@ -297,5 +297,5 @@ def _decay(share: FloatArray, interval: float, low: float) -> float | None:
     line = np.log(part)
     middle = np.average(line, weights=weights)
     slope = float(np.average(time * line, weights=weights) / np.average(time**2, weights=weights))
-    missed = rms(np.exp(middle + slope * time) - part)
-    return -1.0 / slope if -1.0 / interval < slope < 0.0 and missed < CROOKED else None
+    straight = rms(np.exp(middle + slope * time) - part) < CROOKED
+    return -1.0 / slope if straight and -1.0 / interval < slope < 0.0 else None

@@ -23,7 +23,7 @@ inputs and a mirrored q are discrete, so each is tried.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Literal, NamedTuple, Protocol, runtime_checkable
+from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 import scipy.linalg
@@ -124,8 +124,9 @@ def quantities(parts: Sequence[Log]) -> dict[str, float]:
         "zero_q": float(np.ptp(np.concatenate([part.known_q for part in parts]))),
         "delay": parts[0].interval,
     }
-    inputs = {f"gain_v{k}": LIMITS["gain"] for k in range(1, parts[0].v.shape[1] + 1)}
-    return inputs | {name: limit * scales.get(name, 1.0) for name, limit in LIMITS.items() if name != "gain"}
+    return {f"gain_v{k}": LIMITS["gain"] for k in range(1, parts[0].v.shape[1] + 1)} | {
+        name: limit * scales.get(name, 1.0) for name, limit in LIMITS.items() if name != "gain"
+    }
 
 
 class InstrumentTest:
@@ -325,27 +326,27 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
     residuals = [each.residual for each in reference]
     shared = [np.hstack([each.by_corrections, each.by_parameters]) for each in reference]
     widths = np.append(np.full(count, FARTHEST), np.ones(log.by_parameters.shape[1]))
-    alone = _least_squares(residuals, shared, widths, [None] * len(reference))
+    _, _, errors_alone, noise_alone = _least_squares(residuals, shared, widths, [None] * len(reference))
     designs = [np.hstack([np.zeros((len(each), count)), each]) for each in shared]
     designs.append(np.hstack([log.by_corrections, log.by_corrections, log.by_parameters]))
     widths = np.append(np.full(count, FARTHEST), widths)
-    together = _least_squares([*residuals, log.residual], designs, widths, [*alone.noise, None])
-    rows = np.split(
-        np.arange(sum(map(len, together.errors))), np.cumsum([len(error) for error in together.errors[:-1]])
+    solution, covariance, errors, noise = _least_squares(
+        [*residuals, log.residual], designs, widths, [*noise_alone, None]
     )
-    residual_ratio, unlike = _compared(alone.errors, together.errors[-1])
+    rows = np.split(np.arange(sum(map(len, errors))), np.cumsum([len(error) for error in errors[:-1]]))
+    residual_ratio, unlike = _compared(errors_alone, errors[-1])
     # What all instruments cause at their limits, if they err independently: a smaller residual does not matter.
     reach = float(np.sqrt(np.sum(np.mean(log.by_corrections**2, axis=0))))
     return _Fitted(
-        step=together.solution[:count],
-        error=np.sqrt(np.diag(together.covariance[:count, :count])),
-        size=rms(together.errors[-1]) / reach,
+        step=solution[:count],
+        error=np.sqrt(np.diag(covariance[:count, :count])),
+        size=rms(errors[-1]) / reach,
         residual_ratio=residual_ratio,
         unlike=unlike,
         spread=partial(
             robust_spread,
-            np.concatenate([error / std for error, std in zip(together.errors, together.noise, strict=True)]),
-            np.concatenate([design / std for design, std in zip(designs, together.noise, strict=True)]),
+            np.concatenate([error / std for error, std in zip(errors, noise, strict=True)]),
+            np.concatenate([design / std for design, std in zip(designs, noise, strict=True)]),
             1.0,
             Prior(np.diag(1.0 / widths), np.zeros(len(widths))),
             [group for of_log in rows for group in np.array_split(of_log, GROUPS)],
@@ -353,18 +354,9 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
     )
 
 
-class _Solution(NamedTuple):
-    """Least squares over logs: x (P,) and its covariance (P, P), the errors (N,) of each log, and the noise of each."""
-
-    solution: FloatArray
-    covariance: FloatArray
-    errors: list[FloatArray]
-    noise: list[float]
-
-
 def _least_squares(
     residuals: Sequence[FloatArray], designs: Sequence[FloatArray], widths: FloatArray, known: Sequence[float | None]
-) -> _Solution:
+) -> tuple[FloatArray, FloatArray, list[FloatArray], list[float]]:
     """Least squares of r + D x = e over logs with the prior x ~ N(0, widths²), in two passes.
 
     Where the noise of a log is not known it is first that of r, then that of e. Errors that last for τ samples count
@@ -378,6 +370,14 @@ def _least_squares(
         Standard deviations of the prior.
     known : sequence of float or None
         Noise of each log, in the unit of r.
+
+    Returns
+    -------
+    solution, covariance : FloatArray, shapes (P,) and (P, P)
+    errors : list of FloatArray, shape (N,)
+        Of each log.
+    noise : list of float
+        Of each log.
     """
     noise = [rms(residual) if std is None else std for std, residual in zip(known, residuals, strict=True)]
     for _ in range(2):
@@ -393,7 +393,7 @@ def _least_squares(
             rms(error) * np.sqrt(whiteness(error).integrated_correlation_time) if std is None else std
             for std, error in zip(known, errors, strict=True)
         ]
-    return _Solution(solution, scipy.linalg.cho_solve(factor, np.eye(len(widths))), errors, noise)
+    return solution, scipy.linalg.cho_solve(factor, np.eye(len(widths))), errors, noise
 
 
 def _compared(reference: Sequence[FloatArray], error: FloatArray) -> tuple[float, float]:

@@ -151,14 +151,14 @@ def weak_terms(log: LogSignals, acting: FloatArray, sample_interval: float) -> W
     size = float(np.std(q[measured])) or 1.0
     z = np.where(measured, (q - float(np.mean(q[measured]))) / size, 0.0)
     bump, slope, curvature = _bump(half, log.interval)
-    motion = [_average(z**k, bump)[rows] for k in range(FORCE_ORDER + 1)]
-    motion += [_average(z, slope)[rows], _average(z**3 / 3.0, slope)[rows]]  # z² ż is the rate of z³/3
+    # z² ż is the rate of z³/3.
+    motion = [*(_average(z**k, bump) for k in range(FORCE_ORDER + 1)), _average(z, slope), _average(z**3 / 3.0, slope)]
     return WeakTerms(
         size=size,
         z=z,
         rows=rows,
         inertia=_average(z, curvature)[rows],
-        motion=np.column_stack(motion),
+        motion=np.column_stack([term[rows] for term in motion]),
         inputs=_input_terms(acting, z, bump),
         interval=log.interval,
         bump=bump,
@@ -370,8 +370,8 @@ def log_facts(log: LogSignals, sample_interval: float, plant: Device) -> LogFact
     both_signs = any(map(takes_both_signs, log.v.min(axis=0).tolist(), log.v.max(axis=0).tolist()))
     signed_monitor = None
     if terms is not None and both_signs and log.v.shape[1] == 1:
-        sides = np.hstack([np.maximum(log.v, 0.0), np.maximum(-log.v, 0.0)])
-        signed_monitor = unexplained(under_inputs(terms, np.square(sides)))
+        sides = np.square(np.hstack([np.maximum(log.v, 0.0), np.maximum(-log.v, 0.0)]))
+        signed_monitor = unexplained(under_inputs(terms, sides))
     return LogFacts(
         signals=log,
         sample_interval=sample_interval,

@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from dataclasses import astuple, dataclass
 
-from ..signals.findings import Finding
+from ..signals.findings import Finding, Number
 from ..signals.noise import below_resolution
-from ..units.quantity import quantity, scale, short, significant
+from ..units.quantity import quantity, significant
 from .log_facts import FIELD
 
 _SIDES = ("right (+)", "left (−)")
@@ -77,10 +77,10 @@ def _resolution(finding: Finding) -> ShownRow:
         return ShownRow("resolution of q", "no steps", more=noise)
     if noise and below_resolution(finding.value("noise"), finding.value("resolution")):
         noise = "noise below that"
-    advice = "velocities come in steps: use the sensor's finer range, or average before recording"
     return ShownRow(
-        "resolution of q", f"{finding.numbers['resolution']}", f"≤ {finding.numbers['most']:short}", advice, noise
-    )
+        "resolution of q", finding.filled("{resolution}"), finding.filled("≤ {most:short}"),
+        "velocities come in steps: use the sensor's finer range, or average before recording", noise,
+    )  # fmt: skip
 
 
 def _undriven_starts(finding: Finding) -> ShownRow:
@@ -118,9 +118,7 @@ def _direction(finding: Finding) -> ShownRow:
 
 
 def _late_answer(finding: Finding) -> ShownRow:
-    number = finding.numbers["late"]
-    shown, factor = scale("s", number.value)
-    later = number.value > 0.0
+    later = finding.value("late") > 0.0
     advice = (
         "start both recorders by one trigger; if the sensor of q averages over a window, give that as `average` "
         "in [channels] q; if the inputs do act late (a filter, a slow drive, electrodes that charge slowly), hybrid "
@@ -129,7 +127,7 @@ def _late_answer(finding: Finding) -> ShownRow:
         else "q moves before its inputs: if it is the angle of a joint, give it in deg or rad; else start both "
         "recorders by one trigger"
     )
-    delay = f"about {short(abs(number.value) * factor)} {shown} {'late' if later else 'early'}"
+    delay = f"about {Number(abs(finding.value('late')), 's'):short} {'late' if later else 'early'}"
     return ShownRow("answer of q", delay, finding.filled("± {most:short}"), advice)
 
 
@@ -140,16 +138,16 @@ def _coupling(finding: Finding) -> ShownRow:
     what = f"coupling if of {1e3 * mass:g} g"
     off = max(ratio, 1.0 / ratio)
     small, short, large = ("small", "short", "large") if ratio > 1.0 else ("large", "long", "small")
-    root, most_off = significant(off**0.5, 2), significant(off, 2)
+    root = significant(off**0.5, 2)
     of_all = f"v1 and v2 ({root} times too {small} do that), of time ({root} times too {short}), of q"
     if finding.subject == "stated":
         what = f"coupling with {quantity(1e3 * mass, 'g') if mass < 1.0 else f'{significant(mass)} kg'}"
         of_all += " and of plant.mass"
-    advice = (
+    return ShownRow(
+        what, f"{significant(ratio, 2)} × as drawn", f"{1.0 / most:.2g} … {most:g}",
         f"that is {_times(ratio)} the coupling of the joint as drawn: check the units of {of_all} "
-        f"({most_off} times too {large})"
-    )
-    return ShownRow(what, f"{significant(ratio, 2)} × as drawn", f"{1.0 / most:.2g} … {most:g}", advice)
+        f"({significant(off, 2)} times too {large})",
+    )  # fmt: skip
 
 
 def _coupling_ratio(finding: Finding) -> ShownRow:
@@ -162,13 +160,11 @@ def _coupling_ratio(finding: Finding) -> ShownRow:
 
 
 def _field(finding: Finding) -> ShownRow:
-    film = f"{finding.numbers['film']}"
-    limit = finding.value("limit")
-    advice = f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
+    advice = "a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
     if finding.code == "field_units":
-        advice = f"check the units of plant.film_thickness ({film}) and plant.field_limit ({quantity(limit, 'V/m')})"
-    most = f"≤ {significant(1e-6 * limit)} (+{100.0 * (FIELD - 1.0):.0f} %) V/µm"
-    return ShownRow("largest field", f"{significant(1e-6 * finding.value('field'))} V/µm", most, advice)
+        advice = "check the units of plant.film_thickness ({film}) and plant.field_limit ({limit})"
+    most = f"≤ {significant(1e-6 * finding.value('limit'))} (+{100.0 * (FIELD - 1.0):.0f} %) V/µm"
+    return ShownRow("largest field", f"{significant(1e-6 * finding.value('field'))} V/µm", most, finding.filled(advice))
 
 
 def _rest_level(finding: Finding) -> ShownRow:
@@ -302,10 +298,12 @@ def _share(finding: Finding) -> tuple[str, str]:
 
 
 def _signal_missing(finding: Finding) -> tuple[str, str]:
-    share = 100.0 * finding.value("share")
-    text = f"{finding.subject} is missing for {share:.3g} % of the log (at most {100.0 * finding.value('most'):g} %)"
+    share, most = (100.0 * finding.value(name) for name in ("share", "most"))
     advice = "repair the recorder, or cut the log where the signal ends"
-    return text, advice + (_ON_CHANGE.format(finding.subject) if finding.value("not_finite") else "")
+    return (
+        f"{finding.subject} is missing for {share:.3g} % of the log (at most {most:g} %)",
+        advice + (_ON_CHANGE.format(finding.subject) if finding.value("not_finite") else ""),
+    )
 
 
 def _other_rate(finding: Finding) -> tuple[str, str]:

@@ -50,12 +50,17 @@ def _beyond(rows: Sequence[Mapping[str, Any]], title: str, displacement: str) ->
     for row in rows:
         if row["beyond"]:
             unit = unit_of(row["quantity"], displacement)
-            numbers = {
-                "estimate": Number(float(row["estimate"]), unit, float(row["standard_error"])),
-                "limit": Number(float(row["limit"]), unit),
-                "correction": Number(float(row["correction"]), unit),
-            }
-            yield Finding("instrument", "fair", title, row["quantity"], numbers)
+            yield Finding(
+                "instrument",
+                "fair",
+                title,
+                row["quantity"],
+                {
+                    "estimate": Number(float(row["estimate"]), unit, float(row["standard_error"])),
+                    "limit": Number(float(row["limit"]), unit),
+                    "correction": Number(float(row["correction"]), unit),
+                },
+            )
 
 
 def causes(data: RunData, worst: Mapping[str, Any], ratio: float, wells: Wells | NoWells) -> list[Finding]:
@@ -229,8 +234,12 @@ def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> Iterator[Check]:
     outcomes = sum(s.get("outcomes") or 0 for s in judged)
     if outcomes:
         open_ones = sum(s.get("ambiguous_outcomes") or 0 for s in judged)
-        numbers = {"open": Number(open_ones), "outcomes": Number(outcomes)}
-        yield graded("model", "ambiguous", open_ones / outcomes, numbers=numbers)
+        yield graded(
+            "model",
+            "ambiguous",
+            open_ones / outcomes,
+            numbers={"open": Number(open_ones), "outcomes": Number(outcomes)},
+        )
     known = (s for s in judged if s.get("outside_training") is not None)
     most = max(known, key=lambda score: score["outside_training"], default=None)
     if most is not None:

@@ -107,8 +107,8 @@ def _correlation(x: FloatArray, y: FloatArray, count: int) -> FloatArray:
 
     a = x - x.mean()
     b = y - y.mean()
-    whole: FloatArray = correlate(b, a, method="fft") / (float(np.sqrt(np.sum(a**2) * np.sum(b**2))) or np.inf)
-    return whole[len(x) - 1 - count : len(x) + count]
+    size = float(np.sqrt(np.sum(a**2) * np.sum(b**2))) or np.inf
+    return np.asarray(correlate(b, a, method="fft")[len(x) - 1 - count : len(x) + count] / size)
 
 
 def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:

@@ -77,16 +77,17 @@ def _instrument(finding: Finding) -> tuple[str, str]:
     number = finding.numbers["estimate"]
     size = shown(Number(abs(number.value), number.unit, number.error))
     name = finding.subject.removeprefix("gain_")
-    of_log, more, less = {
-        "zero_q": (f"the zero of q of the {finding.log} is {size} too", "high", "low"),
-        "delay": (f"the voltages of the {finding.log} are recorded {size}", "late", "early"),
-        "clock": (f"the clock of the {finding.log} runs {size}", "fast", "slow"),
-    }.get(finding.subject, (f"{name} of the {finding.log} reads {size}", "high", "low"))
+    of_log, more, less, mend = {
+        "zero_q": (f"the zero of q of the {finding.log} is {size} too", "high", "low", "set the laser"),
+        "delay": (f"the voltages of the {finding.log} are recorded {size}", "late", "early", "mend the recorder"),
+        "clock": (f"the clock of the {finding.log} runs {size}", "fast", "slow", "mend the recorder"),
+    }.get(finding.subject, (f"{name} of the {finding.log} reads {size}", "high", "low", "mend the probe"))
     correction = finding.numbers["correction"]
     line = KEYS[finding.subject].format(correction_text(correction.value, correction.unit))
-    mend = {"zero_q": "set the laser", "delay": "mend the recorder", "clock": "mend the recorder"}
-    advice = f"`{line}` at that log in [logs], or {mend.get(finding.subject, 'mend the probe')}"
-    return f"{of_log} {more if number.value > 0.0 else less}", f"{advice}, unless the training logs are the wrong ones"
+    return (
+        f"{of_log} {more if number.value > 0.0 else less}",
+        f"`{line}` at that log in [logs], or {mend}, unless the training logs are the wrong ones",
+    )
 
 
 def _disagreement(finding: Finding) -> tuple[str, str]:
@@ -302,8 +303,8 @@ def judge(
     refused = [finding for finding in findings if finding.gate not in (*settings.accept, *prior)]
     if refused:
         reasons = "; ".join(": ".join(sentences(finding)) for finding in refused)
-        gates = dict.fromkeys((*settings.accept, *(finding.gate for finding in refused)))
-        names = ", ".join(f'"{gate}"' for gate in gates)
+        gates = (*settings.accept, *(finding.gate for finding in refused))
+        names = ", ".join(f'"{gate}"' for gate in dict.fromkeys(gates))
         raise DataRefusedError(f"{where}: {reasons}. To use it knowingly, set [quality] accept = [{names}]")
     return [
         sentences(finding)[0]

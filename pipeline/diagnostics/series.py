@@ -15,6 +15,7 @@ from scipy.special import stdtrit
 from ..models.base import DynamicModel, HasCurveDraws, HasCurves
 from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90, NORMAL_95
+from ..signals.findings import Number
 from ..signals.log import Log
 from .calibrated import calibrated
 from .instruments import InstrumentTest
@@ -116,15 +117,8 @@ class Series:
     facts: tuple[SeriesFact, ...]
 
 
-@dataclass(frozen=True)
-class RunFact:
-    """A fact of one run: key, title and unit, value and standard error in SI."""
-
-    key: str
-    title: str
-    unit: str
-    value: float
-    error: float
+RunFact = tuple[str, str, Number]
+"""A fact of one run: key, title, and value with its standard error in SI."""
 
 
 def facts_of(
@@ -145,19 +139,15 @@ def facts_of(
     """
     for fact in sheet["facts"]:
         if fact["low"] is not None and fact["value"] is not None and not fact["key"].startswith(_LEFT_OUT):
-            yield RunFact(fact["key"], fact["title"], fact["unit"], fact["value"], _error(fact["low"], fact["high"]))
+            yield fact["key"], fact["title"], Number(fact["value"], fact["unit"], _error(fact["low"], fact["high"]))
     if between is not None and isinstance(model, HasCurves) and isinstance(model, HasCurveDraws):
         q = np.linspace(*between, PLACES)
         yield from _gains(model.curves(q), model.curve_ensemble(q, DRAWS), gain_unit)
     for fitted in calibrated(model):
         if fitted.name in _QUANTITIES:
-            yield RunFact(
-                fitted.name.partition(",")[0].replace(" ", "_"),
-                _QUANTITIES[fitted.name],
-                fitted.unit,
-                fitted.value,
-                _error(fitted.low, fitted.high),
-            )
+            key = fitted.name.partition(",")[0].replace(" ", "_")
+            number = Number(fitted.value, fitted.unit, _error(fitted.low, fitted.high))
+            yield key, _QUANTITIES[fitted.name], number
 
 
 def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
@@ -179,9 +169,9 @@ def instrument_facts(instruments: InstrumentTest, parts: Sequence[Log], displace
         return
     for name, value, error in zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True):
         # The force of a joint goes with C v², so that 2 % of capacitance read as 1 % of voltage.
-        either = " or of the device" if name.startswith("gain_v") else ""
-        title = f"instruments: {READINGS.get(name, name)}{either}, change since the first run"
-        yield RunFact(f"reading_{name}", title, unit_of(name, displacement), float(value), float(error))
+        what = f"{READINGS.get(name, name)} or of the device" if name.startswith("gain_v") else READINGS.get(name, name)
+        title = f"instruments: {what}, change since the first run"
+        yield f"reading_{name}", title, Number(float(value), unit_of(name, displacement), float(error))
 
 
 def common_stroke(sheets: Sequence[Mapping[str, Any]]) -> tuple[float, float] | None:
@@ -198,13 +188,8 @@ def _gains(curves: Mapping[str, FloatArray], draws: Mapping[str, FloatArray], un
     """Mean slope of each capacitance between the wells."""
     for key in (key for key in curves if key.startswith("dC")):
         low, high = np.quantile(draws[key].mean(axis=1), [0.05, 0.95])
-        yield RunFact(
-            f"gain_v{key[2]}",
-            f"capacitance gain ∂C{key[2]}/∂q, mean over the stroke",
-            unit,
-            float(curves[key].mean()),
-            _error(low, high),
-        )
+        gain = Number(float(curves[key].mean()), unit, _error(low, high))
+        yield f"gain_v{key[2]}", f"capacitance gain ∂C{key[2]}/∂q, mean over the stroke", gain
 
 
 def _error(low: float, high: float) -> float:
@@ -216,9 +201,10 @@ def facts_over_time(at: Sequence[float], runs: Sequence[Sequence[RunFact]]) -> t
     """Each fact that at least two runs have, with its change; `at` are the times of the runs, ascending."""
     by_fact: dict[tuple[str, str, str], list[tuple[float, float, float]]] = {}
     for time, facts in zip(at, runs, strict=True):
-        for fact in facts:
-            if np.isfinite(fact.value) and fact.error > 0.0:
-                by_fact.setdefault((fact.key, fact.title, fact.unit), []).append((time, fact.value, fact.error))
+        for key, title, number in facts:
+            error = number.error or 0.0
+            if np.isfinite(number.value) and error > 0.0:
+                by_fact.setdefault((key, title, number.unit), []).append((time, number.value, error))
     several = {named: np.array(rows).T for named, rows in by_fact.items() if len(rows) > 1}
     return tuple(
         SeriesFact(*named, t, y, errors, *smoothed(t, y, errors), trend(t, y, errors, ALARM / len(several)))

@@ -151,8 +151,8 @@ class Descent:
         scale = 1.0 / np.sqrt(np.diag(full))
         scaled = scale[:, None] * full * scale
         while self.damping < STRONGEST:
-            damped = scaled + self.damping * np.eye(len(full))
-            trial = self.theta - scale * np.linalg.solve(damped, scale * slope)
+            step = np.linalg.solve(scaled + self.damping * np.eye(len(full)), scale * slope)
+            trial = self.theta - scale * step
             residual = self.problem.residual(trial, self.gain)
             fall = -np.inf if residual is None else cost - self._cost(residual, trial)
             if fall > 0.0:

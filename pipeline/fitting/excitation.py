@@ -168,8 +168,7 @@ def excitation_findings(
     valid = (segment >= 0) & np.isfinite(q)
     if not valid.any() or is_idle(q[valid]):
         return [refusal("idle", "idle")]
-    acting = plant.acting(v)
-    undriven = [k for k in range(v.shape[1]) if is_idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
+    undriven = [k for k in range(v.shape[1]) if is_idle(v[valid, k]) and not _moves(plant.acting(v)[:, k], q, segment)]
     try:
         excitation = examine_excitation(
             q, v, segment, interval, plant, basis_functions=basis_functions, smoothing=smoothing
@@ -190,20 +189,27 @@ def _of_places(
     fewest = int(excitation.visits.visits.min())
     condition = excitation.conditioning
     if fewest < LEAST_VISITS:
-        numbers = {
-            "place": Number(float(excitation.centres[int(np.argmin(excitation.visits.visits))]), displacement),
-            "visits": Number(fewest),
-            "least": Number(LEAST_VISITS),
-            "centres": Number(centres),
-        }
-        yield refusal("visits", "visits", numbers)
+        place = float(excitation.centres[int(np.argmin(excitation.visits.visits))])
+        yield refusal(
+            "visits",
+            "visits",
+            {
+                "place": Number(place, displacement),
+                "visits": Number(fewest),
+                "least": Number(LEAST_VISITS),
+                "centres": Number(centres),
+            },
+        )
     if conditioned and (condition.silent or condition.condition > LARGEST_CONDITION):
-        numbers = {
-            "condition": Number(condition.condition),
-            "most": Number(LARGEST_CONDITION),
-            "silent": Number(condition.silent),
-        }
-        yield refusal("rank", "rank", numbers)
+        yield refusal(
+            "rank",
+            "rank",
+            {
+                "condition": Number(condition.condition),
+                "most": Number(LARGEST_CONDITION),
+                "silent": Number(condition.silent),
+            },
+        )
     if bistable and isinstance(excitation.wells, NoWells) and excitation.wells.one_cluster:
         yield refusal("one-well", "one_well")
 
@@ -216,8 +222,7 @@ def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
     inner = (segment[:-2] == segment[2:]) & (segment[1:-1] >= 0) & np.isfinite(q[:-2] + q[1:-1] + q[2:])
     way = (q[2:] - q[:-2])[inner]
     turn = (q[2:] - 2.0 * q[1:-1] + q[:-2])[inner]
-    regressors = np.column_stack([np.ones(len(way)), q[1:-1][inner], way])
-    regressors, _ = np.linalg.qr(regressors)
+    regressors, _ = np.linalg.qr(np.column_stack([np.ones(len(way)), q[1:-1][inner], way]))
     left = [signal - regressors @ (regressors.T @ signal) for signal in (u[1:-1][inner], turn)]
     size = float(np.linalg.norm(left[0]) * np.linalg.norm(left[1]))
     share = float(left[0] @ left[1]) / size if size > 0.0 else 0.0

@@ -104,8 +104,8 @@ class ScaledRegressor:
             Cost: N p² multiplications and N M exponentials; 2 ms for N = 3750, p = 40.
         """
         z, _ = first_order_lag(np.ascontiguousarray(qdot), interval, LAG_START)
-        signals = curve_signals(q, z, input_signal(v, self.inputs)) / self.scales
-        rows = regressor(basis_values(q, self.centres, self.width), signals)
+        signals = curve_signals(q, z, input_signal(v, self.inputs))
+        rows = regressor(basis_values(q, self.centres, self.width), signals / self.scales)
         return np.asarray(rows.T @ rows)
 
 

@@ -85,7 +85,7 @@ class Oddity:
 def estimate_population(
     members: Sequence[Information],
     prior: NormalPopulation,
-    shrinkage: Shrinkage | None = None,
+    shrinkage: Shrinkage = Shrinkage(),
     *,
     start: NormalPopulation | None = None,
     rounds: int = ROUNDS,
@@ -98,31 +98,30 @@ def estimate_population(
         Of N members.
     prior : NormalPopulation
         What is believed without them; its covariance counts as `Shrinkage` has it, its mean as one member's.
-    shrinkage : Shrinkage, optional
+    shrinkage : Shrinkage
         Weight of the prior.
     start : NormalPopulation, optional
         Start of the estimation: the prior if left out.
     rounds : int
         Steps. Cost: 4 N P³ flops each.
     """
-    by = shrinkage or Shrinkage()
     believed = np.linalg.inv(prior.covariance)
     count = len(members)
     precisions = np.array([member.precision for member in members])
     vectors = np.array([member.vector for member in members])
     mean = (start or prior).mean
     covariance = (start or prior).covariance
-    lost = _variance_within(by.cut)
+    lost = _variance_within(shrinkage.cut)
     for _ in range(rounds):
         inverse = np.linalg.inv(covariance)
         spread = np.sqrt(np.diag(covariance))
         own = np.linalg.inv(precisions + inverse)
         best = np.einsum("nij,nj->ni", own, vectors + inverse @ mean)
-        middle = mean + np.clip(best - mean, -by.cut * spread, by.cut * spread).mean(axis=0)
+        middle = mean + np.clip(best - mean, -shrinkage.cut * spread, shrinkage.cut * spread).mean(axis=0)
         mean = np.linalg.solve(count * inverse + believed, count * (inverse @ middle) + believed @ prior.mean)
-        apart = np.clip(best - mean, -by.cut * spread, by.cut * spread)
+        apart = np.clip(best - mean, -shrinkage.cut * spread, shrinkage.cut * spread)
         seen = (own.sum(axis=0) + apart.T @ apart / lost) / count
-        covariance = _shrunk(seen, prior.covariance, count, by)
+        covariance = _shrunk(seen, prior.covariance, count, shrinkage)
     inverse = np.linalg.inv(covariance)
     shown = count * inverse - inverse @ np.linalg.inv(precisions + inverse).sum(axis=0) @ inverse
     moved = np.linalg.inv(shown + believed)  # the mean's scatter, none where no member shows anything

@@ -13,7 +13,6 @@ from ..diagnostics.phase_plane import (
     BASIN_TIME,
     OUTCOMES,
     basin_map,
-    moves_unforced,
     unforced,
     visited_range,
 )
@@ -231,32 +230,33 @@ def _marked(
 
 
 def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
-    """Motion without input, over the basins of two wells; None where there is neither."""
-    paths = tuple(
-        Line(log.title, "measured" if log.role == "train" else "raw", *unforced(data, log))
-        for log in (*data.role("validation"), *data.role("train"))
-    )
-    points: tuple[Points, ...] = ()
-    cells = None
-    caption = f"Measured motion without {data.device.input_word}."
-    if sheet.model is not None:
-        curves = sheet.curves[sheet.model]
-        points = tuple(_marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1)))
-        if (wells := outer_wells(curves, plant=data.device)) is not None:
-            cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
-            caption = (
-                f"Measured motion while no {data.device.input_word} is on, over the basins of {sheet.model} without "
-                f"{data.device.input_word}: from each cell the model was released and simulated for {BASIN_TIME:g} s."
-            )
-    if cells is None and not moves_unforced(data):
+    """Motion without input over the basins of two wells; None for a device or a model without them."""
+    if sheet.model is None or (wells := outer_wells(sheet.curves[sheet.model], plant=data.device)) is None:
         return None
+    curves = sheet.curves[sheet.model]
+    unit = data.device.displacement.symbol
+    word = data.device.input_word
     return Figure(
         "phase-portrait",
-        "Phase portrait" if cells is None else "Phase portrait and basins",
-        caption=caption,
+        "Phase portrait and basins",
+        caption=(
+            f"Measured motion while no {word} is on, over the basins of {sheet.model} without {word}: from each cell "
+            f"the model was released and simulated for {BASIN_TIME:g} s."
+        ),
         x_name="q",
-        x_unit=data.device.displacement.symbol,
-        panels=(Panel("q̇", f"{data.device.displacement.symbol}/s", paths, points=points, cells=cells),),
+        x_unit=unit,
+        panels=(
+            Panel(
+                "q̇",
+                f"{unit}/s",
+                tuple(
+                    Line(log.title, "measured" if log.role == "train" else "raw", *unforced(data, log))
+                    for log in (*data.role("validation"), *data.role("train"))
+                ),
+                points=tuple(_marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1))),
+                cells=Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q)),
+            ),
+        ),
         tall=1.5,
     )
 

@@ -109,8 +109,7 @@ def description_among(attributes: Mapping[str, Any]) -> str:
 
 def texts_among(attributes: Mapping[str, Any]) -> str:
     """All attributes that are texts, as one line."""
-    texts = (plain(value) for value in attributes.values())
-    return "; ".join(" ".join(text.split()) for text in texts if isinstance(text, str))
+    return "; ".join(" ".join(text.split()) for text in map(plain, attributes.values()) if isinstance(text, str))
 
 
 def monitor_ratio(*texts: str) -> float:
@@ -134,8 +133,11 @@ def rates_among(attributes: Mapping[str, Any], place: str) -> dict[str, tuple[fl
 
 def starts_among(attributes: Mapping[str, Any], place: str) -> dict[str, float]:
     """Numbers among attributes that state when a channel begins [s], by their names; `place` stands before these."""
-    numbers = {name: _number(attributes[name]) for name in filter(_START.fullmatch, attributes)}
-    return {f"{place}.{name}" if place else name: number for name, number in numbers.items() if number is not None}
+    return {
+        f"{place}.{name}" if place else name: number
+        for name in filter(_START.fullmatch, attributes)
+        if (number := _number(attributes[name])) is not None
+    }
 
 
 def is_unit(name: str) -> bool:

@@ -53,7 +53,6 @@ _LARGEST_HEAD = 1 << 24
 _FEWEST_LINES = 20
 _MOST_NAMED = 3
 _MARKED = re.compile(r"\d([.,])\d")
-_NOT_A_TIME = -(1 << 63)  # as NumPy counts it
 _YEARS = ("1678", "2261")
 """First and last year whose times a count of nanoseconds since 1970 holds."""
 
@@ -85,8 +84,9 @@ class CsvSource(Source):
         self._remarks = list[str]()
         self._firsts = dict(zip(self._columns, self._dialect.firsts, strict=True))
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
-        local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
-        self._clocks = _clocks(self._firsts, local)
+        self._clocks = _clocks(
+            self._firsts, (name for name in self._stamped if not STAMP.fullmatch(self._firsts[name]))
+        )
         texts = self._left_out()
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
         headed = dict(zip(self._columns, self._dialect.headings, strict=True))
@@ -236,8 +236,7 @@ class CsvSource(Source):
         dialect = self._dialect
         plain = self._rewritten
         # Words in the first column show that a row is none of numbers.
-        looked_at = dialect.numeric[0] and not plain
-        every = [*names, *(name for name in self._columns[:1] if looked_at and name not in names)]
+        every = names if plain or not dialect.numeric[0] else list(dict.fromkeys([*names, self._columns[0]]))
         batches = csv.open_csv(
             written(self._plain_rows(every), self)
             if plain
@@ -265,7 +264,7 @@ class CsvSource(Source):
                 if name in clocks:
                     yield name, clocks[name].seconds(samples)
                 elif pa.types.is_timestamp(samples.type):
-                    ticks = to_numpy(samples.cast(pa.int64()).fill_null(_NOT_A_TIME))
+                    ticks = to_numpy(samples.cast(pa.int64()).fill_null(-(1 << 63)))  # which NumPy takes for no time
                     yield name, self.counted(name, ticks.view("M8[ns]"))
                 else:
                     yield name, doubles(samples.cast(pa.float64()))

@@ -100,13 +100,14 @@ def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) ->
 
     Of two with one delimiter it is that whose mark surely stands before decimals.
     """
-    tables = [_table(lines[:most], *marks, options.header_row) for marks in _candidates(lines, options)]
+    tables = (_table(lines[:most], *marks, options.header_row) for marks in _candidates(lines, options))
     readable = [table for table in tables if table is not None]
     if not readable and len(lines) > most:
         return find_table(lines, options, len(lines))
     if not readable:
         way_out = "if it is one, set [ingest.csv] encoding, delimiter, decimal and header_row"
-        if _is_single_column(lines):
+        cells = [line.strip(' \t"') for line in lines[:_MOST_ROWS] if line.strip()]
+        if 2 * sum(is_value(cell, ".") for cell in cells) > len(cells):  # most lines are one number each
             way_out = (
                 "it holds a single one; if input and displacement stand in files of their own, join them as columns of "
                 "one file"
@@ -119,12 +120,6 @@ def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) ->
         table for table in readable if (table.delimiter, sum(table.numeric)) == (best.delimiter, sum(best.numeric))
     ]
     return next((table for table in alike if len(alike) > 1 and table.shows_mark), best)
-
-
-def _is_single_column(lines: list[str]) -> bool:
-    """True if most lines are one number each."""
-    cells = [line.strip(' \t"') for line in lines[:_MOST_ROWS] if line.strip()]
-    return 2 * sum(is_value(cell, ".") for cell in cells) > len(cells)
 
 
 def _candidates(lines: list[str], options: CsvOptions) -> list[tuple[str, str]]:

@@ -103,8 +103,7 @@ def heading_rows(
     if not names:
         return None, None
     with_time = [i for i in names if any(map(_TIME.match, above[i]))]
-    name = (with_time or names)[-1 if comments[block[-1]] or (units is not None and used == 2) else 0]
-    return name, units
+    return (with_time or names)[-1 if comments[block[-1]] or (units is not None and used == 2) else 0], units
 
 
 def _labels(row: Row, numeric: Sequence[bool]) -> int:
@@ -182,7 +181,8 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
         return tuple(f"column {j + 1}" for j in range(width)), ("",) * width
     names = []
     units = []
-    by_strokes = _with_units_behind_strokes(headings)
+    behind = [match["unit"] for match in map(_BEHIND_STROKE.match, headings) if match]
+    by_strokes = len(behind) > 1 and all(unit in PLAIN or unit.lower() in _UNITS - {"v", "a", "k"} for unit in behind)
     matches = [_UNIT_IN_NAME.match(heading) or _unit_behind(heading, by_strokes) for heading in headings[:width]]
     bare = Counter(match["name"] if match else heading for match, heading in zip(matches, headings, strict=False))
     written = Counter(headings[:width])
@@ -196,15 +196,12 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
 
 
 def _unit_behind(heading: str, by_strokes: bool) -> re.Match[str] | None:
-    """A name with its unit as in ``Weg in mm``, ``Weg / mm``, ``Weg, mm`` or ``Weg <mm>``; None for others."""
+    """A name with its unit as in ``Weg in mm``, ``Weg / mm``, ``Weg, mm`` or ``Weg <mm>``; None for others.
+
+    By strokes also as in ``Weg/mm``, where several headings are so, and no paths of channels.
+    """
     match = _UNIT_BEHIND.match(heading) or (_BEHIND_STROKE.match(heading) if by_strokes else None)
     return match if match and match["unit"].lower() in _UNITS - {"1"} else None
-
-
-def _with_units_behind_strokes(headings: Row) -> bool:
-    """True if headings are as ``t/s``, ``Weg/mm``, and no paths of channels."""
-    units = [match["unit"] for match in map(_BEHIND_STROKE.match, headings) if match]
-    return len(units) > 1 and all(unit in PLAIN or unit.lower() in _UNITS - {"v", "a", "k"} for unit in units)
 
 
 _HORIZONTAL = "Horizontal Units"

@@ -344,8 +344,7 @@ def _seldom(channel: InspectedChannel, log: Inspection) -> bool:
     base = None if channel.time_base is None else log.time_bases[channel.time_base]
     step, lasts = (1.0, quality.n) if base is None else (base.step, base.stop - base.start)
     finest = max(Ingest().sample_interval, min((each.step for each in log.time_bases), default=0.0))
-    far = base is not None and step > COARSEST_STEP * finest
-    return far or seldom(quality.n - quality.not_finite, step, lasts)
+    return (base is not None and step > COARSEST_STEP * finest) or seldom(quality.n - quality.not_finite, step, lasts)
 
 
 def _unit(channel: InspectedChannel, role: Role) -> tuple[str, str]:
@@ -391,8 +390,7 @@ def _prototype_name(log: Path) -> str:
     """A name that the settings allow: the log's without what it is for, or its folder's where nothing else is left."""
     stem = log.stem
     if purposes(stem):
-        parts = (part for part in _BETWEEN.split(stem) if part and not purpose_of(part.strip("0123456789")))
-        stem = "_".join(parts)
+        stem = "_".join(part for part in _BETWEEN.split(stem) if part and not purpose_of(part.strip("0123456789")))
         if not stem or purposes(stem):
             stem = log.absolute().parent.name
     try:

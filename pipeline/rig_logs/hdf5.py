@@ -71,8 +71,10 @@ def missing_values(dataset: Any, *, filled: bool = False) -> NDArray[Any] | None
         Its numbers are packed: they would have to be converted.
     """
     if packed := [name for name in PACKING if name in dataset.attrs]:
-        stated = ", ".join(f"{name} = {plain(dataset.attrs[name])}" for name in packed)
-        raise UnreadableLogError(f"packed ({stated}): save its unpacked values")
+        raise UnreadableLogError(
+            f"packed ({', '.join(f'{name} = {plain(dataset.attrs[name])}' for name in packed)}): save its "
+            "unpacked values"
+        )
     values = [np.ravel(dataset.attrs[name]) for name in _MISSING if name in dataset.attrs]
     if filled and dataset.dtype.name in _FILLED and "_FillValue" not in dataset.attrs:
         values.append(np.ravel(dataset.fillvalue))
@@ -212,8 +214,7 @@ def flat(dataset: Any, start: int, stop: int, shape: tuple[int, ...]) -> NDArray
         return np.asarray(dataset[tuple(index)])
     width = shape[-1]
     rows = range(start // width, -(-stop // width))
-    parts = [dataset[row, max(start - row * width, 0) : min(stop - row * width, width)] for row in rows]
-    return np.concatenate([np.asarray(part) for part in parts])
+    return np.concatenate([dataset[row, max(start - row * width, 0) : min(stop - row * width, width)] for row in rows])
 
 
 def rows_at_a_time(dataset: Any, axis: int) -> int:

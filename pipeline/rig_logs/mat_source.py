@@ -99,16 +99,16 @@ MatChannel = tuple[Entry, MatArray]
 """A channel as a layout finds it, with its samples."""
 
 
-def channel(
+def _channel(
     name: str, data: MatArray, unit: str = "", time: str | None = None, aliases: tuple[str, ...] = ()
 ) -> MatChannel:
     """The channel of that name, a vector."""
     return Entry(name, unit, data.dtype, data.size, time, aliases), data
 
 
-def columns_of(name: str, matrix: MatArray, time: str | None = None) -> list[MatChannel]:
+def _columns_of(name: str, matrix: MatArray, time: str | None = None) -> list[MatChannel]:
     """The columns of a matrix as name(:,j)."""
-    return [channel(f"{name}(:,{j + 1})", matrix.column(j), time=time) for j in range(matrix.dims[1])]
+    return [_channel(f"{name}(:,{j + 1})", matrix.column(j), time=time) for j in range(matrix.dims[1])]
 
 
 def text_of(value: MatValue) -> str:
@@ -168,7 +168,7 @@ def recorder_channels(record: MatStruct, notes: list[str]) -> list[MatChannel]:
         time = axis[0] if axis is not None and axis[1] == size else None
         unit = text_of(channels.get(i, "Unit")).strip()
         aliases = (path,) if path != name and paths.count(path) == 1 and path else ()
-        recorded.append(channel(name, data, unit, time, aliases))
+        recorded.append(_channel(name, data, unit, time, aliases))
     return recorded
 
 
@@ -192,10 +192,10 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
                 continue
             if factor is None:
                 notes.append(f"the axis {name!r} is in {unit} and no time: its channels need a [channels] time")
-                channels.append(channel(name, data, unit))
+                channels.append(_channel(name, data, unit))
             else:
                 notes += [] if factor == 1.0 else [f"the time axis {name!r} counts in {unit} and is read in s"]
-                channels.append(channel(name, data if factor == 1.0 else _scaled(data, factor), "s"))
+                channels.append(_channel(name, data if factor == 1.0 else _scaled(data, factor), "s"))
     return lengths, channels
 
 
@@ -217,7 +217,7 @@ def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[M
     rows = 0
     if isinstance(time, MatArray) and time.size > 1:
         rows = time.size
-        channels.append(channel(clock, time, "s"))
+        channels.append(_channel(clock, time, "s"))
     else:
         notes.append(f"{variable} is a Simulink structure without time; set [ingest] sample_rate")
     if not isinstance(signals, MatStruct):
@@ -231,9 +231,9 @@ def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[M
             continue
         time_of = clock if rows in (values.dims[0], values.size) else None
         if values.is_vector:
-            channels.append(channel(name, values, time=time_of, aliases=() if name == place else (place,)))
+            channels.append(_channel(name, values, time=time_of, aliases=() if name == place else (place,)))
         else:
-            channels += columns_of(name, values, time_of)
+            channels += _columns_of(name, values, time_of)
     return channels
 
 
@@ -279,7 +279,7 @@ def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], 
 def _column(name: str, values: Any, unit: str, time: str | None) -> MatChannel:
     samples = values / np.timedelta64(1, "s") if values.dtype.kind == "m" else values
     data = MatArray(samples.shape, samples.dtype.name, lambda first, last: samples[first:last])
-    return channel(name, data, unit, time)
+    return _channel(name, data, unit, time)
 
 
 _MOST_ELEMENTS = 1000
@@ -355,12 +355,12 @@ class MatSource(Source):
         elif isinstance(value, MatArray):
             self._note_scalar(name, value, second)
             if value.is_vector:
-                return [channel(name, value)]
+                return [_channel(name, value)]
             if len(value.dims) == 2 and 1 < min(value.dims) <= MOST_COLUMNS:
                 rows, columns = value.dims
                 if columns <= rows:
-                    return columns_of(name, value)
-                return [channel(f"{name}({j + 1},:)", value.row(j)) for j in range(rows)]  # as targets write samples
+                    return _columns_of(name, value)
+                return [_channel(f"{name}({j + 1},:)", value.row(j)) for j in range(rows)]  # as targets write samples
             if value.size > 1:
                 self._not_listed[name] = value.dims
         elif isinstance(value, MatStruct) and value.count <= _MOST_ELEMENTS:

@@ -43,8 +43,7 @@ def open_log(path: Path, *_: object) -> MatSource:
         Truncated, damaged, or with links and storage that lead out of the file.
     """
     file = open_hdf5(path)
-    names = [name for name in file if not name.startswith("#")]
-    return MatSource("v7.3", {name: _value(child_of(file, name)) for name in names}, path)
+    return MatSource("v7.3", {name: _value(child_of(file, name)) for name in file if not name.startswith("#")}, path)
 
 
 def _value(item: Any) -> MatValue:

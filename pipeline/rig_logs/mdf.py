@@ -128,13 +128,18 @@ class MdfSource(Source):
             if why := _why_unread(channel, groups[group].channels[masters_of.get(group, index)], version):
                 self.texts[name] = why
                 continue
-            count = int(groups[group].channel_group.cycles_nr)
-            master = None if group in self._timeless or name in clocks else masters.get(group)
             self._places[name] = (group, index)
             if text := _words(channel):
                 self.descriptions[name] = text
-            kind = f"{_KINDS[version][channel.data_type]}{channel.bit_count}"
-            self._entries.append(Entry(name, clocks.get(name, _unit(channel)), kind, count, master))
+            self._entries.append(
+                Entry(
+                    name,
+                    unit=clocks.get(name, _unit(channel)),
+                    dtype=f"{_KINDS[version][channel.data_type]}{channel.bit_count}",
+                    count=int(groups[group].channel_group.cycles_nr),
+                    time=None if group in self._timeless or name in clocks else masters.get(group),
+                )
+            )
         self.heading = _words(self._mdf.header)
         self.notes += left_out(self.texts)
 

@@ -59,8 +59,7 @@ class NumpySource(Source):
             self._vectors[name] = array.reshape(-1)
         elif array.ndim == 2 and 1 < min(array.shape) <= MOST_COLUMNS:
             tall = array.shape[1] <= array.shape[0]
-            columns = array.T if tall else array
-            for j, column in enumerate(columns):
+            for j, column in enumerate(array.T if tall else array):
                 self._vectors[f"{name}[:,{j}]" if tall else f"{name}[{j},:]"] = column
         elif array.size > 1:
             self._not_listed[name] = array.shape

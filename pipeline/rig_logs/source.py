@@ -344,8 +344,10 @@ class StartTimes(View):
         clocks: dict[tuple[float, float], str] = {}
         self._time = {name: clocks.setdefault(clock, f"time of {name}") for name, clock in starts.items()}
         self._clocks = {time: clock for clock, time in clocks.items()}
-        begins = ", ".join(f"{start:g}" for start, _ in clocks)
-        self.notes.append(f"channels begin at {begins} s, as the log states: each has its own time")
+        self.notes.append(
+            f"channels begin at {', '.join(f'{start:g}' for start, _ in clocks)} s, as the log states: each has its "
+            "own time"
+        )
 
     def entries(self) -> list[Entry]:
         """The times, and the channels."""

@@ -53,8 +53,9 @@ class _Segments(TdmsReader):  # type: ignore[misc]
         """Keep the properties of each channel with the number of its samples in the segments before."""
         super()._update_object_properties(segment_object_properties)
         for path in segment_object_properties or ():
-            properties = dict(self.object_metadata[path].properties)
-            self.stated.setdefault(path, []).append((self._rows.get(path, 0), properties))
+            self.stated.setdefault(path, []).append(
+                (self._rows.get(path, 0), dict(self.object_metadata[path].properties))
+            )
         self._rows = {path: each.num_values for path, each in self.object_metadata.items()}
 
     @property

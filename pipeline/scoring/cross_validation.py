@@ -61,8 +61,7 @@ def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     mean = float(values.mean())
     if k < 3:
         return mean, None
-    reach = stdtrit(k - 1, (1.0 + LEVEL) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1))
-    half = float(reach * values.std(ddof=1))
+    half = float(stdtrit(k - 1, (1.0 + LEVEL) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1)) * values.std(ddof=1))
     return mean, Interval(mean - half, mean + half)
 
 

@@ -29,10 +29,6 @@ class Interval:
     high: float
     level: float = LEVEL
 
-    def over(self, span: float) -> "Interval":
-        """The interval of the measure over `span`."""
-        return Interval(self.low / span, self.high / span, self.level)
-
 
 def interval_of(draws: FloatArray) -> Interval:
     """The percentile interval of resamples, shape (R,), of which NaN count for nothing."""
@@ -125,9 +121,7 @@ def block_means(squares: FloatArray, block: int, rng: np.random.Generator) -> Fl
     starts = rng.integers(n, size=(RESAMPLES, -(-n // block)))
     total = (sums[starts + block] - sums[starts]).sum(axis=1)
     size = (counts[starts + block] - counts[starts]).sum(axis=1)
-    means: FloatArray = np.full(RESAMPLES, np.nan)
-    np.divide(total, size, out=means, where=size > 0)
-    return means
+    return np.asarray(np.divide(total, size, out=np.full(RESAMPLES, np.nan), where=size > 0))
 
 
 def rms_interval(error: FloatArray, block: int, rng: np.random.Generator) -> Interval | None:

@@ -103,7 +103,7 @@ def score_run(
                 score,
                 nrmse=fraction,
                 rmse=rmse(measured, calculated),
-                nrmse_interval=band.over(span) if band and span else None,
+                nrmse_interval=Interval(band.low / span, band.high / span) if band and span else None,
             )
         if name == "q" and isinstance(wells, Wells):
             same = in_same_well(measured, calculated, wells)
@@ -222,9 +222,8 @@ def horizon_errors(
     interval = sample_interval(path.t)
     aheads = [samples_of(horizon, interval) for horizon in horizons]
     starts = [_starts(path, ahead, most_starts) for ahead in aheads]
-    farthest: dict[int, int] = {}
-    for ahead, chosen in zip(aheads, starts, strict=True):
-        farthest |= {start: max(ahead, farthest.get(start, 0)) for start in chosen.tolist()}
+    rising = sorted(zip(aheads, starts, strict=True), key=lambda pair: pair[0])  # so that the farthest comes last
+    farthest = {start: ahead for ahead, chosen in rising for start in chosen.tolist()}
     paths = dict(_predictions(predict, path, farthest))
     span = signal_range(path.q)
     return [
@@ -243,9 +242,9 @@ def horizon_errors(
 def predicted(predict: Predict, path: MeasuredPath, ahead: int) -> FloatArray:
     """Displacement `ahead` samples after each measured state, at the sample it is for, shape (N,); else NaN."""
     q = np.full(path.q.size, np.nan)
-    starts = _starts(path, ahead, path.q.size, apart=1).tolist()
-    for start, ahead_of in _predictions(predict, path, dict.fromkeys(starts, ahead)):
-        q[start + ahead] = ahead_of[ahead]
+    starts = dict.fromkeys(_starts(path, ahead, path.q.size, apart=1).tolist(), ahead)
+    for start, run in _predictions(predict, path, starts):
+        q[start + ahead] = run[ahead]
     return q
 
 

@@ -73,8 +73,8 @@ def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, pl
     plant : Device
         Its inputs, and whether it is the joint.
     """
-    quiet = runs_of(np.all(np.abs(v) <= RESTING_VOLTAGE * plant.peaks(v), axis=1))
-    return [rows for rows in quiet if (rows.stop - rows.start) * interval >= shortest]
+    quiet = np.all(np.abs(v) <= RESTING_VOLTAGE * plant.peaks(v), axis=1)
+    return [rows for rows in runs_of(quiet) if (rows.stop - rows.start) * interval >= shortest]
 
 
 def places_of_rest(

@@ -373,10 +373,9 @@ def trusted(
             yield np.where((at_rail | spiked)[own], np.nan, part[own])
 
     masked = column(samples.size, parts(), np.float64) if at or noise or measured is not samples else samples
-    rail, lost_target, spike = counts.tolist()
     return Trusted(
         samples=masked,
-        left_out=(rail, lost_target, spike),
+        left_out=(int(counts[0]), int(counts[1]), int(counts[2])),
         quality=quality,
         dropouts=dropouts_of_q,
     )

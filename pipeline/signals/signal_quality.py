@@ -9,7 +9,6 @@ reach.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import chain, islice
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -302,21 +301,19 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     values = select(samples, usable)
     stamps = select(time, usable)
     missing = samples.size - values.size
-    gone = chain.from_iterable(rows.start + np.flatnonzero(~usable[rows]) for rows in chunks(usable.size))
-    located = tuple(time[list(islice(gone, LOCATED))].tolist()) if missing else ()
+    located = tuple(select(time, ~usable)[:LOCATED].tolist())
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
-        nan = float("nan")
         return SignalQuality(
             n=samples.size,
             not_finite=missing,
             lost=lost,
             not_finite_at=located,
-            smallest=nan,
-            largest=nan,
-            mean=nan,
-            usual=(nan, nan),
-            noise=nan,
+            smallest=np.nan,
+            largest=np.nan,
+            mean=np.nan,
+            usual=(np.nan, np.nan),
+            noise=np.nan,
             idle=False,
             low_rail=0.0,
             high_rail=0.0,
@@ -325,12 +322,12 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
             levels=(),
             longest_frozen=0.0,
             frozen_samples=0,
-            frozen_at=nan,
+            frozen_at=np.nan,
             rests=False,
             spikes=0,
             spikes_at=(),
             hum=(),
-            band=Bandwidth(nan, nan),
+            band=Bandwidth(np.nan, np.nan),
         )
     smallest, largest = span(values)
     noise = noise_level(values)

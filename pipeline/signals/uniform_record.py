@@ -397,8 +397,7 @@ class Resampling:
         -----
         Cost: one pass over the log, that of `decimated`, O(4 N (k + 1)); memory for some pieces.
         """
-        interval = self.report.interval
-        streams = [Stream(resampled(group, self._grid, interval)) for group in self._log.groups]
+        streams = [Stream(resampled(group, self._grid, self.report.interval)) for group in self._log.groups]
         for first in range(0, self._grid.size, CHUNK):
             last = min(first + CHUNK, self._grid.size)
             values = np.concatenate([stream.read(last - first) for stream in streams])
@@ -431,8 +430,9 @@ def _method(step: float, interval: float) -> Method:
 
 def _valid_runs(grid: FloatArray, holes: FloatArray, reach: float) -> IntArray:
     """First and end index of each run of grid points out of reach of every hole, shape (S, 2)."""
-    near = np.searchsorted(grid, holes[:, 0] - reach, side="right"), np.searchsorted(grid, holes[:, 1] + reach)
-    masked = np.stack(near, axis=1)
+    masked = np.stack(
+        (np.searchsorted(grid, holes[:, 0] - reach, side="right"), np.searchsorted(grid, holes[:, 1] + reach)), axis=1
+    )
     masked = masked[masked[:, 0] < masked[:, 1]]
     ends = np.concatenate(([0], np.maximum.accumulate(masked[:, 1])))  # holes are in order of their beginnings
     starts = np.concatenate((masked[:, 0], [grid.size]))

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..reporting.figure import Figure
     from ..reporting.plotted import Format
 
-ALGORITHM = "37"
+ALGORITHM = "38"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

@@ -12,7 +12,6 @@ from pipeline.diagnostics.characteristics import Curves, curves_from, device_fac
 from pipeline.diagnostics.datasheet import drawn_ring_downs, make_datasheet, simulated_ring_downs
 from pipeline.diagnostics.events import rest_events, ring_down, voltage_switches
 from pipeline.diagnostics.model_quality import model_checks
-from pipeline.diagnostics.phase_plane import basins
 from pipeline.diagnostics.run_data import LogData
 from pipeline.fitting.posterior import outcome_draws
 from pipeline.models.base import FreeRun
@@ -142,24 +141,6 @@ def test_rests_that_have_not_settled_are_judged_by_those_of_a_free_run_not_by_th
 
     assert graded(followed=True) == "good"
     assert graded(followed=False) == "poor"
-
-
-def test_basins_are_those_of_every_cell_at_a_fraction_of_the_simulations() -> None:
-    places, speeds = np.linspace(-1.0, 1.0, 49), np.linspace(-1.0, 1.0, 33)
-    calls = []
-
-    def outcomes(states: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-        calls.append(len(states))
-        place, speed = states.T
-        classes = (place + 0.6 * np.sin(3.0 * speed) > 0.1).astype(np.int8) + (place**2 + speed**2 > 1.6)
-        return np.asarray(classes, dtype=np.int8)
-
-    index = basins(outcomes, places, speeds)
-    spent = sum(calls)
-    truth = outcomes(np.stack(np.meshgrid(places, speeds), axis=-1).reshape(-1, 2)).reshape(index.shape)
-    assert np.mean(index == truth) > 0.99
-    assert spent < 0.5 * index.size
-    assert len(calls) <= 5  # the truth is one of them
 
 
 def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> None:

@@ -8,12 +8,13 @@ import pytest
 
 from pipeline.device.parameters import NOMINAL
 from pipeline.diagnostics.instruments import SIGNIFICANCE, InstrumentTest, Reading
-from pipeline.diagnostics.series import RunFact, instrument_facts
+from pipeline.diagnostics.series import instrument_facts
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS as PARAMETERS, NAMES as DEVIATIONS, static_slope_ratio
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.excitation import command, random_excitation
+from pipeline.signals.findings import Number
 from pipeline.signals.log import Corrections, Log, corrected, exchanged, mirrored
 
 PRIOR_STD = {entry.name: entry.prior_std for entry in PARAMETERS}
@@ -166,10 +167,13 @@ def test_corrections_one_after_the_other_are_those_of_both(logs: list[Log]) -> N
     assert first.then(second).act
 
 
-def _facts(instruments: InstrumentTest, log: Log) -> dict[str, RunFact]:
-    """What a series shows of the instruments of a later run, beyond four standard errors."""
-    facts = {fact.key: fact for fact in instrument_facts(instruments, [log], "m")}
-    return {key: fact for key, fact in facts.items() if abs(fact.value) > SIGNIFICANCE * fact.error}
+def _facts(instruments: InstrumentTest, log: Log) -> dict[str, tuple[str, Number]]:
+    """What a series shows of the instruments of a later run, beyond four standard errors: titles and numbers."""
+    return {
+        key: (title, number)
+        for key, title, number in instrument_facts(instruments, [log], "m")
+        if abs(number.value) > SIGNIFICANCE * number.error
+    }
 
 
 def test_a_series_holds_drifts_of_instruments_apart_from_those_of_the_device(
@@ -177,8 +181,9 @@ def test_a_series_holds_drifts_of_instruments_apart_from_those_of_the_device(
 ) -> None:
     drifted = _facts(instruments, corrected(logs[1], Corrections((1.0, 1.0), 1e-4)))
     assert drifted.keys() == {"reading_zero_q"}
-    assert drifted["reading_zero_q"].value == pytest.approx(1e-4, rel=0.1)
-    assert drifted["reading_zero_q"].unit == "m"
+    _, zero = drifted["reading_zero_q"]
+    assert zero.value == pytest.approx(1e-4, rel=0.1)
+    assert zero.unit == "m"
     stiffer = _log(_joint(**{"log E": 0.5}), 2)
     assert not list(instrument_facts(instruments, [stiffer], "m")), "no instrument explains a stiffer beam"
 
@@ -189,8 +194,8 @@ def test_more_capacitance_reads_as_voltages_that_are_low(instruments: Instrument
     aged = _log(_joint(**{**more, "left.log C0": 0.5 + more["left.log C0"]}), 2)
     read = _facts(instruments, aged)
     assert read.keys() == {"reading_gain_v1", "reading_gain_v2"}
-    assert [fact.value for fact in read.values()] == pytest.approx([-0.02, -0.02], rel=0.2)
-    assert all("or of the device" in fact.title for fact in read.values())
+    assert [number.value for _, number in read.values()] == pytest.approx([-0.02, -0.02], rel=0.2)
+    assert all("or of the device" in title for title, _ in read.values())
 
 
 GRAVITY, DAMPING, TORQUE = 40.0, 1.5, 60.0
