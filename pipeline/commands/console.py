@@ -157,6 +157,11 @@ class StatusLine:
         if self._line is not None:
             self._line.stop()
 
+    def say(self, text: str) -> None:
+        """Print a line that stays, in place of the one that is rewritten."""
+        self.clear()
+        typer.echo(printable(text), err=True)
+
     def __enter__(self) -> Self:
         return self
 
@@ -202,7 +207,7 @@ class Progress(StatusLine):
         line = f"{task.stage} {task.title}{self._place}: {brief(reasons)}"
         self.show(line)
         if self._line is None and not self._quiet:
-            typer.echo(printable(line), err=True)
+            self.say(line)
 
     def progressed(self, task: "Task", what: str, share: float) -> None:
         """Show the share; without a terminal, in a line for each quarter of a task of `debist control`, which may take
@@ -211,19 +216,18 @@ class Progress(StatusLine):
         self.show(f"{task.stage} {task.title}{self._place}: {what}", share)
         quarter = int(4.0 * share)
         if self._line is None and not self._quiet and task.stage == "control" and quarter > self._quarter:
-            typer.echo(printable(f"{task.stage} {task.title}: {what}, {prefixed(share, '%', 0)} %"), err=True)
+            self.say(f"{task.stage} {task.title}: {what}, {prefixed(share, '%', 0)} %")
         self._quarter = quarter
 
     def finished(self, task: "Task", seconds: float) -> None:
         """Print how long it took."""
-        self.clear()
         self._made += 1
         if not self._quiet:
-            typer.echo(printable(f"{task.stage} {task.title}: done in {seconds:.1f} s"), err=True)
+            self.say(f"{task.stage} {task.title}: done in {seconds:.1f} s")
 
     def warned(self, what: str, warning: str) -> None:
         """Print a warning, also with `-q`."""
-        typer.echo(printable(f"warning: {what}: {warning}"), err=True)
+        self.say(f"warning: {what}: {warning}")
 
     def skipped(self, task: "Task") -> None:
         """Ignore this task; the summary counts it."""

@@ -262,10 +262,7 @@ class BatchProgress(StatusLine):
             state = f"failed: {outcome.reason}" if outcome.failed else well
             # In a cluster's log each line stands alone.
             stamp = f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} " if self._line is None else ""
-            typer.echo(
-                printable(f"{stamp}[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)"),
-                err=True,
-            )
+            self.say(f"{stamp}[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s)")
         self._show_running()
 
     def _show_running(self) -> None:

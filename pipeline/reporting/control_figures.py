@@ -9,7 +9,6 @@ from ..units.quantity import prefixed
 from .figure import Band, Cells, Figure, Line, Panel
 
 _LIKELY = (0.1, 0.9)
-_MOST = 3
 
 
 def control_figures(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, Figure]:
@@ -30,7 +29,7 @@ def control_figures(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, Fig
 
 
 def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
-    for number, equilibrium in enumerate(document["equilibria"][:_MOST], start=1):
+    for number, equilibrium in enumerate(document["equilibria"][:3], start=1):
         bode = {name: np.array(values) for name, values in equilibrium["bode"].items()}
         sides = (("left membrane", "v1", "left"), ("right membrane", "v2", "right"))
         panels = tuple(

@@ -54,7 +54,6 @@ from matplotlib.figure import Figure as Canvas  # noqa: E402
 
 SERIF = ("STIXGeneral", "DejaVu Serif", "DejaVu Sans")
 SANS = ("DejaVu Sans Figures", "DejaVu Sans")
-STYLE_SHEET = "figures.mplstyle"
 FONT = "dejavu-sans-figures.ttf"
 """The first is an asset that `tests/reporting/figure_font.py` cuts out of the second: it embeds three times as fast."""
 PAGE_WIDTH, COLUMN_WIDTH = 7.16, 3.5  # in, of a journal's page and column
@@ -82,7 +81,7 @@ def sans() -> tuple[str, ...]:
 @cache
 def _style() -> dict[str, Any]:
     """The settings of the style sheet."""
-    with as_file(files(full_name("reporting")) / "assets" / STYLE_SHEET) as path:
+    with as_file(files(full_name("reporting")) / "assets" / "figures.mplstyle") as path:
         settings: Any = rc_params_from_file(path, use_default_template=False)
     return dict(settings)
 
