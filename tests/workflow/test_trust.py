@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.device.device import JOINT
+from pipeline.models.base import FreeRun
 from pipeline.models.free_runs import drawn_runs
 from pipeline.scoring.wells import wells_of
 from pipeline.signals.log import Log
@@ -20,7 +21,16 @@ class Undecided:
     def __init__(self, share):
         self.share = share
 
+    name = "undecided"
+    input_count = 1
     fine_voltages = False
+
+    def describe(self):
+        return {}
+
+    def simulate(self, t, v, q0, qdot0):
+        q = self.simulate_draws(t, v, q0, qdot0, count=1)[0][0]
+        return FreeRun(t, q, np.zeros(len(t)), np.zeros(len(t)), "ok")
 
     def simulate_draws(self, t, v, q0, qdot0, *, count):
         ensemble = np.full((count, len(t)), -0.01)
