@@ -53,7 +53,7 @@ class Plant(SettingsTable):
     film_thickness: Quantity = Quantity(value=FILM_THICKNESS, unit="µm")
     """Thickness of the undeformed film between the electrodes of the joint."""
     field_limit: Quantity = Quantity(value=FIELD_LIMIT, unit="V/µm")
-    """Largest field in the undeformed film: `check` marks a log above it, control and excitation keep within it."""
+    """Largest field in the undeformed film: `check` marks a log above it, and control keeps within it."""
 
 
 FILM = {"film_thickness", "field_limit"}
