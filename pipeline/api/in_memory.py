@@ -343,7 +343,7 @@ def signals_of(table: pd.DataFrame) -> Signals:
     if other := [name for name in table.columns if "v2_V" not in table and f"{name}".lower().startswith("v2")]:
         raise InputError(f"the DataFrame has the column {other[0]}; call it v2_V and give it in V, or leave it out")
     return replace(
-        arrays_of(table["t_s"], table[displacement], *([table[name] for name in ("v1_V", "v2_V") if name in table])),
+        arrays_of(table["t_s"], table[displacement], *(table[name] for name in ("v1_V", "v2_V") if name in table)),
         unit=displacement.removeprefix("q_"),
     )
 

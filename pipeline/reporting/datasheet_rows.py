@@ -238,7 +238,7 @@ def described(
         tables.append(
             (
                 "fitted",
-                [_quantity_row(key, pair, displacement, fitted=True) for key, *pair in (zip(*fitted, strict=False))],
+                [_quantity_row(key, pair, displacement, fitted=True) for key, *pair in zip(*fitted, strict=False)],
             )
         )
     rows: FactRows = []
@@ -304,7 +304,7 @@ def terms(equation: str) -> list[str]:
     powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{power(int(m[2]))}", raised)
     parts = [
         re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part)
-        for part in (re.split(r" (?=[+-]\d)", powers))
+        for part in re.split(r" (?=[+-]\d)", powers)
     ]
     if len(parts) == 1:
         return parts

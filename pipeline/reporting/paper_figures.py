@@ -70,7 +70,7 @@ def _force(result: "Characteristics", *states: str) -> Panel:
     return Panel(
         "F",
         "N",
-        tuple([line for s, p in shown.items() for line in _by_stability(_STATES[s], _role(s), p.q, p.force, p.stable)]),
+        tuple(line for s, p in shown.items() for line in _by_stability(_STATES[s], _role(s), p.q, p.force, p.stable)),
         y_limits=None if states else (-0.1, 0.1),
     )
 

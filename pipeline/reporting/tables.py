@@ -97,7 +97,7 @@ class TableCell:
 
 @dataclass(frozen=True)
 class Row:
-    """One model on one log, whose title stands."""
+    """One model on one log; `log` is its title."""
 
     log: str
     model: str

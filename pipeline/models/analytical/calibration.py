@@ -14,7 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import OptimizeResult, least_squares
 
-from ...device.parameters import VECTOR_NAMES, JointParameters
+from ...device.parameters import VECTOR_NAMES, JointParameters, quantity_of
+from ...errors import InputError
 from ...fitting.descent import PARAMETER_STEP
 from ...numerics.arrays import BoolArray, FloatArray, IntArray
 from ...numerics.metrics import rms
@@ -232,14 +233,23 @@ def calibrate(
     report : callable, optional
         Called with what is being done and the share that is done, 0 to 1.
 
+    Raises
+    ------
+    InputError
+        An unknown parameter, or one that calibration leaves alone.
+
     Notes
     -----
     Least squares with soft-L1 loss by SciPy's trust region within bounds (Branch, Coleman & Li 1999,
     doi:10.1137/S1064827595289108): a window near a switching that ends in the wrong well must not decide the fit.
-    Gradients are those of the variational equations. Cost: an iteration on 37.5 s
-    at 10 ms takes 0.1 to 0.2 s of processor time, a third of that while starts are compared; a calibration with three
-    starts 2 to 4 s (nine simulated joints).
+    Gradients are those of the variational equations. Cost: an iteration on 37.5 s at 10 ms takes 0.1 to 0.2 s of
+    processor time, a third of that while starts are compared; a calibration with three starts 2 to 4 s (nine simulated
+    joints).
     """
+    for name in names:
+        quantity_of(name)  # refuses a name that is no parameter
+        if name.rpartition(".")[2] not in PRIORS:
+            raise InputError(f"parameter {name!r} cannot be calibrated; possible are {', '.join(PRIORS)}")
     taken = within(motions, MOST_SAMPLES)
     short = cut_windows(taken, WINDOW)
     wide = cut_windows(taken, 7.5 * WINDOW)

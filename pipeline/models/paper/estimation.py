@@ -135,7 +135,10 @@ def search_lag(segments: Sequence[LagSegment]) -> tuple[float, bool, FloatArray]
     FloatArray, shape (accepted steps + 1, 4)
         T_z [s], cost (½·mean squared residual), rank and condition number (of what the rank counts) of the start and of
         every accepted step; costs fall from row to row.
-        Cost: one Gram update (0.4 µs per sample at M = 10) and one gradient (20 ns) per evaluation, about ten of them.
+
+    Notes
+    -----
+    Cost: one Gram update (0.4 µs per sample at M = 10) and one gradient (20 ns) per evaluation, about ten of them.
     """
     equations = _NormalEquations(segments)
     low, high = np.log((SHORTEST_LAG, LONGEST_LAG))

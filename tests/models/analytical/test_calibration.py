@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.device.parameters import NOMINAL, JointParameters
+from pipeline.errors import InputError
 from pipeline.models.analytical.calibration import calibrate
 from pipeline.models.analytical.full_order import rest_state, simulate
 from pipeline.models.analytical.reduced_order import pulse_sequence
@@ -67,6 +68,19 @@ def test_planted_parameters_come_back() -> None:
     assert fit.rmse < 3e-4 and fit.converged and not fit.at_bound
     assert np.diag(fit.correlation) == pytest.approx(1.0) and np.abs(fit.correlation).max() < 1.0 + 1e-9
     assert said == sorted(said) and fit.start_costs.shape == (2,)
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        ("Z", "unknown parameter 'Z'"),
+        ("left.E", "unknown parameter 'left.E'"),
+        ("l", "'l' cannot be calibrated; possible"),
+    ],
+)
+def test_a_parameter_that_is_not_calibrated_is_refused(name: str, reason: str) -> None:
+    with pytest.raises(InputError, match=reason):
+        calibrate([], NOMINAL, np.random.default_rng(0), names=("E", name))
 
 
 def test_what_a_log_does_not_tell_stays_where_it_was() -> None:
