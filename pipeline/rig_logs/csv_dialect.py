@@ -254,7 +254,7 @@ class Dialect:
 
     def check_same_segment(self, cells: Sequence[str], line: int) -> None:
         """Refuse a further segment of a LabVIEW measurement, which has a header and a start of its own."""
-        if cells[0] in ("Channels", _LABVIEW) and any(line.startswith(_END_OF_HEADER) for line in self.preamble):
+        if cells[0] in ("Channels", _LABVIEW) and any(above.startswith(_END_OF_HEADER) for above in self.preamble):
             raise UnreadableLogError(
                 f"line {line} is the header of another segment (LabVIEW's Multi_Headings), whose time begins anew: cut "
                 "the file there, and put the header of the file above each segment"

@@ -111,7 +111,8 @@ def text_of(path: Path, length: int, encoding: str, newline: str | None = None) 
     newline : str, optional
         As of `io.TextIOWrapper`.
     """
-    return io.TextIOWrapper(_whole_rows_of(path, length), encoding, newline=newline)
+    whole = length == path.stat().st_size  # by Python, which opens a name in any encoding
+    return io.TextIOWrapper(path.open("rb") if whole else _whole_rows_of(path, length), encoding, newline=newline)
 
 
 def _whole_rows_of(path: Path, length: int) -> Any:

@@ -338,7 +338,8 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
 
 def _existing(member: Member, output: Path) -> Outcome:
     if (failed := failure(output, member.name)) is not None:
-        return Outcome(member.name, member.settings, *failed[:2])
+        exit_code, reason, _ = failed
+        return Outcome(member.name, member.settings, exit_code, reason)
     try:
         load_scores(output / member.name)
     except DebistError as error:

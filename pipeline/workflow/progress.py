@@ -77,7 +77,8 @@ def _member(output: Path, name: str) -> MemberState:
     if _is_file(run / HOLDER) and is_held(run):  # the lock itself is tried only where a note names its holder
         return MemberState(name, "running", since=_time(run / HOLDER))
     if (failed := failure(output, name)) is not None:
-        return MemberState(name, "failed", *failed[1:])
+        _, reason, time = failed
+        return MemberState(name, "failed", reason, time)
     if not _is_file(run / MANIFEST):
         return MemberState(name, "stopped")
     try:
