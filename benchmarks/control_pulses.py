@@ -11,7 +11,8 @@ import numpy as np
 from control_disturbances import Row, Tested, main
 
 from pipeline.control.design import Settings, design as design_law
-from pipeline.control.pulses import design_pulse, lowest_voltage, pulses, switching_map
+from pipeline.control.pulses import design_pulse
+from pipeline.control.switching_map import lowest_voltage, pulses, switching_map
 from pipeline.errors import DebistError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import Step, one_step

@@ -8,7 +8,7 @@ from control_joints import model
 
 from pipeline.control.ensemble import Converters, ensemble_at, ensemble_of
 from pipeline.control.plant import plant_of, wells_and_saddle
-from pipeline.control.pulses import LowestVoltage, Well, lowest_voltage, pulses, with_voltage_error
+from pipeline.control.switching_map import LowestVoltage, Well, lowest_voltage, pulses, with_voltage_error
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray

@@ -7,7 +7,8 @@ from control_joints import converters, model
 from pipeline.control.ensemble import INTERVAL, ensemble_of
 from pipeline.control.estimator import PERIOD
 from pipeline.control.plant import plant_of, wells_and_saddle
-from pipeline.control.pulses import design_pulse, pulses, settling_times, switching_map
+from pipeline.control.pulses import design_pulse, settling_times
+from pipeline.control.switching_map import pulses, switching_map
 from pipeline.errors import InputError
 
 

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.control.ensemble import ensemble_of
-from pipeline.control.pulses import lowest_voltage
+from pipeline.control.switching_map import lowest_voltage
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.studies.controlled_run import ControlSettings, control_run
 from tests.export.conftest import hybrid

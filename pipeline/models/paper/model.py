@@ -48,7 +48,7 @@ from ...signals.log import Log, operating_range
 from ..base import FreeRun, checked, gain_curves
 from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
 from ..model_type import ModelType, Training
-from .estimation import LagSegment, search_lag
+from .lag_search import LagSegment, search_lag
 
 _gaussian = formula(GAUSSIAN)
 _lagged_rates = formula(LAGGED_RATES)

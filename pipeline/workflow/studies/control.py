@@ -15,7 +15,8 @@ from ...control.estimator import PERIOD
 from ...control.law import Law
 from ...control.margins import Margins, margins
 from ...control.plant import ASSUMED_LAG, LinearModel, equilibria
-from ...control.pulses import PULSES, TYPICAL, design_pulse, lowest_voltage, switching_map, with_voltage_error
+from ...control.pulses import design_pulse
+from ...control.switching_map import PULSES, TYPICAL, lowest_voltage, switching_map, with_voltage_error
 from ...device.device import JOINT
 from ...diagnostics.events import rest_events
 from ...errors import InputError

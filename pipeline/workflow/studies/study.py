@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ...device.device import Device, device
-from ...models.paper.estimation import drifted, follow
 from ...models.paper.model import identify_rbf_paper
+from ...models.paper.online import drifted, follow
 from ...numerics.arrays import FloatArray, sample_interval
 from ...reporting.plotted import paper_figure
 from ...scoring.cross_validation import amount_study, held_out_error, noise_study

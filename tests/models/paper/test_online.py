@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.models.paper.estimation import drifted, follow
+from pipeline.models.paper.online import drifted, follow
 
 
 def _stream(count: int = 4000) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
