@@ -325,6 +325,7 @@ def drawn_ring_downs(
         return []
 
     def simulated(near: Any) -> FloatArray:
+        """Ring-downs of a model near the identified one, NaN where there is none."""
         curves = curves_from(near.curves(own.q), own.q)
         rings_near = simulated_ring_downs(near, device_facts(curves, plant=plant), curves, len(own.gains))
         return np.array([rings_near.get(key) for key in keys], dtype=np.float64)

@@ -93,6 +93,7 @@ def written_chunks(dataset: Any, axis: int) -> NDArray[np.bool_] | None:
     written = np.zeros(counts[axis], dtype=np.bool_)
 
     def mark(chunk: Any) -> None:
+        """A chunk was written."""
         written[chunk.chunk_offset[axis] // dataset.chunks[axis]] = True
 
     dataset.id.chunk_iter(mark)

@@ -38,10 +38,25 @@ IN_A_ROW = 3
 """Samples that make a stay."""
 
 
-def rail(values: FloatArray, usual: tuple[float, float], end: int, noise: float) -> tuple[float, float, float] | None:
-    """The end of the sensor's range, where a signal is cut off by it; None where it is not.
+@dataclass(frozen=True)
+class Rail:
+    """An end of a sensor's range.
 
-    Samples between the first two numbers, three or more in a row, are at the end; the third is the share of those.
+    Attributes
+    ----------
+    low, high : float
+        Samples between these, three or more in a row, are at the end of the range.
+    share : float
+        Share of the samples that are.
+    """
+
+    low: float
+    high: float
+    share: float
+
+
+def rail(values: FloatArray, usual: tuple[float, float], end: int, noise: float) -> Rail | None:
+    """The end of the sensor's range, where a signal is cut off by it; None where it is not.
 
     Parameters
     ----------
@@ -82,9 +97,9 @@ def rail(values: FloatArray, usual: tuple[float, float], end: int, noise: float)
     return None
 
 
-def _rail(values: FloatArray, runs: IntArray, level: float, width: float) -> tuple[float, float, float]:
+def _rail(values: FloatArray, runs: IntArray, level: float, width: float) -> Rail:
     lengths = np.diff(runs, axis=1)
-    return level - width, level + width, float(lengths[lengths >= IN_A_ROW].sum()) / values.size
+    return Rail(level - width, level + width, float(lengths[lengths >= IN_A_ROW].sum()) / values.size)
 
 
 def runs_between(values: FloatArray, low: float, high: float) -> IntArray:
@@ -335,7 +350,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     began, ended = stamps[[start, start + frozen - 1]].tolist()
     spikes, first_spikes = single_spikes(values, noise)
     usual = usual_span(values)
-    ends = rail(values, usual, 0, noise), rail(values, usual, 1, noise)
+    low, high = (rail(values, usual, end, noise) for end in (0, 1))
     return SignalQuality(
         n=samples.size,
         not_finite=missing,
@@ -347,9 +362,9 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         usual=usual,
         noise=noise,
         idle=is_idle(values),
-        low_rail=ends[0][2] if ends[0] else 0.0,
-        high_rail=ends[1][2] if ends[1] else 0.0,
-        rails=tuple(end[:2] for end in ends if end),
+        low_rail=low.share if low else 0.0,
+        high_rail=high.share if high else 0.0,
+        rails=tuple((end.low, end.high) for end in (low, high) if end),
         stepped=is_stepped(values),
         levels=_levels(values),
         longest_frozen=ended - began,

@@ -338,8 +338,7 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
 
 def _existing(member: Member, output: Path) -> Outcome:
     if (failed := failure(output, member.name)) is not None:
-        exit_code, reason, _ = failed
-        return Outcome(member.name, member.settings, exit_code, reason)
+        return Outcome(member.name, member.settings, failed.exit_code, failed.reason)
     try:
         load_scores(output / member.name)
     except DebistError as error:

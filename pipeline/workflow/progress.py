@@ -10,7 +10,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from ..errors import DebistError, InputError
 from ..store import layout
@@ -77,8 +77,7 @@ def _member(output: Path, name: str) -> MemberState:
     if _is_file(run / HOLDER) and is_held(run):  # the lock itself is tried only where a note names its holder
         return MemberState(name, "running", since=_time(run / HOLDER))
     if (failed := failure(output, name)) is not None:
-        _, reason, time = failed
-        return MemberState(name, "failed", reason, time)
+        return MemberState(name, "failed", failed.reason, failed.time)
     if not _is_file(run / MANIFEST):
         return MemberState(name, "stopped")
     try:
@@ -94,6 +93,14 @@ def _time(path: Path) -> datetime | None:
         return datetime.fromtimestamp(path.stat().st_mtime, UTC)
     except OSError:
         return None
+
+
+class Failure(NamedTuple):
+    """Failure of a prototype: exit code, reason in one line, and time."""
+
+    exit_code: int
+    reason: str
+    time: datetime
 
 
 def failure_file(output: Path, name: str) -> Path:
@@ -127,8 +134,8 @@ def forget_failure(output: Path, name: str) -> None:
         failure_file(output, name).unlink(missing_ok=True)
 
 
-def failure(output: Path, name: str) -> tuple[int, str, datetime] | None:
-    """Exit code, reason in one line and time of the last failure of a prototype.
+def failure(output: Path, name: str) -> Failure | None:
+    """The last failure of a prototype.
 
     None where there is none, or where something was written into its run since.
     """
@@ -141,7 +148,7 @@ def failure(output: Path, name: str) -> tuple[int, str, datetime] | None:
         return None
     if head is None or time is None or (changed is not None and changed > time):
         return None
-    return int(head[1]), head[2], time
+    return Failure(int(head[1]), head[2], time)
 
 
 def failed_names(output: Path) -> list[str]:

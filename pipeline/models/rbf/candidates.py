@@ -163,6 +163,7 @@ class _Change:
         """The best candidate so far with each of these changes."""
 
         def offered(best: Candidate) -> list[Candidate]:
+            """The best candidate so far with each change that is free and changes it."""
             free = [change for change in fields if not any(self.decided.get(k, v) != v for k, v in change.items())]
             others = [candidate(replace(best.structure, **change), best.symmetry) for change in free]
             return [other for other in others if other.structure != best.structure]

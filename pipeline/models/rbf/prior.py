@@ -130,12 +130,14 @@ class _PriorRows:
         self.right: list[float] = []
 
     def add(self, index: Sequence[int], factors: Sequence[float], mean: float, spread: float) -> None:
+        """A weighted sum of parameters has this mean and standard deviation."""
         row = np.zeros(self.parameters)
         row[list(index)] += np.array(factors)
         self.rows.append(row / spread)
         self.right.append(mean / spread)
 
     def each(self, index: IntArray, means: FloatArray | float, spread: float) -> None:
+        """Each of these parameters has its mean and one standard deviation."""
         for i, mean in zip(index, np.broadcast_to(means, index.shape), strict=True):
             self.add([int(i)], [1.0], float(mean), spread)
 

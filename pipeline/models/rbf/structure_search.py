@@ -185,6 +185,7 @@ def search(
     tried: dict[str, _Judged] = {}
 
     def judged(option: Candidate) -> _Judged:
+        """The errors of an option, computed once."""
         if option.label not in tried:
             tried[option.label] = _judge(records, setting, option, tried.get(best.label))
         return tried[option.label]
@@ -198,6 +199,7 @@ def search(
         return all(_preferred(judged(option), judged(rival), smaller=smaller) for rival in rivals.values())
 
     def size(option: Candidate) -> int:
+        """The number of its parameters."""
         return ParameterLayout(option.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
     turns = [*once, *ROUNDS * tuple(again)]
