@@ -3,6 +3,7 @@
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from ..diagnostics.calibrated import calibrated
@@ -12,6 +13,7 @@ from ..diagnostics.grades import OF_WELLS, THRESHOLDS, Check
 from ..diagnostics.run_data import WHY, RunData, judged_log
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, shell_word, with_true_names
+from ..system.worker_pool import in_processes
 from ..units.quantity import short
 from .control_figures import control_figures
 from .datasheet_rows import (
@@ -52,8 +54,8 @@ def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     return {figure.name: figure for figure in figures}
 
 
-def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -> str:
-    """The page as HTML; the same data give the same bytes."""
+def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure], jobs: int = 1) -> str:
+    """The page as HTML, its figures drawn in `jobs` processes; the same data give the same bytes."""
     models = data.model_names
     judged = judged_log(data)
     first = figures[f"{judged.key}-overlay"]
@@ -62,10 +64,10 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     }
     shown = {first.name, *(f"{log.key}-{kind}" for kind in LOG_FIGURES for log in data.logs)}
     charts: dict[str, list[dict[str, Any]]] = {kind: [] for kind in ("residual", "study", "control", "")}
-    for name, figure in figures.items():
-        if name not in shown:
-            kind = name.partition("-")[0]
-            charts[kind if kind in charts else ""].append(chart(figure, models))
+    drawn = {name: figure for name, figure in figures.items() if name not in shown}
+    for name, made in zip(drawn, in_processes(partial(chart, models=models), list(drawn.values()), jobs), strict=True):
+        kind = name.partition("-")[0]
+        charts[kind if kind in charts else ""].append(made)
     rows = sheet_rows(sheet.facts)
     lengths = (
         f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, "

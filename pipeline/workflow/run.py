@@ -100,6 +100,7 @@ def _report(planned: Planned) -> list[Task]:
         studies=stage_report.made_studies(planned.run),
         figures=planned.typeface or stage_report.made_figures(planned.run),
         control=made_control(planned.run),
+        jobs=planned.jobs,
     )
 
 

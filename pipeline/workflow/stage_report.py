@@ -41,6 +41,7 @@ def tasks(
     studies: Sequence[StudyName] = (),
     figures: Typeface | None = None,
     control: Sequence[str] = (),
+    jobs: int = 1,
 ) -> list[Task]:
     """The page with the datasheet, then the figures for a paper if they are wanted.
 
@@ -58,6 +59,8 @@ def tasks(
         Typeface of the figures for a paper; None makes none.
     control : sequence of str
         Results of `debist control` for the present model (`pipeline.workflow.run_contents.made_control`).
+    jobs : int
+        Processes in which the page's figures are drawn.
     """
     from ..reporting.log_figures import LOG_FIGURES
 
@@ -72,7 +75,7 @@ def tasks(
         settings={**common, "prototype": settings},
         inputs=inputs,
         outputs=(layout.REPORT, layout.DATASHEET),
-        work=partial(_page, prepared=prepared),
+        work=partial(_page, prepared=prepared, jobs=jobs),
     )
     if figures is None:
         return [page]
@@ -160,11 +163,11 @@ def prepare(
     return Prepared(data, sheet, figures_of(data, sheet))
 
 
-def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared]) -> Mapping[str, Written]:
+def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared], jobs: int) -> Mapping[str, Written]:
     from ..reporting.run_report import run_report
 
     contents = prepared(run)
-    page = run_report(contents.data, contents.sheet, contents.figures)
+    page = run_report(contents.data, contents.sheet, contents.figures, jobs)
     notes = {"verdict": contents.sheet.grades}
     return {
         layout.REPORT: run.write_text(layout.REPORT, page, notes),

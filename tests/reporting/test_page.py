@@ -137,6 +137,10 @@ def test_the_size_stays_in_the_budget() -> None:
     assert len(fleet_page().encode()) < 0.2 * MEGABYTE
 
 
+def test_the_page_does_not_depend_on_the_number_of_processes() -> None:
+    assert run_report(run_data(), run_sheet(), run_figures(), jobs=3) == report_page()
+
+
 def test_a_run_without_models_or_notes_still_has_a_page() -> None:
     page, sheet = report_of(without_models(run_data()))
     assert "Characteristic curves" not in page
