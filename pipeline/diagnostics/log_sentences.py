@@ -348,7 +348,7 @@ CODES: dict[str, tuple[str, str] | Callable[[Finding], tuple[str, str]]] = {
     ),
     "rank": (
         "the regressor's columns cannot be separated: condition number {condition:.3g} (at most {most:g}), "
-        "{silent:.0f} zero",
+        "{silent:.0f} columns are zero",
         "vary the inputs independently",
     ),
     "one_well": (

@@ -29,13 +29,17 @@ _RATIO = re.compile(
 _START = re.compile(r"(?i)(.*[./])?([tx]_?0|x_?(org|origin|zero)|((wf|x)_?)?(start|begin)(_?(time|offset))?)")
 
 _SAMPLING = "(samp(l(e|ing))?|scan|acquisition|abtast|measuring)[_ ]?"
+OF_SAMPLING = "d[eio]?[ '’]([^ '’]*chantillonnage|acquisition|muestreo|campionamento|amostragem)"
+"""French, Spanish, Italian and Portuguese for "of sampling"."""
 _RATE = re.compile(
     rf"(?i)(.*[./])?(f_?s(amp(l(e|ing))?)?|s_?r|sps|((daq|data|log(ging)?|mess|record(ing)?|update)[_ ]?|s)?rate|"
-    rf"samples?([_ ]?per[_ ]?|/)s(ec(ond)?)?|{_SAMPLING}(rate|freq(uency)?|frequenz))"
+    rf"samples?([_ ]?per[_ ]?|/)s(ec(ond)?)?|{_SAMPLING}(rate|freq(uency)?|frequenz)|"
+    rf"(taux|cadence|ta[sx]a|fr[^ ]+) {OF_SAMPLING})"
 )
 _STEP = re.compile(
     rf"(?i)(.*[./])?(t_?s(amp(l(e|ing))?)?|dt|delta[_ ]?[xt]|((x|wf)[_ ]?)?increment|[tx]_?inc|"
-    rf"t(ime)?[_ ]?(step|interval)|{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit))"
+    rf"t(ime)?[_ ]?(step|interval)|{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit)|"
+    rf"(interval|[pt])[^ ]+ {OF_SAMPLING})"
 )
 """Names of single numbers that say how often a log was sampled …"""
 _FREQUENCY = re.compile(r"(?i)(.*[./])?(freq(uency)?|frequenz)")

@@ -4,7 +4,7 @@ Suggestions are for a person; nothing decides on them.
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -185,14 +185,21 @@ def _clocks(names: Sequence[str], times: Sequence[str], sizes: Mapping[str, int]
     return clocks
 
 
-def clocks_beside(names: Sequence[str], time: str) -> dict[str, str]:
-    """The column of time over which each channel may run; empty where fewer than two are called so, or as `time`."""
+def clocks_beside(names: Sequence[str], time: str, in_time: Collection[str] = ()) -> dict[str, str]:
+    """The column of time over which each channel may run; empty where there are fewer than two.
+
+    They are called so or as `time`, or are of those `in_time` units. One behind all channels may be that of each.
+    """
     times = [
         name
         for name in names
-        if is_called("time", name) or time in (name, name.rpartition(" (")[0]) or any(_after(name, o) for o in names)
+        if is_called("time", name)
+        or name in in_time
+        or time in (name, name.rpartition(" (")[0])
+        or any(_after(name, o) for o in names)
     ]
-    return _clocks(names, times, dict.fromkeys(names, 0)) if len(times) > 1 else {}
+    clocks = _clocks(names, times, dict.fromkeys(names, 0)) if len(times) > 1 else {}
+    return dict.fromkeys(clocks, times[-1]) if {*clocks.values()} == {time} else clocks
 
 
 def _after(clock: str, channel: str) -> bool:

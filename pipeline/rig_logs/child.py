@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from ..errors import disk_failure
 from ..system.isolation import Send, limit
 from ..system.package import object_at
+from ..units.units import time_unit
 from .source import (
     MEGABYTE,
     CsvOptions,
@@ -113,6 +114,7 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
         "descriptions": {name: text[:_LONGEST_TEXT] for name, text in source.descriptions.items()},
         "heading": source.heading[:_LONGEST_TEXT],
         "listed": [entry.name for entry in entries if entry.name not in failed],
+        "in_time": [entry.name for entry in entries if entry.name not in failed and time_unit(entry.unit)],
         "channels": [
             {
                 "name": name,

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 
 from ..units.units import PLAIN
-from .attributes import number_with_unit, possible_rate, scales_among, stated_rate
+from .attributes import OF_SAMPLING, number_with_unit, possible_rate, scales_among, stated_rate
 from .csv_text import COMMENT, NUMBER, is_stamp, split_row
 from .source import UnreadableLogError, unique_names
 
@@ -19,7 +19,7 @@ _QUANTITY = re.compile(rf"{NUMBER.pattern.removesuffix('$')} ?[A-Za-zµμ%]{{0,3
 _ROW_KEY = re.compile(r"(?i)(units?|names?|channels?|labels?|einheit(en)?)\s*[:=]\s*(?=\S)")
 """Mark before a row of units or names, as in ``#UNITS:s,V,V`` of Hantek."""
 _RATE_IN_WORDS = re.compile(
-    r"(?i)((sampl|scan|\w*rate\b|abtast|recorded)[^\d]*|(?=[\d.,]+ ?s))"
+    rf"(?i)(\w*(sampl|scan|rate\b|abtast|recorded|{OF_SAMPLING})[^\d]*|(?=[\d.,]+ ?s))"
     r"(?P<number>\d+([.,]\d+)?) ?(?P<unit>k?Hz|(s|sa|samples)(/| per )s(ec(ond)?)?|sps)\b"
 )
 """A sample rate as in ``sampled at 500 Hz``."""

@@ -62,6 +62,8 @@ class Recording:
         The channels that were asked for, under the names by which they were asked for.
     listed : tuple of str
         Names of all numeric channels of the log.
+    in_time : tuple of str
+        Names of those with a unit of time, or of time stamps.
     notes : tuple of str
         Remarks for the user, such as the detected dialect of a CSV file.
     warnings : tuple of str
@@ -80,6 +82,7 @@ class Recording:
     format: str
     channels: tuple[RecordedChannel, ...]
     listed: tuple[str, ...]
+    in_time: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
     rates: Mapping[str, float] = field(default_factory=dict)
@@ -242,6 +245,7 @@ def _recording(path: Path, answer: dict[str, Any], data: IO[bytes]) -> Recording
             for entry in answer["channels"]
         ),
         listed=tuple(answer["listed"]),
+        in_time=tuple(answer["in_time"]),
         notes=tuple(answer["notes"]),
         warnings=tuple(answer["warnings"]),
         rates={str(name): float(rate) for name, rate in answer["rates"].items()},

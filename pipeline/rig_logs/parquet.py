@@ -65,6 +65,7 @@ class ParquetSource(Source):
         for name, field in self._fields.items():
             own = _texts(field.metadata)
             self._units.setdefault(name, unit_among(own))
+            self.note_rates(rates_among(own, name))
             self.notes += scales_among(own, name)
             self.descriptions |= {name: text} if (text := description_among(own)) else {}
         self.notes += scales_among(of_table)

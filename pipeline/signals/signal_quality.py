@@ -116,8 +116,9 @@ def runs_between(values: FloatArray, low: float, high: float) -> IntArray:
 
 def in_a_row(inside: BoolArray) -> BoolArray:
     """Mask of the samples inside that lie in a run of three or more of them."""
-    begun = sliding_window_view(np.pad(inside, IN_A_ROW - 1), IN_A_ROW).T.all(axis=0)
-    return np.asarray(sliding_window_view(begun, IN_A_ROW).T.any(axis=0))
+    from scipy.ndimage import binary_opening
+
+    return np.asarray(binary_opening(inside, np.ones(IN_A_ROW)))
 
 
 def _is_exact(

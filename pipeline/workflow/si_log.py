@@ -186,7 +186,7 @@ def _clocks_beside(recording: Recording, prototype: Prototype) -> dict[str, str]
     used = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]
     if channels.time is None or all(each.time for each in used):
         return {}
-    own = clocks_beside(recording.listed, channels.time.channel)
+    own = clocks_beside(recording.listed, channels.time.channel, recording.in_time)
     beside = {each.channel: own[each.channel] for each in used if not each.time and each.channel in own}
     named = {each.time.channel for each in used if each.time}
     return {} if named and {*beside.values()} <= named else beside

@@ -195,6 +195,10 @@ def test_a_rate_in_attributes_is_told(tmp_path, holder):
     pq.write_table(table, tmp_path / "log.parquet")
     source = open_here(tmp_path / "log.parquet")
     assert source.rates == {"dt": 500.0} and "q_gain = 2.5, not applied" in " ".join(source.notes)
+    pq.write_table(
+        pa.table([Q], schema=pa.schema([pa.field("q", "f8", metadata={"fs": "500"})])), tmp_path / "q.parquet"
+    )
+    assert open_here(tmp_path / "q.parquet").rates == {"q.fs": 500.0}
 
 
 def test_what_netcdf_never_wrote_is_missing(tmp_path):

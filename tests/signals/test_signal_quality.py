@@ -6,7 +6,7 @@ import pytest
 from pipeline.device.device import JOINT
 from pipeline.signals.findings import saturation, scale_suspicion
 from pipeline.signals.noise import hum, is_idle, resolution
-from pipeline.signals.signal_quality import examine_signal, usual_span
+from pipeline.signals.signal_quality import examine_signal, in_a_row, usual_span
 from tests.prototypes import motion
 
 RATE = 10_000.0
@@ -218,3 +218,9 @@ def test_pulses_of_one_height_are_no_rail():
     assert saturation(t, ramped + added, 1e-4, "V") == []
     triangle = np.interp(t % 0.4, [0.0, 0.2, 0.4], [0.0, 2500.0, 0.0])
     assert saturation(t, triangle + added, 1e-4, "V") == []
+
+
+def test_samples_in_a_row_are_three_or_more():
+    inside = np.array([1, 1, 1, 0, 1, 1, 0, 1, 1, 1, 1], dtype=bool)
+    assert in_a_row(inside).tolist() == [*inside[:4], False, False, *inside[6:]]
+    assert in_a_row(inside[:0]).size == 0

@@ -110,6 +110,8 @@ def test_clocks_may_stand_behind_their_channels():
     assert clocks_beside(["q", "time", "v1", "time (2)"], "time") == {"q": "time", "v1": "time (2)"}
     assert clocks_beside(["time", "q", "time (2)", "v1"], "time") == {"q": "time", "v1": "time (2)"}
     assert clocks_beside(["clock", "q", "clock_v", "v1"], "time") == {"q": "clock", "v1": "clock_v"}
+    assert clocks_beside(["time", "q", "v1", "time_v"], "time") == {"q": "time_v", "v1": "time_v"}
+    assert clocks_beside(["a", "q", "b", "v1"], "a", ["b"]) == {"q": "a", "v1": "b"}
 
 
 @pytest.mark.parametrize(
@@ -117,7 +119,9 @@ def test_clocks_may_stand_behind_their_channels():
     [("f_sample", 500.0, 500.0), ("SampFreq", 500.0, 500.0), ("sr", 500.0, 500.0), ("log.daq_rate", 500.0, 500.0),
      ("Samples/s", 500.0, 500.0), ("deltaT", 2e-3, 500.0), ("T_sample_ms", 2.0, 500.0), ("birate", 2.0, None),
      ("fs", 500.0, 500.0), ("Fs_Hz", 500.0, 500.0), ("sample rate [kHz]", 0.5, 500.0), ("dt_ms", 2.0, 500.0),
-     ("t_s", 2e-3, 500.0), ("sampling_interval_us", 2000.0, 500.0), ("gain_ms", 2.0, None), ("frequency", 2.0, None)],
+     ("t_s", 2e-3, 500.0), ("sampling_interval_us", 2000.0, 500.0), ("gain_ms", 2.0, None), ("frequency", 2.0, None),
+     ("Taux d'échantillonnage", 500.0, 500.0), ("Frecuencia de muestreo [kHz]", 0.5, 500.0),
+     ("Periodo di campionamento", 2e-3, 500.0), ("Pas d’échantillonnage ms", 2.0, 500.0)],
 )  # fmt: skip
 def test_single_numbers_that_state_a_sample_rate(name, number, rate):
     assert stated_rate(name, number) == (None if rate is None else pytest.approx(rate))
@@ -135,7 +139,7 @@ def test_what_a_reader_left_out_is_a_warning_of_ingest(tmp_path):
     assert "2 lines left out: line 2502: 'operator paused the rig'" in " ".join(result.output.split()), result.output
 
 
-@pytest.mark.parametrize("names", [("X_Value", "X_Value"), ("t_q", "t_v"), ("Time", "v time")])
+@pytest.mark.parametrize("names", [("X_Value", "X_Value"), ("t_q", "t_v"), ("Time", "v time"), ("a [s]", "b [s]")])
 def test_each_channel_is_on_the_clock_beside_it(tmp_path, names):
     """As LabVIEW, ControlDesk and INCA write them; the settings name the time of one channel."""
     table = np.c_[T, Q, T + 0.012, V]

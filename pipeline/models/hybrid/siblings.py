@@ -152,7 +152,7 @@ def learn(models: Mapping[str, HybridModel]) -> Learnt:
         They have not one parameter set.
     """
     if len(models) < FEWEST:
-        raise DataRefusedError(f"{len(models)} joints: a prior needs at least {FEWEST}; identify more of them")
+        raise DataRefusedError(f"{len(models)} of at least {FEWEST} joints that a prior needs: identify more of them")
     for name, model in models.items():
         if any(getattr(model.joint.similarity, scale) != 1.0 for scale in ("length", "time", "voltage")):
             raise InputError(f"{name}: was scaled by its own logs; give all joints one set, plant.parameters")
