@@ -21,7 +21,8 @@ from ..rig_logs.source import CsvOptions
 from ..scoring.wells import NoWells, Wells
 from ..settings.prototype import Prototype, load_prototype
 from ..signals.findings import Finding
-from ..signals.uniform_record import Resampling, survey
+from ..signals.survey import survey
+from ..signals.uniform_record import Resampling
 from ..store.run_folder import RunFolder
 from ..system.names import shell_word
 from ..units.quantity import scale

@@ -29,8 +29,9 @@ from ...signals.log import LONGEST_BRIDGE, UNKNOWN, Corrections, RawLog
 from ...signals.noise import held_samples, mains_at_another_rate, resolution
 from ...signals.outliers import Trusted, dropout_remarks, trusted, without_spikes
 from ...signals.signal_quality import SignalQuality, examine_signal, span
+from ...signals.survey import Survey, TimeRows, inputs_unknown, survey
 from ...signals.timebase import TimeQuality, examine, nominal_step, seldom
-from ...signals.uniform_record import Resampling, Survey, TimeRows, UniformRecord, inputs_unknown, survey
+from ...signals.uniform_record import Resampling, UniformRecord
 from ...units.quantity import stamped
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
