@@ -20,9 +20,10 @@ from ..models.model_type import StoredModel, model_type
 from ..numerics.arrays import FloatArray
 from ..settings.models import AUTO, ENTRIES, entry, names
 from ..settings.prototype import Plant, Prototype, parse_prototype
-from ..signals.columns import code_remarks, codes_in, masked
+from ..signals.columns import codes_in, masked
 from ..signals.findings import scale_suspicion
 from ..signals.log import UNKNOWN, Log, RawLog, log_of
+from ..signals.remarks import code_remarks
 from ..store import layout
 from ..store.columns import TUBE_COLUMNS
 from ..store.run_folder import RunFolder

@@ -8,14 +8,15 @@ import numpy as np
 
 from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import FloatArray
-from ..signals.columns import CHUNK, Signal, code_remarks, codes_in, masked, sparse
-from ..signals.findings import MOST_REPEATED, Clock, counted, remarks_on
-from ..signals.outliers import NONE, Dropouts, dropout_remarks, dropouts
+from ..signals.columns import CHUNK, Signal, codes_in, masked, sparse
+from ..signals.findings import MOST_REPEATED
+from ..signals.outliers import NONE, Dropouts, dropouts
+from ..signals.remarks import Clock, channel_remarks, code_remarks, dropout_remarks
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import SignalQuality, examine_signal
 from ..signals.timebase import TimeQuality, examine
 from ..system.names import shell_word
-from ..units.quantity import stamped
+from ..units.quantity import counted, stamped
 from ..units.units import SECONDS
 from .attributes import note_on_rate, stated_rate
 from .channel_roles import Suggestion, is_called, suggest, suggested_unit
@@ -143,7 +144,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         alike = [seen.span for other, _, seen, _ in examined if other.unit == channel.unit and other is not channel]
         driven = channel.name in (*driving["v1"], *driving["v2"])
         own = codes.get(channel.name, {})
-        usual = remarks_on(quality, own_clock, driven=driven, alike=max(alike, default=np.nan))
+        usual = channel_remarks(quality, own_clock, driven=driven, alike=max(alike, default=np.nan))
         remarks = (*code_remarks(own), *usual)
         time = column if channel.time is None else channel.time
         if position is not None and time is not None and channel.name in driving["q"]:

@@ -287,11 +287,3 @@ def _is_any(part: FloatArray, codes: Iterable[float]) -> BoolArray:
     for code in codes:
         is_code |= np.abs(part) >= _HUGE if abs(code) >= _HUGE else np.abs(part - code) <= ROUNDING * abs(code)
     return is_code
-
-
-def code_remarks(counts: dict[float, int]) -> list[str]:
-    """Remarks on the codes in a column."""
-    return [
-        f"{n} sample{'s' * (n > 1)} of {code:.6g} stand{'s' * (n == 1)} for no value: masked (`missing` in [channels])"
-        for code, n in counts.items()
-    ]

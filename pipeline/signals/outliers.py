@@ -7,12 +7,12 @@ lost, or the level of a sensor without a target. But a jump that answers a step 
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from .columns import BLOCK, Signal, chunks, column, finite, select
-from .findings import counted
 from .noise import CHANCE, REACH, SELDOM, noise_level
 from .signal_quality import (
     BESIDE_SPIKE,
@@ -193,27 +193,6 @@ def _held(samples: FloatArray, jumps: IntArray, longest: int) -> IntArray:
     return np.array(spans, dtype=np.int64).reshape(-1, 2)
 
 
-def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list[str]:
-    """Remarks on them: what, how many, since when. Levels are printed in `unit`, which is `factor` × SI."""
-    remarks = []
-    if len(lost.bursts):
-        levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in lost.levels[:2])
-        more = f" and {len(lost.levels) - 2} more levels" if len(lost.levels) > 2 else ""
-        bursts = f"{counted(len(lost.bursts), 'burst')} of {int(np.diff(lost.bursts).sum())} samples"
-        remarks.append(f"{bursts} at {levels}{more}, which no motion reaches, the first at {lost.first[0]:.6g} s")
-    if len(lost.held):
-        remarks.append(
-            f"{counted(len(lost.held), 'segment')} of {int(np.diff(lost.held).sum())} samples in which the last value "
-            f"was held, the first at {lost.first[1]:.6g} s"
-        )
-    if count := len(lost.cuts):
-        remarks.append(
-            f"{counted(count, 'jump')} from one sample to the next, the first at {lost.cuts[0, 1]:.6g} s: rows "
-            "are missing though time goes on (a buffer was lost?)"
-        )
-    return remarks
-
-
 def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:
     """An input with its single samples far off neighbours that agree on the line between these; how many, and the
     stamp [s] of the first.
@@ -296,6 +275,14 @@ def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, sign:
     return float(0.5 * (bottom + top[0])) if apart else np.inf
 
 
+class LeftOut(NamedTuple):
+    """Numbers of samples at the rails, without a target, and of spikes."""
+
+    rails: int
+    lost: int
+    spikes: int
+
+
 @dataclass(frozen=True)
 class Trusted:
     """A signal without what is not to be trusted.
@@ -304,8 +291,8 @@ class Trusted:
     ----------
     samples : FloatArray, shape (N,)
         NaN where left out.
-    left_out : (int, int, int)
-        Samples left out at the rails, without a target, and as spikes.
+    left_out : LeftOut
+        What they are.
     quality : SignalQuality
         Of the samples that the sensor and the recorder did not lose; its counts are those of all.
     dropouts : Dropouts
@@ -313,7 +300,7 @@ class Trusted:
     """
 
     samples: FloatArray
-    left_out: tuple[int, int, int]
+    left_out: LeftOut
     quality: SignalQuality
     dropouts: Dropouts
 
@@ -375,7 +362,7 @@ def trusted(
     masked = column(samples.size, parts(), np.float64) if at or noise or measured is not samples else samples
     return Trusted(
         samples=masked,
-        left_out=(int(counts[0]), int(counts[1]), int(counts[2])),
+        left_out=LeftOut(*counts.tolist()),
         quality=quality,
         dropouts=dropouts_of_q,
     )

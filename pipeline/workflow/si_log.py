@@ -21,7 +21,6 @@ from ..settings.prototype import Prototype
 from ..signals.columns import (
     Signal,
     chunks,
-    code_remarks,
     codes_in,
     column,
     equal,
@@ -35,6 +34,7 @@ from ..signals.columns import (
 )
 from ..signals.findings import Number, refusal
 from ..signals.log import RawLog
+from ..signals.remarks import code_remarks
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import span
 from ..signals.timebase import nominal_step, unwrapped

@@ -7,7 +7,8 @@ import pytest
 
 from pipeline.device.device import JOINT
 from pipeline.fitting.excitation import excitation_findings
-from pipeline.signals.findings import log_findings, rate_findings, rate_remarks
+from pipeline.signals.findings import log_findings, rate_findings
+from pipeline.signals.remarks import rate_remarks
 from pipeline.signals.signal_quality import examine_signal
 from pipeline.signals.timebase import examine
 
