@@ -2,7 +2,7 @@
 
 The kernels are the graphs of `pipeline.generated.condensed_joint`. State, constants and corrections are those of
 `pipeline.equations.condensed_joint`. Kernels take *prepared* constants: `prepare` computes once what depends on the
-constants alone. A column is a derivative of the state; `pipeline.models.hybrid.sensitivity` moves them.
+constants alone. A column is a derivative of the state; `pipeline.models.hybrid.variational` moves them.
 
 A table serves a controller, whose cost may not depend on the number of Gaussians. Between nodes every curve is the
 quintic with its values, slopes and curvatures at both ends.

@@ -21,8 +21,9 @@ from . import parameters as condensed_parameters
 from .kernels import CURVES, INDEX
 from .log_reading import SAME, AngleReading, DrivingVoltages, Instruments, Similarity
 from .runs import Driving, Followed, JointCoefficients, Stepping, run_joints
-from .sensitivity import INSTRUMENTS, Driven, sensitivities
+from .sensitivity import sensitivities
 from .statics import substeps
+from .variational import INSTRUMENTS, Driven
 
 DEVIATION_COUNT = len(condensed_parameters.NAMES)
 """Leading entries of θ that are deviations."""
