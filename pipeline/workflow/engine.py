@@ -84,12 +84,25 @@ class Observer(Protocol):
 
 
 class Unheard:
-    """An observer that reports nothing."""
+    """An observer that reports nothing; the notes of the artifacts hold the warnings."""
 
-    def warned(self, *_: Any, **__: Any) -> None:
-        """Say nothing: the notes of the artifacts hold the warnings."""
+    def planned(self, stages: Sequence[str]) -> None:
+        """Ignore the tasks to come."""
 
-    planned = started = progressed = finished = skipped = warned
+    def started(self, task: Task, reasons: list[str]) -> None:
+        """Ignore the beginning of a task."""
+
+    def progressed(self, task: Task, what: str, share: float) -> None:
+        """Ignore the share done."""
+
+    def finished(self, task: Task, seconds: float) -> None:
+        """Ignore the end of a task."""
+
+    def skipped(self, task: Task) -> None:
+        """Ignore a task that is up to date."""
+
+    def warned(self, what: str, warning: str) -> None:
+        """Ignore a warning."""
 
 
 @dataclass(frozen=True)
