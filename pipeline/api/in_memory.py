@@ -141,7 +141,7 @@ def settings(
 
 
 def _plain(table: Mapping[str, Any]) -> dict[str, Any]:
-    """Values of a table of settings, those of NumPy as Python's, paths as texts."""
+    """Values of a table of settings: numbers of NumPy become Python's, paths become texts."""
     texts = {key: str(value) if isinstance(value, Path) else value for key, value in table.items()}
     return {key: value.item() if isinstance(value, np.generic) else value for key, value in texts.items()}
 
@@ -417,7 +417,7 @@ def seconds(t: Any) -> FloatArray:
 
 
 def _columns(given: Mapping[str, Any], *, gaps: bool) -> dict[str, FloatArray]:
-    """Columns of finite numbers, all as long as t; those that are None are left out. `gaps` are NaN but of t."""
+    """Columns of finite numbers, all as long as t, without those that are None. `gaps` become NaN, except in t."""
     columns: dict[str, FloatArray] = {}
     for name, values in given.items():
         if values is None:

@@ -103,7 +103,7 @@ def _line(operation: Operation) -> str:
 
 
 class Builder:
-    """Operations, each different one once; those of numbers alone are computed here."""
+    """Operations without repetition; an operation on numbers alone is computed here."""
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []

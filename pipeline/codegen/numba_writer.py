@@ -247,7 +247,7 @@ class _Writer:
         return self._of_library(name, a)
 
     def _of_library(self, name: str, a: Any) -> Any:
-        """A function of the C library, of one joint after the other."""
+        """A function of the C library, called for one joint after the other."""
         name = name if self.real == _REAL else f"{name}f"
         function = function_of(self.builder.module, ir.FunctionType(self.real, [self.real]), name)
         if self.width == 1:

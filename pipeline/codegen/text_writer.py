@@ -105,7 +105,7 @@ def matlab_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
 
 
 def c_sequence(name: str, sequence: GraphSequence) -> Code:
-    """A static C function of the given arrays; those of its graphs are made by `c_function`."""
+    """A static C function of the given arrays; `c_function` writes the functions of its graphs."""
     changed = sequence.changed()
     given = ", ".join(f"{'' if array in changed else 'const '}real *{array}" for array in sequence.given)
     local = ", ".join(f"{array}[{size}]" for array, size in sequence.local.items())
@@ -128,7 +128,7 @@ def matlab_sequence(name: str, sequence: GraphSequence) -> Code:
 
 
 def _lines(graph: Graph, language: Language, scalars: frozenset[str]) -> Iterator[str]:
-    """One statement for each value that is used often or is long; then what is stored."""
+    """One statement for each value that is used often or is long, then the stores."""
     operations = graph.operations
     uses = [0] * len(operations)
     for operation in operations:

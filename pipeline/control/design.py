@@ -79,7 +79,7 @@ class Settings:
 def target_table(
     plant: ControlledJoint, wells: list[LinearModel], places: FloatArray, highest: float, lag: float, reach: FloatArray
 ) -> tuple[FloatArray, tuple[float, float]]:
-    """Rows as `pipeline.control.law.TARGET_COLUMNS` names them, and what switches the joint slowly.
+    """Rows of `pipeline.control.law.TARGET_COLUMNS`, and the voltages that switch the joint slowly.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def target_table(
     lag : float
         Time constant [s] from command to force, the mean of both sides.
     reach : FloatArray, shape (CORRECTED,)
-        Of the leading states, what weighs as the largest moment.
+        Deviations of the leading states that weigh as much as the largest moment.
 
     Returns
     -------
@@ -186,7 +186,7 @@ def regulator(
     lag : float
         Time constant from command to force [s].
     reach : FloatArray, shape (CORRECTED,)
-        Of the leading states, what weighs as the largest moment.
+        Deviations of the leading states that weigh as much as the largest moment.
     """
     a, b = jacobian(x, u, plant.constants)
     per_square = moments_per_square(plant, x, u)

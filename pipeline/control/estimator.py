@@ -88,7 +88,7 @@ def row(place: Any, count: int) -> tuple[Any, Any]:
 
 
 def rest(q: Any, n: dict[str, Any]) -> State:
-    """The state as after a long rest at q [m] without voltage: friction holds what is left of the force."""
+    """The state after a long rest at q [m] without voltage: friction balances the remaining force."""
     lower, share = row((q + n["farthest"]) * n["rest_per_metre"], RESTS)
     tau, beta, stuck = (
         fetch("rests", i, 3.0 * lower) * (1.0 - share) + fetch("rests", 3 + i, 3.0 * lower) * share for i in range(3)
@@ -111,7 +111,7 @@ def begin(signals: Values, n: Numbers, rests: Values) -> Outputs:
 
 
 def listen(now: State, signals: Values, n: Numbers, rests: Values) -> Outputs:
-    """Correct the estimate by a reading, or count what is missing; take the target over.
+    """Correct the estimate by a reading, or count a missing one; take the target over.
 
     Parameters
     ----------
@@ -182,7 +182,7 @@ def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, V
 
 
 def _packed(i: int, j: int) -> int:
-    """Place of an entry of the covariance, of which the lower triangle is kept."""
+    """Place of an entry of the covariance in its stored lower triangle."""
     return max(i, j) * (max(i, j) + 1) // 2 + min(i, j)
 
 
@@ -368,7 +368,7 @@ def _product(left: list[Values], right: list[Values]) -> list[Values]:
 def _jacobian(
     now: dict[str, Values], u: Values, slopes: Values, prepared: Values, n: dict[str, Any]
 ) -> tuple[list[Values], dict[int, Any]]:
-    """PERIOD × ∂(rates)/∂(filter's numbers), and what a force does to the velocities."""
+    """PERIOD × ∂(rates)/∂(filter's numbers), and the change of the velocities by a force."""
     x = now["x"]
     z = now["z"]
     c, c_q = corrections(x[0], n)
@@ -416,7 +416,7 @@ def check(now: State, v: Values, n: Numbers, rests: Values) -> Outputs:
 
 
 def heed(v: Values, n: Numbers) -> Outputs:
-    """Voltages [V] that act on the joint, as measured: within 0 … the largest, 0 for what is not finite."""
+    """Measured voltages [V], limited to 0 … the largest; 0 in place of numbers that are not finite."""
     return {"v": [clip(choose(function("finite", volts), volts, 0.0), 0.0, n["highest"]) for volts in v]}
 
 

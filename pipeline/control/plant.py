@@ -223,7 +223,7 @@ def jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, Fl
 
 
 def full_jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, FloatArray]:
-    """The same with the stop operators, which are held, as last columns of the first, (STATES, STATES + STOPS)."""
+    """Jacobians of the rates by states and held stop operators, (STATES, STATES + STOPS), and by squared voltages."""
     rows = STATES + STOPS
     a = np.zeros((rows, rows))
     b = np.zeros((rows, 2))
@@ -297,7 +297,7 @@ def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:
 
 
 def _window(plant: ControlledJoint) -> tuple[float, float]:
-    """Displacements [m] between which equilibria are looked for."""
+    """Range of displacements [m] in which equilibria are searched."""
     if plant.rests is None:
         return -_BEYOND * plant.wall, _BEYOND * plant.wall
     left, right = (reading - plant.instruments.offset for reading in plant.rests)

@@ -35,7 +35,7 @@ _RUNS = _SEARCHES * _ROUNDS + (_ROUNDS // 2) * JUDGES
 
 @dataclass(frozen=True)
 class Pulse:
-    """A feedforward snap and what the model predicts of it.
+    """A feedforward snap and the model's prediction of it.
 
     Attributes
     ----------
@@ -109,7 +109,7 @@ def design_pulse(
     done = 0
 
     def cost(values: FloatArray, by: Ensemble) -> Any:
-        """Mean over the ensemble of what each pulse costs."""
+        """Mean cost of each pulse over the ensemble."""
         nonlocal done
         on_progress("optimising", min(1.0, done / _RUNS))
         done += len(by.gains)

@@ -195,7 +195,7 @@ def lowest_voltage(
 
 
 def with_voltage_error(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemble:
-    """The same joint with draws whose voltages err as its lowest voltage may: for pulses near it.
+    """The joint with draws whose voltages err as its lowest voltage may, for pulses near that voltage.
 
     What the parameters do acts as a voltage that is too high or too low: on four joints its deviations at 0.1 s and at
     0.8 s were 0.72 to 1.36 times that at `TYPICAL`, and correlated with it by 0.83 to 1.00. So all pulses are scaled
@@ -225,7 +225,7 @@ def _unit(joint: Ensemble, to: Well, duration: float) -> FloatArray:
 def _first(
     joint: Ensemble, wells: tuple[float, float, float], to: Well, duration: float
 ) -> tuple[float, float | None] | None:
-    """The first voltage [V] from below that switches the one joint, and the next of those tried that does not.
+    """The lowest voltage [V] that switches the one joint, and the next higher one tried that does not.
 
     None where none switches it.
     """

@@ -61,7 +61,7 @@ class Device:
 
     @property
     def logged(self) -> SiUnit:
-        """Unit in which the log has q, or the angle in place of it."""
+        """Unit of q in the log, or of the angle that stands in its place."""
         return self.angle or self.displacement
 
     @property
@@ -169,7 +169,7 @@ def device(prototype: Prototype) -> Device:
     mass = plant.mass
 
     def unit(key: str, stated: LogColumn | Quantity, *allowed: str) -> SiUnit:
-        """The unit that is stated under a key, of what is allowed there."""
+        """The unit that a key states, if it is allowed there."""
         return to_si(stated.unit, allowed, f"{prototype.name}: {key}.unit")
 
     logged = unit("channels.q", channels.q, *DISPLACEMENT)

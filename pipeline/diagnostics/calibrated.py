@@ -37,7 +37,7 @@ class Calibrated:
 
 
 def calibrated(model: DynamicModel | None) -> list[Calibrated]:
-    """Every quantity that the fit of a hybrid model moves, those of the parameter set first; none of another model.
+    """Every quantity that the fit of a hybrid model moves, those of the parameter set first; empty for other models.
 
     Each is that of the device, whose size is another than the set's joint's.
     """
@@ -46,7 +46,7 @@ def calibrated(model: DynamicModel | None) -> list[Calibrated]:
 
 
 def _one(model: HybridModel, i: int) -> Calibrated:
-    """Deviation number i as a quantity: what it is at the set's size, times the device's size."""
+    """Deviation number i as a quantity: its value at the parameter set's size, times the device's size."""
     entry = DEVIATIONS[i]
     name = entry.quantity
     nominal = model.joint.parameters.value(name) if name in VECTOR_NAMES else None

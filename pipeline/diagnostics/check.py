@@ -110,7 +110,7 @@ def _late(fact: LogFacts, plant: Device) -> Iterator[Finding]:
 
 
 def _scale(fact: LogFacts, plant: Device) -> Iterator[Finding]:
-    """Mass and units: what they make of the coupling of a membrane, half the slope of its capacitance over q."""
+    """Findings on mass and units by the coupling of a membrane, half the slope of its capacitance over q."""
     subject, mass, allowed = (
         ("drawn", NOMINAL.m, UNSTATED_RATIO) if plant.known_mass is None else ("stated", plant.known_mass, RATIO)
     )
@@ -139,7 +139,7 @@ def _couplings(fact: LogFacts) -> list[float]:
 
 
 def _sides(fact: LogFacts) -> Iterator[Finding]:
-    """Membranes of one joint couple about as strongly, but for what is not sure of either."""
+    """Findings on the ratio of both couplings: membranes of one joint couple about equally, within their errors."""
     couplings = _couplings(fact)
     if len(couplings) > 1 and isinstance(fact.wells, Wells):
         ratio = couplings[0] / couplings[1]
@@ -186,7 +186,7 @@ def _field(fact: LogFacts, plant: Device) -> Finding:
 
 
 def _rest_levels(fact: LogFacts, plant: Device) -> Iterator[Finding]:
-    """A joint's voltage of one sign whose lowest level is not zero; one of two signs may switch between them.
+    """Findings on voltages of one sign whose lowest level is not zero; one of two signs may switch between them.
 
     What drives another device, as a fan, need never have been off, and an offset would bend the law of its square.
     """

@@ -282,7 +282,7 @@ def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:
 
 
 def _decay(share: FloatArray, interval: float, low: float) -> float | None:
-    """Time constant [s] of what is left of a step until `low`, by its logarithm weighed as its square is.
+    """Time constant [s] of a step's rest until `low`: a line through its logarithm, weighted by its square.
 
     None where it is shorter than the sample interval: then the first sample alone shows whether an edge is a decay.
     """

@@ -1,4 +1,4 @@
-"""Grades: what is judged, where it begins to be fair and poor, and why."""
+"""Grades: the judged numbers, the thresholds of fair and poor, and their reasons."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -55,7 +55,7 @@ OF_WELLS = ("switches", "switch_accuracy", "ambiguous", "wells")
 
 @dataclass(frozen=True)
 class Check:
-    """One judged number: what it is, its grade, the sentence with the number, and what to do unless it is good.
+    """One judged number: its code, its grade, the sentence with the number, and the advice unless it is good.
 
     Of what a `Finding` is behind, `log`, `subject` and `numbers` are those of the finding.
     """

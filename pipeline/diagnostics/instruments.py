@@ -249,7 +249,7 @@ class InstrumentTest:
         return np.array([*gains, -by.zero / by.gain_q, 1.0 / by.gain_q - 1.0, -by.delay, 1.0 / by.clock - 1.0])
 
     def _as_trained(self, parts: Sequence[Log]) -> tuple[Exchange, Sequence[Log]]:
-        """What must be exchanged for the log to be like the training logs, and the log with that exchanged."""
+        """The exchange of channels that makes the log like the training logs, and the log after that exchange."""
         trials: dict[Exchange, Sequence[Log]] = {"none": parts, "sign": [mirrored(each) for each in parts]}
         if parts[0].v.shape[1] > 1:
             trials["inputs"] = [exchanged(each) for each in parts]
@@ -277,7 +277,7 @@ class InstrumentTest:
         return None if residual is None else scale * residual
 
     def _problem(self, parts: Sequence[Log], delta: FloatArray) -> tuple[ObservedProblem, float, float]:
-        """The corrected log with the model, the observer gain, and what makes residuals those of the raw reading of q.
+        """The corrected log with the model, the observer gain, and the factor from its residuals to those of the raw q.
 
         The gain is by the log's own clock, as samples are compared from some of its time constants after a gap on. The
         noise is that of the raw reading: else a gain of zero would leave nothing of a linear device.

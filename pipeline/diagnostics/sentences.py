@@ -1,4 +1,4 @@
-"""The sentences of findings, and whether they refuse the data: what was measured, and what to do."""
+"""The sentences of findings, with advice, and the refusal of data."""
 
 from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import Any

@@ -54,7 +54,7 @@ def term(function: Callable[..., Expression], output: str = "value", *along: str
 
 
 def maxwell_rate(strain_rate: Any, relaxation: Any, strain: Any) -> Expression:
-    """ė of the spring of a Maxwell branch (eq. 19): what is applied less what the damper takes, r = Y/η [1/s]."""
+    """ė of the spring of a Maxwell branch (eq. 19): the applied rate less the damper's, r = Y/η [1/s]."""
     return strain_rate - relaxation * strain
 
 
@@ -248,7 +248,7 @@ def _touched(way: Any) -> Expression:
 
 
 def bell(inside: Any, centre: Any, bend: Any) -> Expression:
-    """A Gaussian at x `clipped` to its range, outside of which it goes on as a constant; bend = 1/(2σ²)."""
+    """A Gaussian at x `clipped` to its range, so constant outside; bend = 1/(2σ²)."""
     distance = inside - centre
     return gaussian(2.0 * bend * distance * distance)
 
@@ -340,7 +340,7 @@ def polynomial_variables(q: Any, q_dot: Any, scales: Any) -> Expression:
 
 
 def kernels() -> dict[str, Term]:
-    """The terms that runs call, with exact slopes along what their sensitivities need.
+    """The terms that runs call, with the exact slopes that their sensitivities need.
 
     A stop operator at its stop counts as held.
     """

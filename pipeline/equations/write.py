@@ -154,7 +154,7 @@ _NAMES = {
 
 
 def graphs(kernels: dict[str, elements.Term], hoisted: str) -> dict[str, Graph]:
-    """Graphs of kernels that share what depends on the constants `hoisted` alone.
+    """Graphs of kernels that share the operations on the `hoisted` constants alone.
 
     Parameters
     ----------
@@ -197,7 +197,7 @@ def _trace(
     outputs: dict[str, elements.Expression],
     dense: bool = False,
 ) -> list[Operation]:
-    """Add the expressions; what is stored where."""
+    """Add the expressions to the builder; return the stores of their entries."""
     sparse = [value if dense else ca.sparsify(value) for value in outputs.values()]
     function = ca.Function("f", list(inputs.values()), ca.cse(sparse), list(inputs), list(outputs))
     register: dict[int, int] = {}
@@ -260,7 +260,7 @@ def _constant_operations(builder: Builder, hoisted: str) -> list[bool]:
 def _kernel(
     builder: Builder, stores: list[Operation], constant: list[bool], prepared: dict[int, int]
 ) -> list[Operation]:
-    """The kernel's own operations; `prepared` collects what it takes from the constants."""
+    """The kernel's own operations; `prepared` collects the operations on constants that it reads."""
     source = builder.operations
     own = Builder()
 

@@ -113,7 +113,7 @@ def guid(subject: Subject) -> str:
 
 
 def identity(*content: str) -> str:
-    """A GUID of what an FMU is made of and the version that wrote it."""
+    """A GUID of the parts of an FMU and the version that wrote it."""
     return f"{{{uuid.uuid5(_NAMESPACE, '/'.join((program_version(), *content)))}}}"
 
 

@@ -131,7 +131,7 @@ class Subject:
 
 @dataclass(frozen=True)
 class Exported:
-    """Files that were written, and what their user should know."""
+    """Files that were written, and remarks for their user."""
 
     written: list[Path]
     notes: list[str] = field(default_factory=list)
@@ -142,7 +142,7 @@ BREAKPOINTS = 201
 
 
 def curve_tables(subject: Subject) -> list[dict[str, Any]]:
-    """Restoring force F, damping d, and what the inputs do; none for a model without curves.
+    """Restoring force F, damping d, and gains of the inputs; none for a model without curves.
 
     Each has a `name`, a `unit`, and the arrays `q` over the range of the training logs, and `values`, shape (201,).
     """

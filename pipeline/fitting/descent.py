@@ -52,7 +52,7 @@ class ObservedProblem(Protocol):
 
 @dataclass(frozen=True)
 class Prior:
-    """Gaussian prior ‖A θ − b‖²/2: what is known, or believed, before the data; shapes (R, P) and (R,)."""
+    """Gaussian prior ‖A θ − b‖²/2, knowledge or belief before the data; shapes (R, P) and (R,)."""
 
     matrix: FloatArray
     right: FloatArray

@@ -1,4 +1,4 @@
-"""A population of devices from what the logs of each show: mean and covariance by empirical Bayes, and odd members.
+"""A population of devices, each known from its logs: mean and covariance by empirical Bayes, and odd members.
 
 A log determines some directions of θ well and others hardly. So each member enters as a Gaussian in information form,
 and members are draws from a normal distribution whose mean and covariance expectation-maximisation estimates (Dempster,
@@ -90,7 +90,7 @@ def estimate_population(
     start: NormalPopulation | None = None,
     rounds: int = ROUNDS,
 ) -> NormalPopulation:
-    """The population of which these are members.
+    """The population behind some members.
 
     Parameters
     ----------

@@ -142,7 +142,7 @@ class HasDraws(DynamicModel, Protocol):
 
 @runtime_checkable
 class HasOutcomeDraws(Protocol):
-    """A model of which whatever follows from it has error bands, hidden states and friction included."""
+    """A model whose every prediction has error bands, hidden states and friction included."""
 
     def outcome_ensemble(self, outcome: Callable[[Any], FloatArray], count: int = 64) -> FloatArray:
         """Outcomes of draws from the posterior of its parameters, shape (count, n).

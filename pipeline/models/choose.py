@@ -175,7 +175,7 @@ def _rms(errors: FloatArray) -> float:
 
 
 def _errors(model: StoredModel, records: Sequence[Log], *, held_out: bool = True) -> FloatArray:
-    """Errors of q in free runs from the start, over the operating range; those behind what candidates are fitted to.
+    """Errors of q in free runs from the start, over the operating range, at the samples behind the fitted ones.
 
     NaN where masked; at most 1, as where the run diverged.
     """

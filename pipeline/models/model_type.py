@@ -66,7 +66,7 @@ class KnownCurves:
         return {k: int(sign[0]) if np.count_nonzero(np.isfinite(sign)) == 1 else 0 for k, sign in signs.items()}
 
     def check(self, low: float, high: float) -> None:
-        """Refuse curves that have next to nothing to do with data from `low` to `high`.
+        """Refuse curves that hardly overlap with data from `low` to `high`.
 
         Raises
         ------

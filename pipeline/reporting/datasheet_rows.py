@@ -36,7 +36,7 @@ Rows = list[tuple[str, ...]]
 
 @dataclass(frozen=True)
 class SheetCell:
-    """Texts of a cell: the model's value, and what the data show without a model and the free run there (or empty)."""
+    """Texts of a cell: the model's value, and those of the data alone and of the free run (or empty)."""
 
     value: str
     seen: str
@@ -184,7 +184,7 @@ def datasheet_tables(document: dict[str, Any]) -> list[tuple[str, tuple[str, ...
 
 
 def element_rows(elements: Sequence[Mapping[str, Any]]) -> Rows:
-    """Element, RMS force and share of the restoring force, of what acts; "absent" of what does not."""
+    """Element, RMS force and share of the restoring force; "absent" for an element that does not act."""
     return [
         (
             element["name"],

@@ -177,7 +177,7 @@ def axis_label(name: str, unit: str) -> str:
 
 
 def writable(text: str) -> str:
-    """The text without what a file in XML cannot hold."""
+    """The text without the characters that XML cannot hold."""
     return _UNWRITABLE.sub("\ufffd", text)
 
 

@@ -116,7 +116,7 @@ def _worst(scores: Sequence[Mapping[str, Any]], key: str) -> float:
 
 @dataclass(frozen=True)
 class FleetColumn:
-    """One column: a fact or a score of every member, in the unit that is shown (NaN: unknown), and what stands out.
+    """One column: a fact or a score of every member, in the shown unit (NaN: unknown), and the members that stand out.
 
     Scores of training logs are marked, and left out of distributions.
     """
@@ -229,13 +229,13 @@ def _listed(members: Sequence[Summary], quantities: Sequence[FleetColumn]) -> li
 
 
 def _varies(q: FleetColumn) -> bool:
-    """True if a distribution can be drawn: as many values as an outlier needs, of which two differ."""
+    """True if a distribution can be drawn: enough values for an outlier, and two that differ."""
     finite = q.values[np.isfinite(q.values)]
     return finite.size >= LEAST_VALUES and bool(np.ptp(finite) > 0.0)
 
 
 def _validated(q: FleetColumn, members: Sequence[Summary]) -> FleetColumn:
-    """The same without errors on training logs, which must not stand beside those on others."""
+    """The scores without errors on training logs, which must not stand beside those on other logs."""
     return replace(q, values=np.where([member.training and q.scored for member in members], np.nan, q.values))
 
 

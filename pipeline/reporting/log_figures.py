@@ -59,7 +59,7 @@ def _unknown(log: LogData, t: FloatArray) -> BoolArray:
 
 
 def _hidden(data: RunData, log: LogData) -> tuple[str, ...]:
-    """Models that are a button away: what diverges leaves every frame, and of the baselines the best two are enough."""
+    """Models that are hidden at first: diverged ones, which leave every frame, and all baselines but the best two."""
     judged = "validation" if data.role("validation") else "train"
     errors: dict[str, list[float]] = {}
     for s in data.scores:
@@ -227,7 +227,7 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 
 
 def _limits(signals: Sequence[FloatArray]) -> tuple[float, float]:
-    """Least and largest of what is drawn as a line, with a margin at either end."""
+    """Least and largest value of all lines, with a margin at either end."""
     finite = [part[np.isfinite(part)] for part in signals]
     low = min((float(part.min()) for part in finite if part.size), default=-1.0)
     high = max((float(part.max()) for part in finite if part.size), default=1.0)

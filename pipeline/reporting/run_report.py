@@ -139,7 +139,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure], j
 
 
 def assessment(checks: Sequence[Check]) -> str:
-    """The assessment in one sentence: the worst of what is wrong, or that nothing is."""
+    """The assessment in one sentence: the first of the worst findings, or that there are none."""
     for grade in ("poor", "fair"):
         if failing := [check for check in checks if check.grade == grade]:
             rest = len([check for check in checks if check.grade != "good"]) - 1

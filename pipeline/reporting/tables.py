@@ -53,7 +53,7 @@ def notes_on(models: Iterable[str]) -> list[str]:
 
 
 def _columns(table: str, rows: Sequence[ScoreRow] | None = None) -> tuple[Column, ...]:
-    """The columns of a table; with its rows, without those that not every device has and no row has a value of."""
+    """The columns of a table; given its rows, without optional columns that are empty."""
     columns = (column for column in SCORE_COLUMNS if column.cell and column.cell.table == table)
     return tuple(
         column
@@ -145,7 +145,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
 
 
 def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
-    """Errors by horizon and what a run notes of itself, each with its interval; `scores` as in `nrmse_table`."""
+    """Errors by horizon and the notes of each run, with their intervals; `scores` as in `nrmse_table`."""
     of_q = [row for row in scores if row["signal"] == "q"]
     columns = _columns("behaviour", of_q)
     return NrmseTable(
@@ -158,7 +158,7 @@ def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
 
 
 def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
-    """The model of the lowest NRMSE and those not significantly above it; one alone is the best.
+    """The model of the lowest NRMSE, and all models not significantly above it; one alone is the best.
 
     Models that diverged are no competitors. Empty where there is nothing to be apart from: fewer than two models, or
     one without a paired interval (`above_lowest_low`), as in a record of less than three blocks.
@@ -227,7 +227,7 @@ def disarmed(value: Any) -> Any:
 
 @dataclass(frozen=True)
 class MainTable:
-    """The table as text: where the errors were measured, headings, a line of cells for each model, what they mean.
+    """The table as text: the logs it is of, headings, a line of cells for each model, and an explanation.
 
     `best` is the model with the lowest error of q; empty where no model has one.
     """

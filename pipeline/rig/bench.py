@@ -1,4 +1,4 @@
-"""The test bench around a joint: commands through converters to the membranes, and what laser and probes record."""
+"""The test bench around a joint: commands through converters to the membranes, and the records of laser and probes."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -219,7 +219,7 @@ class Readings:
 
 @dataclass(frozen=True)
 class BenchRecord(Readings):
-    """One log in SI units: what was measured, and the truth behind it; all of shape (N,)."""
+    """One log in SI units: the measurement and the truth behind it, all of shape (N,)."""
 
     true_q: FloatArray
     true_qdot: FloatArray

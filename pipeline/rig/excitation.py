@@ -157,7 +157,7 @@ def _shares(excitation: str) -> list[float]:
 
 
 def draw_pause(rng: np.random.Generator, short: float = 0.4) -> float:
-    """Length [s] of a pause: short (so often), in which the joint does not come to rest, or long, in which it does."""
+    """Length [s] of a pause: a short one, in which the joint does not come to rest, or a long one, in which it does."""
     return float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[short, 1.0 - short]))
 
 
@@ -239,7 +239,7 @@ class Sequence:
 
 
 def save_sequence(path: Path, sequence: Sequence, about: Mapping[str, Any]) -> tuple[Path, ...]:
-    """Write a sequence as `path` (.csv or .mat) and what is known `about` it as JSON beside it.
+    """Write a sequence as `path` (.csv or .mat), and its description `about` as JSON beside it.
 
     A MAT file (v5) holds ``time``, ``v1``, ``v2`` as columns, ``excitation`` as the structure with time that
     Simulink's *From Workspace* block plays, and `about` as JSON text.

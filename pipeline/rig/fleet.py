@@ -89,7 +89,7 @@ class Experiment(ExperimentFile):
 
 @dataclass(frozen=True)
 class SimulatedLog:
-    """One simulated log: its file's stem, what excited it, what was recorded."""
+    """One simulated log: its file's stem, its excitation, its record."""
 
     role: Role
     stem: str
@@ -263,7 +263,7 @@ def moving_mass(joint: RigParameters) -> float:
 
 
 def prototype_toml(name: str, mass: float, files: Mapping[str, list[str]], form: str, *, more: str = "") -> str:
-    """The prototype's settings: what a user would know of the device, not its truth; `more` goes to ``[plant]``.
+    """The prototype's settings: a user's knowledge of the device, not its truth; `more` goes to ``[plant]``.
 
     Parameters
     ----------
@@ -312,7 +312,7 @@ def recorded() -> tuple[dict[str, Readings], str]:
 
 
 def write_demo_logs(run: Path, *, force: bool = False) -> Path:
-    """Write what a rig would leave of the demo beside the run folder, once; returns the prototype's settings file.
+    """Write the demo's raw logs and settings beside the run folder, once; returns the settings file.
 
     These are ``demo.toml``, ``train.mat``, ``validation.mat`` (1 kHz, 37.5 s, ControlDesk layout), and the truth as
     ``truth.json``.

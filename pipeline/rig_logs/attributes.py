@@ -1,4 +1,4 @@
-"""What logs of any format state by names: the unit of a channel, a sample rate, a scale."""
+"""Attributes of logs of any format: the unit of a channel, a sample rate, a scale."""
 
 import math
 import re
@@ -171,7 +171,7 @@ _PER_SECOND = re.compile(r"(?i)(s|sa|samples)(/| per )s(ec(ond)?)?$|sps$")
 
 
 def number_with_unit(text: str, unit: str) -> float:
-    """A number, in Hz or s where it has a unit, of its own or of its name; 0 for anything else."""
+    """A number, in Hz or s if it or its name has a unit; 0 for anything else."""
     bare = _PER_SECOND.sub("Hz", text.strip().replace(",", "."))
     for written in (f"{bare} {time_unit(unit) or unit}", bare):
         with suppress(InputError):

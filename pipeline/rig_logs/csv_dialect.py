@@ -78,7 +78,7 @@ class SampleTable:
 
 
 def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
-    """The lines of a file's first bytes; the last only if that is the `whole` file.
+    """The lines of a file's first bytes; the last one only if these bytes are the `whole` file.
 
     Raises
     ------
@@ -196,7 +196,7 @@ def _fits(row: Sequence[str], width: int, decimal: str) -> bool:
 
 
 def _filled(row: Sequence[str], likely: Sequence[bool], decimal: str) -> int:
-    """Number of numeric columns that hold a number in this row, 0 where one of them holds something else."""
+    """Number of numeric columns that hold a number in this row; 0 if one of them holds anything else."""
     cells = [cell for cell, wanted in zip(row, likely, strict=False) if wanted and cell]
     return len(cells) if all(is_value(cell, decimal) for cell in cells) else 0
 
@@ -336,7 +336,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
 def _header_rows(
     table: SampleTable, above: list[Sequence[str]], comments: Sequence[bool], row: int | None
 ) -> tuple[int | None, int | None]:
-    """The rows of names and of units, the first of which may be set."""
+    """The rows of names and of units; the settings may give the row of names."""
     width = len(table.numeric)
     names, units = rows_by_key(above)
     if row is None and names is not None and not _firsts(table)[0]:
@@ -392,7 +392,7 @@ def _first_text(table: SampleTable, column: int) -> str:
 
 
 def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], list[bool]]:
-    """The rows above the data without marks of comments, and which had one."""
+    """The rows above the data without marks of comments, and for each whether it had one."""
     width, lines = len(table.numeric), lines[: table.first]
     rows: list[Sequence[str]] = []
     for line in lines:
@@ -406,7 +406,7 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
 
 
 def _check_marks(table: SampleTable, header: Sequence[str]) -> None:
-    """Refuse marks of which no number shows that they stand before decimals, where they may separate thousands.
+    """Refuse marks that may separate thousands, because no number shows that decimals follow them.
 
     They may where other numbers of a column have none, where they are commas, and where the semicolon separates.
     """
@@ -423,7 +423,7 @@ _LEADING_ZERO = re.compile(r"0\d+")
 
 
 def _check_commas(table: SampleTable, above: Sequence[Sequence[str]]) -> None:
-    """Refuse commas that separate cells and stand before decimals: more cells than names, of which some are as 007."""
+    """Refuse commas both between cells and before decimals: more cells than names, some with leading zeros as 007."""
     width = len(table.numeric)
     names = next(([cell for cell in row if cell] for row in reversed(above) if any(row)), [])
     if table.delimiter != "," or not 1 < len(names) < width <= 2 * len(names) or any(map(NUMBER.match, names)):

@@ -1,4 +1,4 @@
-"""Names and units above a table of numbers: the rows of names and of units among what stands there, units in names."""
+"""Names and units above a table of numbers: the rows that hold them, and units within names."""
 
 import re
 from collections import Counter
@@ -138,7 +138,7 @@ def stated_frequencies(lines: Sequence[str], delimiter: str) -> dict[str, float]
 def _numbers_called(
     rate_of: Callable[[str, float], float | None], lines: Sequence[str], delimiter: str
 ) -> dict[str, tuple[str, float, float]]:
-    """Names, numbers and rates [Hz] by those names, of keys of which a function knows the rate."""
+    """Names, numbers and rates [Hz] of the keys whose rate a function knows."""
     rates: dict[str, tuple[str, float, float]] = {}
     rows = [split_row(bare_line(line), delimiter) for line in lines]
     over = {cell for row in rows if row and row[0] == "X_Dimension" for cell in row[1:] if cell}

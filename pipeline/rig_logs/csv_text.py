@@ -220,7 +220,7 @@ def is_stamp(cell: str) -> bool:
 
 
 def plain_number(cell: str, decimal: str) -> str:
-    """A number with a decimal point; other cells as they are, but for such a point."""
+    """A cell with its decimal mark as a point; where that is another mark, points become x, as no number has them."""
     return cell if decimal == "." else cell.replace(".", "x").replace(decimal, ".")
 
 

@@ -219,7 +219,7 @@ def _recording(path: Path, answer: dict[str, Any], data: IO[bytes]) -> Recording
     columns: dict[str, FloatArray] = {}
 
     def found(places: list[list[int]]) -> FloatArray:
-        """The column of which the child says that it lies there."""
+        """The column at the places that the child answered."""
         key = str(places)  # channels on one time base get the same object
         if key not in columns:
             try:

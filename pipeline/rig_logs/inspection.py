@@ -209,7 +209,7 @@ def _without_dropouts(signal: Signal, quality: SignalQuality, step: float) -> tu
 
 
 def _without_codes(recording: Recording) -> tuple[Recording, dict[str, dict[float, int]]]:
-    """A recording with NaN in place of codes for no value, and which channel has how many of which."""
+    """A recording with NaN in place of codes for no value, and the count of each code by channel."""
     codes = {channel.name: codes_in(channel.samples) for channel in recording.channels}
     bases = {id(channel.time): channel.time for channel in recording.channels if channel.time is not None}
     times = {key: masked(base, codes_in(base, of_time=True)) for key, base in bases.items()}

@@ -95,7 +95,7 @@ def free_run_error(measured: FloatArray, calculated: FloatArray, span: float) ->
 
 
 def simplest_within_one_standard_error(errors: Mapping[Choice, FloatArray], terms: Mapping[Choice, int]) -> Choice:
-    """Of the choices whose mean error is within one standard error of the lowest, the one with the fewest terms.
+    """The choice with the fewest terms among those whose mean error is within one standard error of the lowest.
 
     Breiman et al., Classification and Regression Trees (1984), section 3.4.3. Equal numbers of terms are decided by the
     mean error.

@@ -167,7 +167,7 @@ def _jumps(samples: FloatArray, least: float) -> IntArray:
 
 
 def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> IntArray:
-    """Rows of what lies between a jump to a level and one back; `flat` is what noise may reach there."""
+    """Rows between a jump to a level and one back; `flat` is the largest change by noise there."""
     bursts = []
     last = -1
     for before, end in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):

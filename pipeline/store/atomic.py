@@ -31,7 +31,7 @@ _NO_FOLDER_SYNC = (errno.EINVAL, errno.ENOTSUP, errno.EBADF)
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Within, `path` and what lies in it is read or looked up.
+    """Context in which `path` and its contents are read or looked up.
 
     Raises
     ------
@@ -50,7 +50,7 @@ def reading(path: Path) -> Iterator[None]:
 
 @contextmanager
 def writing(path: Path) -> Iterator[None]:
-    """Within, `path` or what lies in it is written.
+    """Context in which `path` or its contents are written.
 
     Raises
     ------

@@ -25,7 +25,7 @@ FIRST_TIME = "first time"
 
 @dataclass(frozen=True)
 class Task:
-    """One step of a stage: what it reads, what it writes, and what decides the result.
+    """One step of a stage: its inputs, its outputs, and the settings that decide the result.
 
     Attributes
     ----------
@@ -302,7 +302,7 @@ class _InOrder:
 
 @dataclass
 class _Step:
-    """A task under way: its raw files before they are read, what its outputs are made from, its beginning [s]."""
+    """A task under way: its raw files before they are read, the sources of its outputs, its beginning [s]."""
 
     task: Task
     sources: dict[Path, Seen]

@@ -1,4 +1,4 @@
-"""Inspection: contents of a raw log, what it excites once its channels are named, and what to add."""
+"""Inspection: contents of a raw log, its excitation once its channels are named, and experiments to add."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

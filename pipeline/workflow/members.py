@@ -1,4 +1,4 @@
-"""Prototypes of a batch, by name: settings files, folders, and tables of which each row becomes a settings file."""
+"""Prototypes of a batch, by name: settings files, folders, and tables whose rows become settings files."""
 
 import copy
 import csv

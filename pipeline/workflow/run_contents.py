@@ -1,4 +1,4 @@
-"""What a run holds as fits, exports and control take it: its logs, its models, and what control made of them."""
+"""Contents of a run for fits, exports and control: its logs, its models, and the documents of control."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any

@@ -213,7 +213,7 @@ class HybridModel:
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
-        """Free runs of an ensemble drawn from the parameters' posterior: what the data leave open.
+        """Free runs of an ensemble drawn from the parameters' posterior, which show what the data leave open.
 
         Parameters
         ----------

@@ -72,7 +72,7 @@ def _sides(name: str, prior_std: float, unit: str) -> list[Deviation]:
 
 
 def _unknown(name: str, typical: float, unit: str, prior_std: float = 1.2) -> Deviation:
-    """Deviation of the logarithm of a positive number of which only the order of magnitude is given."""
+    """Deviation of the logarithm of a positive number whose order of magnitude alone is given."""
     return Deviation(f"log {name}", prior_std, unit, typical)
 
 
@@ -163,7 +163,7 @@ are then enough, and a mode faster than any that the logs show replaces one that
 
 
 def nominal_deviations() -> FloatArray:
-    """Deviations of the parameter set itself, shape (P,): no friction, creep or whatever else it does not name."""
+    """Deviations of the parameter set itself, shape (P,): no friction, no creep, nothing that it does not name."""
     return np.array([0.0 if entry.typical is None else -50.0 for entry in DEVIATIONS])
 
 

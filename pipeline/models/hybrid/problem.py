@@ -397,7 +397,7 @@ def _settling(record: Log) -> int:
 
 
 def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
-    """Sample intervals [dt] along which an observer may follow, and how long [s] it has had something to follow.
+    """Mask of the sample intervals [dt] along which an observer may follow, and the time [s] for which it could.
 
     A gap of up to `BRIDGED` is followed along the spline over it. Beyond, where the joint may have turned, a run is
     free: pulled along a bridge it would be pulled astray.

@@ -214,7 +214,7 @@ class Followed(NamedTuple):
 
 
 class Stepping(NamedTuple):
-    """Steps of a run, and what every joint of it shares.
+    """Steps of a run, and the numbers that all its joints share.
 
     Attributes
     ----------

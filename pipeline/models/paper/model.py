@@ -89,7 +89,7 @@ def _rates(system, x, node, dx, acceleration):
 
 @inlined
 def _move(system, x, u, dx):
-    """Curves at q as sums over the basis, without what is negligible; then the state equation."""
+    """Curves at q as sums over the basis without negligible terms; then the state equation."""
     for s in range(len(system.values)):
         system.values[s] = 0.0
     for i in range(len(system.centres)):

@@ -226,7 +226,7 @@ def record_columns(piece: UniformRecord, names: Sequence[str]) -> dict[str, Floa
 
 
 def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> Iterator[str]:
-    """Remarks on suspicious signals, of which nothing is corrected, and on masked samples of q."""
+    """Remarks on suspicious signals, which are left as they are, and on masked samples of q."""
     plant = device(prototype)
     rate = prototype.ingest.sample_rate
     inputs = [
