@@ -11,6 +11,8 @@ from .graph import Graph, GraphSequence, Operation
 _OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<="}
 _LONGEST = 90
 """Characters of an expression that is written where it is used, if it is used once."""
+_CONDITIONS = frozenset({"lt", "le", "and", "or", "not", "finite"})
+"""Operations whose value is true or false."""
 
 
 class Code(str):
@@ -77,10 +79,6 @@ MATLAB = Language(
     "{}(1 + {} + {})",
     "{}",
 )  # fmt: skip
-
-
-_CONDITIONS = frozenset({"lt", "le", "and", "or", "not", "finite"})
-"""Operations whose value is true or false."""
 
 
 def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:

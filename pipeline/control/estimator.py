@@ -57,6 +57,15 @@ seconds after them."""
 STATUS = ("ok", "recovering", "lost signal", "given up")
 """Meaning of the status: readings lie outside the settling band about the estimate; readings are missing, so
 the voltages go to zero; the target was not reached, so the voltages are zero until the next one."""
+ESTIMATED = STATES + STOPS + 4
+"""Numbers of an estimate."""
+SIZES = {
+    "s": CONTROLLER_STATE, "signals": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2,
+    **dict.fromkeys(("y", "dx", "k1", "k2", "k3", "k4"), STATES),
+    "prepared": PREPARE.outputs["p"], "slopes": PREPARE_SLOPES.outputs["p"],
+    **dict.fromkeys(("curves", "rests", "targets", "braking"), 0),
+}  # fmt: skip
+"""Lengths of the arrays that the functions take; 0 of tables, which have any length."""
 
 
 def graph_of(function: Callable[..., Outputs]) -> Graph:
@@ -427,14 +436,3 @@ def known_state(now: State, n: Numbers) -> Outputs:
     status = choose(function("lt", 0.5, now["refused"][0]), 3.0, status)
     status = choose(function("lt", 0.5, now["lost"][0]), 2.0, status)
     return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"], status]}
-
-
-ESTIMATED = STATES + STOPS + 4
-"""Numbers of an estimate."""
-SIZES = {
-    "s": CONTROLLER_STATE, "signals": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2,
-    **dict.fromkeys(("y", "dx", "k1", "k2", "k3", "k4"), STATES),
-    "prepared": PREPARE.outputs["p"], "slopes": PREPARE_SLOPES.outputs["p"],
-    **dict.fromkeys(("curves", "rests", "targets", "braking"), 0),
-}  # fmt: skip
-"""Lengths of the arrays that the functions take; 0 of tables, which have any length."""

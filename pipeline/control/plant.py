@@ -34,6 +34,16 @@ UNITS = ("m", "m/s", "1", "1/s", "1", "1/s", *("1",) * (2 * BRANCHES), *(unit fo
 
 ASSUMED_LAG = 4e-3
 """Assumed time constant [s] of unknown converters."""
+_SAME = 1e-5  # m, between two equilibria that are one
+_BEYOND = 0.5
+"""Margin beyond the measured rests within which equilibria are sought, as a share of their distance. If the logs show
+no rests: the limit, as a share of the wall. A beam's identified length is no measure: other parameters offset it."""
+_PREPARED = PREPARE.outputs["p"]
+_RATES = JACOBIAN.outputs["f"]
+_BY_CORRECTIONS = JACOBIAN.outputs["by_c"]
+_ITERATIONS = 40  # steps of Newton's method
+_LONGEST = 2e4  # of a move, in steps of the differences
+_TOLERANCE = 1e-3  # of the last move, in the same steps
 
 
 class Constants(NamedTuple):
@@ -117,17 +127,9 @@ def forces(x: FloatArray, u: FloatArray, c: Constants) -> FloatArray:
     return out
 
 
-_SAME = 1e-5  # m
-_BEYOND = 0.5
-"""Margin beyond the measured rests within which equilibria are sought, as a share of their distance. If the logs show
-no rests: the limit, as a share of the wall. A beam's identified length is no measure: other parameters offset it."""
-
 _prepare = kernel(PREPARE)
 _slopes = kernel(JACOBIAN)
 _bell = formula(BELL_SHAPE)
-_PREPARED = PREPARE.outputs["p"]
-_RATES = JACOBIAN.outputs["f"]
-_BY_CORRECTIONS = JACOBIAN.outputs["by_c"]
 
 
 @dataclass(frozen=True)
@@ -320,11 +322,6 @@ def _root(left: Callable[[FloatArray], FloatArray], start: FloatArray, steps: Fl
         if size < _TOLERANCE:
             return at
     return None
-
-
-_ITERATIONS = 40
-_LONGEST = 2e4
-_TOLERANCE = 1e-3
 
 
 def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArray | None:

@@ -21,6 +21,17 @@ CELLS = 25
 LEAST_VOLTAGE = 0.2
 DURATIONS = (0.02, 1.0)
 """Lowest voltage that is tried, as a share of the largest; shortest and longest pulse of the map [s]."""
+PULSES = (0.1, 0.2, 0.5)
+"""Durations [s] of the pulses whose lowest voltages are computed."""
+TYPICAL = PULSES[1]
+"""Duration of the pulse by which the draws of a map are judged [s]."""
+RESOLUTION = 0.015
+TOLERANCE = 1e-9
+"""Relative step of the voltages at which a joint is tried first, and relative error of the lowest voltage.
+
+It is differentiated by differences of `TOLERANCE`^⅓. The parameters move along columns of their covariance's factor.
+Those that are moved singly leave the valley of the posterior, where the voltage is curved: one joint's deviation was
+1.25 % so."""
 
 
 @dataclass(frozen=True)
@@ -90,19 +101,6 @@ def pulses(voltages: FloatArray, durations: FloatArray, side: int) -> FloatArray
     # The last millisecond of a pulse carries what is left of its duration, as a share of the square.
     commands[:, :, side] = voltages[:, None] * np.sqrt(np.clip((durations[:, None] - t) / PERIOD, 0.0, 1.0))
     return commands
-
-
-PULSES = (0.1, 0.2, 0.5)
-"""Durations [s] of the pulses whose lowest voltages are computed."""
-TYPICAL = PULSES[1]
-"""Duration of the pulse by which the draws of a map are judged [s]."""
-RESOLUTION = 0.015
-TOLERANCE = 1e-9
-"""Relative step of the voltages at which a joint is tried first, and relative error of the lowest voltage.
-
-It is differentiated by differences of `TOLERANCE`^⅓. The parameters move along columns of their covariance's factor.
-Those that are moved singly leave the valley of the posterior, where the voltage is curved: one joint's deviation was
-1.25 % so."""
 
 
 @dataclass(frozen=True)

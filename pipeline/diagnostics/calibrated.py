@@ -12,6 +12,8 @@ from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90
 from ..units.units import POWERS
 
+_SIZES = [NAMES.index(f"log {unit}") for unit in ("length", "time", "voltage")]
+
 
 @dataclass(frozen=True)
 class Calibrated:
@@ -83,6 +85,3 @@ def _bounds(model: HybridModel, row: FloatArray) -> FloatArray:
     """0 and the central 90 % about it of a number that depends on the deviations by `row`, shape (3,)."""
     deviation = float(np.sqrt(np.sum((row @ model.spread[: len(row)]) ** 2)))
     return NORMAL_90 * deviation * np.array([0.0, -1.0, 1.0])
-
-
-_SIZES = [NAMES.index(f"log {unit}") for unit in ("length", "time", "voltage")]

@@ -54,6 +54,9 @@ DRAWN_COUPLING = 8.5e-9
 
 RESOLUTION = 0.01
 """Step of the converter, in ranges of q: beyond, velocities come in steps of a few per cent."""
+ROUNDING = 1e-9
+"""Range of q over its largest value up to which it is constant but for the rounding of its unit."""
+_MOST_BESIDE = 2  # logs that the table shows side by side
 
 
 def input_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
@@ -234,10 +237,6 @@ def _input_actions(fact: LogFacts, plant: Device) -> Iterator[Finding]:
             yield Finding("law", "good" if as_stated else "fair", fact.signals.name, actions[1], numbers)
 
 
-ROUNDING = 1e-9
-"""Range of q over its largest value up to which it is constant but for the rounding of its unit."""
-
-
 def motion_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
     """The findings on the motion of a log."""
     name = fact.signals.name
@@ -372,7 +371,6 @@ State = Literal["not seen", "ok", "note", "wrong"]
 """ok: within the limit; note: look at it; wrong: the model would be wrong; not seen: the log does not show it."""
 
 STATES: dict[Severity, State] = {"unseen": "not seen", "good": "ok", "fair": "note", "poor": "wrong"}
-_MOST_BESIDE = 2
 
 
 @dataclass(frozen=True)

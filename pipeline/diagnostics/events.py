@@ -26,6 +26,21 @@ BESIDE_MONOTONE = 0.5  # what a ring-down leaves unexplained, as a share of what
 LEAST_DAMPING = 1e-4  # damping ratio below which an oscillation is not a device's own: it is driven, or hum
 MAINS_WIDTH = 0.5  # Hz to either side of a line of the mains, where it appears in the samples
 FARTHEST = 30.0  # of the logarithms of decay and frequency [1/s], which stay finite
+RESTS = {"_left": "well_left", "_right": "well_right", "": "rest"}
+"""Key of the places of rest by the suffix of the other facts there, as of ``stiffness_left``."""
+BLOCK = 2e-3
+"""Window [s] in which a voltage step is sought."""
+STILL = 6
+SETTLED = 24
+"""Blocks without a change that make a plateau, and those of its beginning that are looked at."""
+CHANGE = 0.02
+"""Share of the largest voltage by which a plateau's blocks may differ."""
+HIGH = 0.8
+"""Share that is left of a step, from which on its decay is looked at, until noise reaches it."""
+LEAST_IN_DECAY = 4
+LEAST_STEPS = 3
+CROOKED = 0.02
+"""RMS share of a step that its exponential may miss; a ramp has 0.05 and more."""
 
 
 @dataclass(frozen=True)
@@ -114,10 +129,6 @@ def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
     return apart if apart.size <= MOST_STEPS else np.empty(0)
 
 
-RESTS = {"_left": "well_left", "_right": "well_right", "": "rest"}
-"""Key of the places of rest by the suffix of the other facts there, as of ``stiffness_left``."""
-
-
 def rest_events(
     records: list[tuple[FloatArray, FloatArray, FloatArray]],
     wells: Wells | NoWells,
@@ -186,21 +197,6 @@ def _ring_down(t: FloatArray, q: FloatArray, rest: slice, interval: float, wells
         crossings = np.flatnonzero(side[1:] != side[:-1])
         first += int(crossings[-1]) + 1 if crossings.size else 0
     return ring_down(t[first:stop], q[first:stop])
-
-
-BLOCK = 2e-3
-"""Window [s] in which a voltage step is sought."""
-STILL = 6
-SETTLED = 24
-"""Blocks without a change that make a plateau, and those of its beginning that are looked at."""
-CHANGE = 0.02
-"""Share of the largest voltage by which a plateau's blocks may differ."""
-HIGH = 0.8
-"""Share that is left of a step, from which on its decay is looked at, until noise reaches it."""
-LEAST_IN_DECAY = 4
-LEAST_STEPS = 3
-CROOKED = 0.02
-"""RMS share of a step that its exponential may miss; a ramp has 0.05 and more."""
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,9 @@ from typing import Literal
 from ..signals.findings import Finding, Number, Severity
 from .sentences import sentences
 
+OF_WELLS = ("switches", "switch_accuracy", "ambiguous", "wells")
+"""Thresholds that say nothing of a device without two wells."""
+
 
 @dataclass(frozen=True)
 class Threshold:
@@ -48,9 +51,6 @@ THRESHOLDS = {
         0.03, 0.1, "a rest between pulses still creeps and rings by 1 to 3 % of the distance of the wells"
     ),
 }
-
-OF_WELLS = ("switches", "switch_accuracy", "ambiguous", "wells")
-"""Thresholds that say nothing of a device without two wells."""
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,8 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 """Time of all files in the archive."""
 FLAGS = ("-std=c99", "-O2", "-ffp-contract=off")
 """Flags of every compiler; without contraction the digits are those of debist on any processor."""
+_COMPILING = 120.0
+"""Seconds after which a compiler is given up; it takes two."""
 
 
 @dataclass(frozen=True)
@@ -143,10 +145,6 @@ def _library(place: Path, identifier: str, compiler: "Compiler") -> bytes | None
     except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
         return None
     return library.read_bytes()
-
-
-_COMPILING = 120.0
-"""Seconds after which a compiler is given up; it takes two."""
 
 
 _BASE_UNITS: dict[str, dict[str, int]] = {

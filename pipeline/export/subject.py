@@ -24,6 +24,10 @@ _WEAKER = (0.2e-3, 3e-3)
 
 MATLAB_NAME = 63
 """Most letters of a name in MATLAB (namelengthmax)."""
+BREAKPOINTS = 201
+"""With this number linear interpolation is off by less than a thousandth of a curve's range."""
+SCALARS = frozenset({"h", "q0", "qdot0"})
+"""Inputs of functions that are single numbers."""
 
 
 @dataclass(frozen=True)
@@ -137,10 +141,6 @@ class Exported:
     notes: list[str] = field(default_factory=list)
 
 
-BREAKPOINTS = 201
-"""With this number linear interpolation is off by less than a thousandth of a curve's range."""
-
-
 def curve_tables(subject: Subject) -> list[dict[str, Any]]:
     """Restoring force F, damping d, and gains of the inputs; none for a model without curves.
 
@@ -163,10 +163,6 @@ class Variable:
     unit: str
     meaning: str
     nominal: float = 1.0
-
-
-SCALARS = frozenset({"h", "q0", "qdot0"})
-"""Inputs of functions that are single numbers."""
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,12 @@ from .homotopy import HomotopyFit
 
 SIGNIFICANCE = 0.16
 """Share of equal models that the test separates: one standard error, one-sided."""
+GROUPS = 10
+"""Groups of data whose estimates are compared."""
+ALONE = 0.03
+"""Share of the precision in some direction that the other groups must supply to be compared with one."""
+SINGULAR = 1e-10
+"""Smallest share of a precision that is more than rounding."""
 
 
 @dataclass(frozen=True)
@@ -67,16 +73,6 @@ def surely_smaller(errors: FloatArray, reference: FloatArray) -> bool:
     if count < 2.0:
         return False
     return bool(gain.mean() > stdtrit(count - 1.0, 1.0 - SIGNIFICANCE) * gain.std() / np.sqrt(count))
-
-
-GROUPS = 10
-"""Groups of data whose estimates are compared."""
-
-ALONE = 0.03
-"""Share of the precision in some direction that the other groups must supply to be compared with one."""
-
-SINGULAR = 1e-10
-"""Smallest share of a precision that is more than rounding."""
 
 
 def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:

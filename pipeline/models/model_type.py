@@ -23,15 +23,15 @@ from .model_file import read_part
 
 FITTED_SHARE = 0.75
 """Share of each training log that candidates are fitted to when they are judged on the rest."""
+LEAST_POINTS = 4
+"""Points that a measured curve needs within the range of the training data."""
+MAIN_MODEL = "headline"
+"""Entry of ``model.h5`` that names the model which the settings put first, or held-out data chose."""
 
 
 def fitted_samples(samples: int) -> int:
     """Number of fitted samples of a log."""
     return round(FITTED_SHARE * samples)
-
-
-LEAST_POINTS = 4
-"""Points that a measured curve needs within the range of the training data."""
 
 
 @dataclass(frozen=True)
@@ -158,10 +158,6 @@ class ModelType:
     fit: Callable[[Training], StoredModel]
     file: type[StoredModel]
     equations: str = ""
-
-
-MAIN_MODEL = "headline"
-"""Entry of ``model.h5`` that names the model which the settings put first, or held-out data chose."""
 
 
 def model_type(name: str) -> ModelType:

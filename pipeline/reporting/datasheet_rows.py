@@ -32,6 +32,8 @@ _PARTS = {
 
 
 Rows = list[tuple[str, ...]]
+LONGEST_LIST = 12  # numbers that one cell shows
+_UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|1_per_m|m|s|kg|V|Hz|N))$")
 
 
 @dataclass(frozen=True)
@@ -194,9 +196,6 @@ def element_rows(elements: Sequence[Mapping[str, Any]]) -> Rows:
         for element in elements
     ]
 
-
-LONGEST_LIST = 12
-_UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|1_per_m|m|s|kg|V|Hz|N))$")
 
 FactRows = list[tuple[str, str]]
 

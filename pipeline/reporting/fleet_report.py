@@ -22,6 +22,13 @@ FACTS = {column.key: column.fleet for column in FACT_COLUMNS if column.fleet}
 """Facts of the fleet's table and their headings."""
 WIDE = 20.0
 """Ratio of the largest to the least value beyond which an axis is logarithmic, and numbers have own decimals."""
+# A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
+OUTLIER = 3.5
+LEAST_VALUES = 6
+ERROR = "NRMSE of q"
+TRAINING = " (training)"
+LISTED = 200
+"""Rows of the page; `fleet-facts.parquet` and `fleet.parquet` have all prototypes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,15 +182,6 @@ def distribution(column: FleetColumn) -> Figure:
         x_log=log,
         half=True,
     )
-
-
-# A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
-OUTLIER = 3.5
-LEAST_VALUES = 6
-ERROR = "NRMSE of q"
-TRAINING = " (training)"
-LISTED = 200
-"""Rows of the page; `fleet-facts.parquet` and `fleet.parquet` have all prototypes."""
 
 
 def fleet_report(members: Iterable[Summary], page_name: str) -> str:

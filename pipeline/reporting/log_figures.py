@@ -20,6 +20,7 @@ from .tables import HEADINGS
 METHODS = {"tvregdiff": "TVRegDiff", "savitzky-golay": "Savitzky–Golay filter"}
 BASELINES_SHOWN = 2
 LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
+TUBE = "90 % tube"
 
 
 def log_figures(data: RunData, log: LogData, wells: Wells | NoWells) -> dict[str, Figure]:
@@ -242,9 +243,6 @@ def _with_tubes(limits: tuple[float, float], tubes: Sequence[Band]) -> tuple[tup
     most = 0.5 * (high - low)
     shown = max(min(low, least), low - most), min(max(high, largest), high + most)
     return shown, least < shown[0] or largest > shown[1]
-
-
-TUBE = "90 % tube"
 
 
 def _tubes(predicted: Mapping[str, FloatArray], model: str) -> Iterator[Band]:

@@ -40,6 +40,12 @@ _OF_ROWS = {
     "sindy-default": "sindy-default is pysindy with its defaults: quadratic terms, the strong form, no hidden state, "
     "no choice by free runs; sindy is the attempt at a good model."
 }
+_CONVERGED = 0.05
+"""Largest error of the curve of a stream that has converged, over the range of the curve."""
+SERIES_COLUMNS = ("fact", "first run", "last run", "from all runs", "change")
+"""Headings of `series_rows`."""
+_WIDE = 10.0
+"""Standard errors by which the facts of one device hardly scatter: three simulated devices scatter by more."""
 
 
 def notes_of(columns: Iterable[Column]) -> list[str]:
@@ -320,10 +326,6 @@ def study_conclusion(
     )
 
 
-_CONVERGED = 0.05
-"""Largest error of the curve of a stream that has converged, over the range of the curve."""
-
-
 def _online_conclusion(columns: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
     """A row for each stream: its errors at the end, and the time after which its curve stayed within `_CONVERGED`."""
     rows = []
@@ -350,12 +352,6 @@ def _online_conclusion(columns: Mapping[str, Any]) -> tuple[dict[str, Any], str]
         error = f"{100.0 * best['curve error']:.2g} % off at the end"
         texts.append(f"{case}, λ = {best['forgetting']:g} follows the curve best: {error}")
     return {title: tuple(row[title] for row in rows) for title in rows[0]}, "; ".join(texts)
-
-
-SERIES_COLUMNS = ("fact", "first run", "last run", "from all runs", "change")
-"""Headings of `series_rows`."""
-_WIDE = 10.0
-"""Standard errors by which the facts of one device hardly scatter: three simulated devices scatter by more."""
 
 
 def series_rows(series: "Series") -> list[tuple[str, ...]]:

@@ -12,6 +12,7 @@ from .parameters import RigParameters
 
 RATE = 30_000.0  # Hz, of the logs
 _POWER_FLOOR = 100.0  # V: below this the current limit, not the power limit, holds
+TIME_STEP = 0.5e-3  # s, of the joint's integration
 
 
 @dataclass(frozen=True)
@@ -173,9 +174,6 @@ class Probe:
 def _quantise(x: FloatArray, step: float) -> FloatArray:
     """`x` rounded to multiples of `step`."""
     return np.asarray(np.round(x / step) * step)
-
-
-TIME_STEP = 0.5e-3  # s, of the joint's integration
 
 
 @dataclass(frozen=True)

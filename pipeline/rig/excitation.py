@@ -36,6 +36,10 @@ EXCITATIONS = ("pulses", "chirps", "both", "steps", "multisine", *SHARES, "alter
 prototypes; "alternating" is `switching_pulses`."""
 SHORT_PULSES = 0.45
 SHORT_PAUSES = 0.6
+TIME = "time"
+INPUTS = ("v1", "v2")
+"""Names of the channels in the files: time [s], and the commands to the left and right converter [V]."""
+ENDINGS = (".csv", ".mat")
 
 
 @dataclass(frozen=True)
@@ -212,12 +216,6 @@ def draw_burst(
                 left=amplitude,
                 right=amplitude,
             )
-
-
-TIME = "time"
-INPUTS = ("v1", "v2")
-"""Names of the channels in the files: time [s], and the commands to the left and right converter [V]."""
-ENDINGS = (".csv", ".mat")
 
 
 @dataclass(frozen=True)

@@ -33,6 +33,16 @@ _MAX_TRIES = 20
 _BEAM_SHARE = 0.25  # of the beam's mass that moves with the frame, about
 
 _DRAWINGS = {"nominal": nominal, "table1": table1}
+INTERVAL = 1e-3
+"""Interval of the recording [s]."""
+_MORE = """\
+parameters = "nominal"  # the drawing, from which the simulated joint differs by workshop tolerances
+
+[compare]
+models = ["analytical", "sindy", "narx"]
+"""
+STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
+"""Resolution of the recorder [m, V]: a third of the instruments' noise."""
 
 
 class ExperimentFile(SettingsTable):
@@ -286,16 +296,6 @@ def prototype_toml(name: str, mass: float, files: Mapping[str, list[str]], form:
 
 
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
-INTERVAL = 1e-3
-"""Interval of the recording [s]."""
-_MORE = """\
-parameters = "nominal"  # the drawing, from which the simulated joint differs by workshop tolerances
-
-[compare]
-models = ["analytical", "sindy", "narx"]
-"""
-STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
-"""Resolution of the recorder [m, V]: a third of the instruments' noise."""
 
 
 def recorded() -> tuple[dict[str, Readings], str]:

@@ -41,6 +41,16 @@ _CANDIDATES = (
     (",", ","),
 )  # fmt: skip
 """Delimiters and decimal marks; of two that fit alike the first is taken. A comma may be both between quotes only."""
+SAMPLE_BYTES = 1 << 16
+_KEY = re.compile(r"[^\W\d]{2}\D*")
+"""A word before a value that an instrument states for each channel, and no damaged number."""
+_STATISTIC = re.compile(r"(?i)(min|max|mean|avg|average|median|std|stdev|stddev|rms|sum|total|count)(imum|\.|:)*:?")
+"""Word before the statistics that a program writes below each column."""
+_STATEMENT = re.compile(r"[:=]")  # in a remark, as of ``key: value``
+_SENTENCE = re.compile(r"[^\W\d_]{2,}\s+[^\W\d_]{2,}")
+_LABVIEW = "LabVIEW Measurement"  # the first line of such a file
+_END_OF_HEADER = "***End_of_Header***"
+_LEADING_ZERO = re.compile(r"0\d+")  # the decimals of a number that a comma cut
 
 
 @dataclass(frozen=True)
@@ -207,15 +217,6 @@ def _mostly_values(cells: Sequence[str], decimal: str) -> bool:
     return 2 * sum(values) > len(values)
 
 
-SAMPLE_BYTES = 1 << 16
-_KEY = re.compile(r"[^\W\d]{2}\D*")
-"""A word before a value that an instrument states for each channel, and no damaged number."""
-_STATISTIC = re.compile(r"(?i)(min|max|mean|avg|average|median|std|stdev|stddev|rms|sum|total|count)(imum|\.|:)*:?")
-"""Word before the statistics that a program writes below each column."""
-_STATEMENT = re.compile(r"[:=]")
-_SENTENCE = re.compile(r"[^\W\d_]{2,}\s+[^\W\d_]{2,}")
-
-
 @dataclass(frozen=True)
 class Dialect:
     """Format of a CSV file; rows count from 0."""
@@ -350,10 +351,6 @@ def _header_rows(
     return row, units if below is None else below
 
 
-_LABVIEW = "LabVIEW Measurement"
-_END_OF_HEADER = "***End_of_Header***"
-
-
 def _as_labview(lines: Sequence[str], options: CsvOptions) -> CsvOptions:
     """The options with the row of the names of a LabVIEW measurement file: the one below its second header."""
     ends = [i for i, line in enumerate(lines) if line.startswith(_END_OF_HEADER)]
@@ -417,9 +414,6 @@ def _check_marks(table: SampleTable, header: Sequence[str]) -> None:
         whole = any(NUMBER.match(cell) and table.decimal not in cell for _, cell in cells)
         if marked and (whole or table.decimal == "," or table.delimiter == ";"):
             raise UnreadableLogError(unclear_mark(marked, line + 1, header[column], table.decimal))
-
-
-_LEADING_ZERO = re.compile(r"0\d+")
 
 
 def _check_commas(table: SampleTable, above: Sequence[Sequence[str]]) -> None:

@@ -38,6 +38,15 @@ _UNITS = frozenset(_KNOWN.split())
 """Spellings by which a row of units is known."""
 
 Row = Sequence[str]
+_DISPLAY = re.compile(r"(?i)(vertical|horizontal|probe|trigger|time|x)\b")
+"""Label before a scale or an offset of an oscilloscope's display."""
+_HORIZONTAL = "Horizontal Units"  # key of the unit of time in files of oscilloscopes
+_UNITS_KEY = re.compile(r"(?i)(y_unit_label|(vertical |[vy]_?)units?)")
+_NAMES_KEY = re.compile(r"(?i)((trace|channel|signal) ?)?names?")
+_OF_CHANNELS = re.compile(
+    r"(?i)name|((var(iable)?|signal|tag|channel|sensor|parameter|point|kanal|messstelle)[_ ]?(name|id)?)|topic"
+)
+_OF_VALUES = re.compile(r"(?i)((var|variable|tag|signal|point)[_ ]?)?(value|wert|messwert|reading)s?")
 
 
 def bare_line(line: str) -> str:
@@ -160,10 +169,6 @@ def _numbers_called(
     return rates
 
 
-_DISPLAY = re.compile(r"(?i)(vertical|horizontal|probe|trigger|time|x)\b")
-"""Label before a scale or an offset of an oscilloscope's display."""
-
-
 def stated_scales(lines: Sequence[str], delimiter: str) -> list[str]:
     """Notes on numbers, behind names in lines above the data, that look like a calibration."""
     numbers = {}
@@ -204,11 +209,6 @@ def _unit_behind(heading: str, by_strokes: bool) -> re.Match[str] | None:
     return match if match and match["unit"].lower() in _UNITS - {"1"} else None
 
 
-_HORIZONTAL = "Horizontal Units"
-_UNITS_KEY = re.compile(r"(?i)(y_unit_label|(vertical |[vy]_?)units?)")
-_NAMES_KEY = re.compile(r"(?i)((trace|channel|signal) ?)?names?")
-
-
 def rows_by_key(above: list[Row]) -> tuple[int | None, int | None]:
     """The rows of names and of units that begin with an instrument's key, None where there are none.
 
@@ -221,12 +221,6 @@ def rows_by_key(above: list[Row]) -> tuple[int | None, int | None]:
         time = above[keys[_HORIZONTAL]] if _HORIZONTAL in keys else ()
         above[units] = [time[1] if len(time) > 1 else "", *above[units][1:]]
     return names, units
-
-
-_OF_CHANNELS = re.compile(
-    r"(?i)name|((var(iable)?|signal|tag|channel|sensor|parameter|point|kanal|messstelle)[_ ]?(name|id)?)|topic"
-)
-_OF_VALUES = re.compile(r"(?i)((var|variable|tag|signal|point)[_ ]?)?(value|wert|messwert|reading)s?")
 
 
 def check_long_table(header: Row, numeric: Sequence[bool], rows: Sequence[Row]) -> None:

@@ -31,18 +31,6 @@ _WORDS: dict[Purpose, re.Pattern[str]] = {
     "test": re.compile(rf"test{_OF_DATA}|tests|testing|prüf\w*|pruef\w*|check|holdout|unseen", re.IGNORECASE),
     "train": re.compile(r"train\w*|ident|identif\w*|fit|lern\w*", re.IGNORECASE),
 }
-
-
-def purpose_of(word: str) -> Purpose:
-    """Purpose of data that a word names, "" for any other word."""
-    return next((purpose for purpose, pattern in _WORDS.items() if pattern.fullmatch(word)), "")
-
-
-def purposes(name: str) -> set[Purpose]:
-    """Purposes of data that the words of a name state."""
-    return {purpose_of(word) for word in _BETWEEN_WORDS.split(name)} - {""}
-
-
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
 _WAYS_OUT = {
     "time": "; without one, leave this line out and see sample_rate",
@@ -59,7 +47,17 @@ _ALIKE = 0.8
 """Smaller over larger magnitude of an input's two signs from which it takes both alike."""
 _VELOCITY = re.compile(r"dot$|(?<!le)vel|speed|geschw|_dt$", re.IGNORECASE)
 _RATE = re.compile(r"(?<!/s)/s$|^rpm$", re.IGNORECASE)
-_BETWEEN = re.compile(r"[_\-. ]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
+_BETWEEN = re.compile(r"[_\-. ]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")  # words of a file's name
+
+
+def purpose_of(word: str) -> Purpose:
+    """Purpose of data that a word names, "" for any other word."""
+    return next((purpose for purpose, pattern in _WORDS.items() if pattern.fullmatch(word)), "")
+
+
+def purposes(name: str) -> set[Purpose]:
+    """Purposes of data that the words of a name state."""
+    return {purpose_of(word) for word in _BETWEEN_WORDS.split(name)} - {""}
 
 
 def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = None, folder: str = "this file") -> str:

@@ -37,6 +37,16 @@ from .source import (
 
 Reader = Callable[[int, int], NDArray[Any]]
 """First and end sample → samples."""
+TABLES = ("table", "timetable")
+_MOST_ELEMENTS = 1000
+_WAYS_OUT = {
+    "iddata": "save its vectors (NAME.u, NAME.y) and its sample time (NAME.Ts)",
+    "timeseries": "save its vectors (NAME.Time, NAME.Data)",
+    "complex array": "save its real part, real(NAME)",
+    "sparse array": "save full(NAME)",
+    "cell": "save what it holds as variables of their own, as NAME1 = NAME{1}",
+}
+"""Advice for variables that are not read, by their class."""
 
 
 @dataclass(frozen=True)
@@ -237,9 +247,6 @@ def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[M
     return channels
 
 
-TABLES = ("table", "timetable")
-
-
 def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], list[str]]:
     """The columns of the table `name` in a MAT file, and the names of those that hold no numbers.
 
@@ -280,18 +287,6 @@ def _column(name: str, values: Any, unit: str, time: str | None) -> MatChannel:
     samples = values / np.timedelta64(1, "s") if values.dtype.kind == "m" else values
     data = MatArray(samples.shape, samples.dtype.name, lambda first, last: samples[first:last])
     return _channel(name, data, unit, time)
-
-
-_MOST_ELEMENTS = 1000
-
-_WAYS_OUT = {
-    "iddata": "save its vectors (NAME.u, NAME.y) and its sample time (NAME.Ts)",
-    "timeseries": "save its vectors (NAME.Time, NAME.Data)",
-    "complex array": "save its real part, real(NAME)",
-    "sparse array": "save full(NAME)",
-    "cell": "save what it holds as variables of their own, as NAME1 = NAME{1}",
-}
-"""Advice for variables that are not read, by their class."""
 
 
 class MatSource(Source):

@@ -22,6 +22,12 @@ BLOCK = 2 * CHUNK // BLOCKS
 Entry = TypeVar("Entry", bound=np.generic)
 Signal = tuple[FloatArray, FloatArray]
 """Time stamps [s] and samples, in the order of the log."""
+_NINES = [10.0**digits - 1.0 for digits in range(3, 7)]
+_WHOLE = [2.0**bits for bits in (15, 16, 31, 32)]
+_CODES = [*_NINES[1:], *(-code for code in (*_NINES, *_WHOLE)), *(end - 1.0 for end in _WHOLE)]
+"""Codes that recorders write: nines, positive ones from 9999 on, and the ends of whole numbers of 16 and 32 bits."""
+_HUGE = 0.999e20
+"""No measurement is that large: 9.9E37 of instruments, 9.97E36 of netCDF, 1.8E308."""
 
 
 def chunks(size: int, overlap: int = 0) -> Iterator[slice]:
@@ -216,14 +222,6 @@ def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
     gone = select(time, ~usable)
     located = gone[np.isfinite(gone)]
     return float(timed.min()), float(timed.max()), gone.size, float(located[0]) if located.size else np.nan
-
-
-_NINES = [10.0**digits - 1.0 for digits in range(3, 7)]
-_WHOLE = [2.0**bits for bits in (15, 16, 31, 32)]
-_CODES = [*_NINES[1:], *(-code for code in (*_NINES, *_WHOLE)), *(end - 1.0 for end in _WHOLE)]
-"""Codes that recorders write: nines, positive ones from 9999 on, and the ends of whole numbers of 16 and 32 bits."""
-_HUGE = 0.999e20
-"""No measurement is that large: 9.9E37 of instruments, 9.97E36 of netCDF, 1.8E308."""
 
 
 def masked(samples: FloatArray, codes: Iterable[float]) -> FloatArray:

@@ -28,6 +28,11 @@ _ROUNDS = 25
 _LONGEST_SECANT = 4.0
 _SEARCH_TOLERANCE = 1e-3
 """Of a minimisation within the search, whose scale need not be known better than by a twentieth."""
+PAPER_EPSILON = 1e-6
+"""Rounding of the variation's corner beside a given α, for q in mm [(mm/s^order)²], degrees or mV."""
+_WINDOW = 14.0
+"""Window of the Savitzky-Golay filter in memory lengths of the smoother with the same noise and increments."""
+_DEGREE = 5  # of the polynomials in a window
 
 
 @dataclass(frozen=True)
@@ -223,12 +228,6 @@ def jump_weights(t: FloatArray, delta: float, order: int) -> FloatArray:
 
 
 Method = Literal["tvregdiff", "savitzky-golay"]
-
-PAPER_EPSILON = 1e-6
-"""Rounding of the variation's corner beside a given α, for q in mm [(mm/s^order)²], degrees or mV."""
-_WINDOW = 14.0
-"""Window of the Savitzky-Golay filter in memory lengths of the smoother with the same noise and increments."""
-_DEGREE = 5
 
 
 @dataclass(frozen=True)

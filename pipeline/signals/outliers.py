@@ -37,6 +37,7 @@ potentiometers slip by 2 %. Between them lies the width of the level of a lost t
 """
 _LONGEST = 0.25
 """Duration [s] of the longest burst; what is longer and far outside is a lost target, what is not may be a place."""
+_NO_ROWS = np.empty((0, 2), dtype=np.int64)
 
 
 def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArray, step: float) -> bool:
@@ -101,7 +102,6 @@ class Dropouts:
         return both[np.argsort(both[:, 0])]
 
 
-_NO_ROWS = np.empty((0, 2), dtype=np.int64)
 NONE = Dropouts(bursts=_NO_ROWS, held=_NO_ROWS, levels=(), cuts=np.empty((0, 2)), first=(np.nan, np.nan))
 
 

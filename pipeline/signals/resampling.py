@@ -43,6 +43,10 @@ REACH = 2.0
 """Half width of the kernel in output intervals."""
 
 _COEFFICIENTS = (1.1192, -12.2297, 52.0192, -112.3366, 126.2552, -60.1179)
+LEAST_RATIO = 1.5
+"""Fewest raw samples per output interval for decimation; fewer are interpolated."""
+_BLOCK = 1 << 15  # samples that are decimated at once
+_STEEPEST = 1.5  # times the steps beside it, the largest slope at a sample
 
 
 def filtered_samples(values: FloatArray, ratio: int) -> FloatArray:
@@ -122,12 +126,6 @@ def _sharpening() -> tuple[float, float]:
     weights = kernel(fine)
     m2, m4 = (float(np.sum(weights * fine**power) / np.sum(weights)) for power in (2, 4))
     return -m2 / 2.0, m2 / 24.0 + (m2 / 2.0) ** 2 - m4 / 24.0
-
-
-LEAST_RATIO = 1.5
-"""Fewest raw samples per output interval for decimation; fewer are interpolated."""
-
-_BLOCK = 1 << 15
 
 
 def uniform_grid(start: float, stop: float, interval: float) -> FloatArray:
@@ -342,9 +340,6 @@ def _shares(around: FloatArray, before: int, count: int, at_end: bool) -> FloatA
     middles = 0.5 * (around[1:] + around[:-1])
     bounds = np.concatenate((around[:1] if before == 0 else [], middles, around[-1:] if at_end else []))
     return np.diff(bounds)[:count]
-
-
-_STEEPEST = 1.5
 
 
 def interpolated(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smooth: bool) -> Iterator[FloatArray]:

@@ -36,6 +36,14 @@ _APPROACH = 15.0
 """Widths of the level over which an approach is looked at."""
 IN_A_ROW = 3
 """Samples that make a stay."""
+OF_BESIDE = 4.0
+"""Times what is beside it that a jump or a spike is at least; a motion of eight samples a period has up to 2."""
+BESIDE_SPIKE = 32
+"""Samples on either side whose noise a spike is compared with: an amplifier may be noisier while it is on."""
+MOST_LEVELS = 8
+"""Different values up to which they are listed one by one."""
+BOTH_SIGNS = 0.1
+"""Share of an input's largest magnitude beyond which it takes a sign."""
 
 
 @dataclass(frozen=True)
@@ -194,16 +202,6 @@ def _passed(values: FloatArray, usual: tuple[float, float], end: int, beyond: fl
         over = sign * (values[rows] - usual[end]) > beyond
         count += int(np.count_nonzero(over[1:] & over[:-1]))
     return count >= IN_A_ROW
-
-
-OF_BESIDE = 4.0
-"""Times what is beside it that a jump or a spike is at least; a motion of eight samples a period has up to 2."""
-BESIDE_SPIKE = 32
-"""Samples on either side whose noise a spike is compared with: an amplifier may be noisier while it is on."""
-MOST_LEVELS = 8
-"""Different values up to which they are listed one by one."""
-BOTH_SIGNS = 0.1
-"""Share of an input's largest magnitude beyond which it takes a sign."""
 
 
 @dataclass(frozen=True)

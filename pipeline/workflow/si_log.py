@@ -41,6 +41,9 @@ from ..signals.timebase import nominal_step, unwrapped
 from ..units.quantity import quantity
 from ..units.units import DISPLACEMENT, INPUT, SECONDS, TIME, VELOCITY, SiUnit, to_si
 
+_RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
+_UNIT_IN_NAME = re.compile(r"[\[(](?P<unit>[^\[\]()]+)[\])]$")
+
 
 def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | None) -> RawLog:
     """The log with the displacement of the joint [m] in place of its angle [rad]; one of a length as it is.
@@ -81,9 +84,6 @@ def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | 
     # Part by part, so that a long log does not lie in memory.
     displacement = (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
     return replace(log, q=(time, column(phi.size, displacement, np.float64)), velocity=velocity)
-
-
-_RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
 
 
 def read_si(
@@ -444,9 +444,6 @@ def _rate_of_column(column: RecordedChannel, wanted: float) -> dict[str, float]:
     steps = (float(numbers[-1] - numbers[0]) / (numbers.size - 1), nominal_step(numbers))  # with gaps, or coarse stamps
     rates = [1.0 / (step * factor) for factor in factors for step in steps]
     return {column.name: next((rate for rate in rates if abs(rate / wanted - 1.0) <= _RATES_AGREE), 1.0 / steps[0])}
-
-
-_UNIT_IN_NAME = re.compile(r"[\[(](?P<unit>[^\[\]()]+)[\])]$")
 
 
 def _check_unit(path: Path, channel: str, stated: str, unit: str, resolved: SiUnit) -> None:

@@ -51,6 +51,20 @@ _rest_forces = kernel(REST_FORCES)
 _inertia = kernel(INERTIA)
 _first_bell = formula(FIRST_BELL)
 _next_bell = formula(NEXT_BELL)
+TABLE_WIDTHS = 6.5
+"""Width σ beyond the outermost centres that a table spans: there a Gaussian is below 1e-9 of its height."""
+COLUMNS = 16
+"""Columns side by side."""
+STEP_STAGES = len(SHARES)
+"""Stages of a step."""
+STAGES = 2 * STEP_STAGES
+"""Stages side by side: those of two steps."""
+STEP_SLOTS = STEP_STAGES + 1
+"""The stages of a step, and its end."""
+SLOTS = 2 * STEP_SLOTS
+ENTRIES = STATES + STOPS
+"""Entries of a column."""
+PLAY_WEIGHTS = 3 + 2 * STOPS * STEP_SLOTS
 
 
 @compiled
@@ -149,10 +163,6 @@ def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatA
         value = next_value
 
 
-TABLE_WIDTHS = 6.5
-"""Width σ beyond the outermost centres that a table spans: there a Gaussian is below 1e-9 of its height."""
-
-
 def tabulate(basis: FloatArray, weights: FloatArray, density: int) -> tuple[float, float, FloatArray]:
     """The corrections of one joint as tables.
 
@@ -187,20 +197,6 @@ def tabulate(basis: FloatArray, weights: FloatArray, density: int) -> tuple[floa
     coefficients = np.zeros((cells + 2, 6, CURVES))
     coefficients[1:-1] = np.swapaxes(PPoly.from_bernstein_basis(quintics).c[::-1], 0, 1)
     return first - 1.0 / per_metre, per_metre, coefficients
-
-
-COLUMNS = 16
-"""Columns side by side."""
-STEP_STAGES = len(SHARES)
-"""Stages of a step."""
-STAGES = 2 * STEP_STAGES
-"""Stages side by side: those of two steps."""
-STEP_SLOTS = STEP_STAGES + 1
-"""The stages of a step, and its end."""
-SLOTS = 2 * STEP_SLOTS
-ENTRIES = STATES + STOPS
-"""Entries of a column."""
-PLAY_WEIGHTS = 3 + 2 * STOPS * STEP_SLOTS
 
 
 def _column_step() -> Graph:

@@ -58,6 +58,12 @@ _WEIGHTS = np.array(
 
 
 _Size = Annotated[float, Field(ge=1e-3, le=1e3)]
+ANGLE_IS_READ = (
+    "{name} was identified from the angle of the joint, and {what} of it take a measured displacement; {way_out}"
+)
+"""Message with which uses of a model that read q alone refuse it."""
+_NEWTON = 4
+"""Steps from linear interpolation of 0.25 mm to rounding."""
 
 
 @stored.dataclass(frozen=True, config=STORED)
@@ -103,13 +109,6 @@ class Similarity:
 
 SAME = Similarity()
 """The set's own joint."""
-
-ANGLE_IS_READ = (
-    "{name} was identified from the angle of the joint, and {what} of it take a measured displacement; {way_out}"
-)
-"""Message with which uses of a model that read q alone refuse it."""
-_NEWTON = 4
-"""Steps from linear interpolation of 0.25 mm to rounding."""
 
 
 @dataclasses.dataclass(frozen=True)

@@ -33,6 +33,20 @@ from .kernels import CURVES, INDEX, prepare
 from .log_reading import DIMENSIONS
 from .statics import rest_state
 
+_ELEMENTS = (*(f"stop {{}} {i}" for i in range(SLIPS)), *(f"layer {{}} {i}" for i in range(LAYERS)))
+"""Names of the slips of friction and of the layers of the beam that yield, for their forces and travels."""
+_FORCES = (*SLIPS * (0.5e-3,), *LAYERS * (0.15e-3,))
+"""Their typical forces [N]."""
+CHARGING_TIME = 1e-3
+"""Typical time constant [s] of a membrane behind its electrodes: some 10 nF behind some 100 kΩ."""
+_TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3, 2e-3, 8e-3])  # typical ones of the stops
+_CREEP_TIMES = np.array([0.06, 1.0])  # s
+_SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
+_LEAST_INERTIA = 2e-7  # kg·m²
+_FASTEST = 440.0
+"""Rate [1/s] of slope and interior mode against the beam's loss that least inertias allow: two or three steps in 10 ms
+are then enough, and a mode faster than any that the logs show replaces one that is faster still."""
+
 
 @dataclass(frozen=True)
 class Deviation:
@@ -75,14 +89,6 @@ def _unknown(name: str, typical: float, unit: str, prior_std: float = 1.2) -> De
     """Deviation of the logarithm of a positive number whose order of magnitude alone is given."""
     return Deviation(f"log {name}", prior_std, unit, typical)
 
-
-_ELEMENTS = (*(f"stop {{}} {i}" for i in range(SLIPS)), *(f"layer {{}} {i}" for i in range(LAYERS)))
-"""Names of the slips of friction and of the layers of the beam that yield, for their forces and travels."""
-_FORCES = (*SLIPS * (0.5e-3,), *LAYERS * (0.15e-3,))
-"""Their typical forces [N]."""
-
-CHARGING_TIME = 1e-3
-"""Typical time constant [s] of a membrane behind its electrodes: some 10 nF behind some 100 kΩ."""
 
 DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("log length", 0.2, "m"),
@@ -153,13 +159,6 @@ _LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
 _TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
 _KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
 OF_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "delay", "log charging time", "probe 1", "probe 2")]
-_TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3, 2e-3, 8e-3])
-_CREEP_TIMES = np.array([0.06, 1.0])
-_SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
-_LEAST_INERTIA = 2e-7  # kg·m²
-_FASTEST = 440.0
-"""Rate [1/s] of slope and interior mode against the beam's loss that least inertias allow: two or three steps in 10 ms
-are then enough, and a mode faster than any that the logs show replaces one that is faster still."""
 
 
 def nominal_deviations() -> FloatArray:

@@ -36,6 +36,15 @@ only asymmetric; beyond it the laser's zero is taken to be elsewhere."""
 
 WELLS_DIFFER = 0.1
 """Share by which frequency and sensitivity of an asymmetric joint's two wells differ; errors below it weigh alike."""
+OWN_MATERIAL = 0.045
+OWN_MOUNT = 0.45
+"""Shares of variance that are each side's own: in moduli and capacitance, as both membranes are cut from one film, and
+in the places of the mounts."""
+ALIKE = 0.9
+"""Correlation of a correction with its mirror image."""
+_EVEN = ("damping", "stiffness", "loss")
+"""Corrections that a mirrored joint has with the same sign at −q; generalised forces have the other one."""
+_MIRROR = {"left": "right", "right": "left"}
 
 
 @dataclass(frozen=True)
@@ -185,21 +194,6 @@ def _reference_motion(parameters: JointParameters) -> _SmallMotion:
         stiffness=float((force[rest + 1] - force[rest]) / (q[1] - q[0]) / mass),
         gains=np.array([left[rest], right[rest]]) / mass,
     )
-
-
-OWN_MATERIAL = 0.045
-OWN_MOUNT = 0.45
-"""Shares of variance that are each side's own: in moduli and capacitance, as both membranes are cut from one film, and
-in the places of the mounts."""
-
-ALIKE = 0.9
-"""Correlation of a correction with its mirror image."""
-
-_EVEN = ("damping", "stiffness", "loss")
-"""Corrections that a mirrored joint has with the same sign at −q; generalised forces have the other one."""
-
-
-_MIRROR = {"left": "right", "right": "left"}
 
 
 def prior_root(

@@ -46,6 +46,8 @@ _SECANTS = 20
 """Most steps to the displacement at a reading; five lead to rounding."""
 _FARTHEST = (0.05, 0.15)
 """Largest changes of τ and β in an iteration."""
+_SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
+_NUDGE = 1e-6  # m
 
 
 @inner
@@ -249,10 +251,6 @@ def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, s
         if np.abs(growth).max() <= 1.0:
             return steps
     return most
-
-
-_SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
-_NUDGE = 1e-6  # m
 
 
 def _shape_slopes(

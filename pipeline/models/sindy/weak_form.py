@@ -41,6 +41,19 @@ from ..polynomial_dynamics import (
 HIGHEST = 7
 COUPLED = 4
 """Highest power of q alone, and of q as a factor of velocities, inputs and lags."""
+LAG_SETS = ((), (1.0, 8.0), (2.0, 16.0), (1 / 3, 2.0, 8.0))
+"""Lag times to try, over the time scale of the motion (RMS q̇ over RMS q̈: 60 ms for the joint)."""
+TEST_FUNCTIONS = 500
+"""In all training data together. They bound the cost, and cover the paper's log one and a half times."""
+LEAST_SAMPLES = 2
+"""Sample intervals in half a test function."""
+STEPS = 30
+MOST_ROWS = 60_000
+"""Steps of the grid in half a test function, unless voltages are known more finely, and its most rows."""
+SLOW = 0.05
+"""Speed w of the smoothed friction tanh(q̇/w), over the largest speed."""
+_SHORTEST_LAG = 0.25
+"""Shortest lag as a share of a sample interval."""
 
 
 @contextmanager
@@ -115,21 +128,6 @@ def weak_rows(
         )
         rows = np.asarray(weak.fit_transform(terms[:, first]))
         return exponents[first], rows, np.asarray(weak.convert_u_dot_integral(qdot[:, None]))[:, 0]
-
-
-LAG_SETS = ((), (1.0, 8.0), (2.0, 16.0), (1 / 3, 2.0, 8.0))
-"""Lag times to try, over the time scale of the motion (RMS q̇ over RMS q̈: 60 ms for the joint)."""
-TEST_FUNCTIONS = 500
-"""In all training data together. They bound the cost, and cover the paper's log one and a half times."""
-LEAST_SAMPLES = 2
-"""Sample intervals in half a test function."""
-STEPS = 30
-MOST_ROWS = 60_000
-"""Steps of the grid in half a test function, unless voltages are known more finely, and its most rows."""
-SLOW = 0.05
-"""Speed w of the smoothed friction tanh(q̇/w), over the largest speed."""
-_SHORTEST_LAG = 0.25
-"""Shortest lag as a share of a sample interval."""
 
 
 @dataclass(frozen=True)
