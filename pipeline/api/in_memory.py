@@ -20,7 +20,7 @@ from ..models.model_type import StoredModel, model_type
 from ..numerics.arrays import FloatArray
 from ..settings.models import AUTO, ENTRIES, entry, names
 from ..settings.prototype import Plant, Prototype, parse_prototype
-from ..signals.columns import codes_in, masked
+from ..signals.columns import Signal, codes_in, masked
 from ..signals.findings import scale_suspicion
 from ..signals.log import UNKNOWN, Log, RawLog, log_of
 from ..signals.remarks import code_remarks
@@ -213,7 +213,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
     stamps = np.ascontiguousarray(signals.t)
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
-    q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
+    q, *inputs = (Signal(stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
     log = on_uniform_clocks(
         RawLog(
             q,
@@ -223,7 +223,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
     )
     if signals.unit != "m":
         log = with_displacement(log, device(prototype), parameter_set(prototype, _in_this_folder()))
-    measured = log.q[1][np.isfinite(log.q[1])]
+    measured = log.q.samples[np.isfinite(log.q.samples)]
     refuse_other_units({"q": float(np.ptp(measured)) if measured.size else 0.0}, prototype)
     resamplings, noticed = examined(log, prototype, where)
     fine, coarse = (record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings)

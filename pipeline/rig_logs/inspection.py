@@ -148,7 +148,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         remarks = (*code_remarks(own), *usual)
         time = column if channel.time is None else channel.time
         if position is not None and time is not None and channel.name in driving["q"]:
-            lost, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)
+            lost, quality = _without_dropouts(Signal(time, channel.samples), quality, bases[position].step)
             remarks += tuple(dropout_remarks(lost, unit=channel.unit))
         remarks = () if own_time and channel.time is None else remarks
         channels.append(
@@ -160,7 +160,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
                 quality=quality,
                 remarks=remarks,
                 codes=tuple(own),
-                every=sparse((channel.samples, channel.samples))[1],
+                every=sparse(Signal(channel.samples, channel.samples))[1],
                 description=recording.descriptions.get(channel.name, ""),
             )
         )
@@ -202,10 +202,10 @@ def _without_dropouts(signal: Signal, quality: SignalQuality, step: float) -> tu
     lost = NONE if quality.levels else dropouts(signal, (), quality, step)
     if not lost.spans.size:
         return lost, quality
-    samples = signal[1].copy()
+    samples = signal.samples.copy()
     for first, end in lost.spans:
         samples[first:end] = np.nan
-    return lost, replace(quality, band=examine_signal(signal[0], samples, step).band)
+    return lost, replace(quality, band=examine_signal(signal.time, samples, step).band)
 
 
 def _without_codes(recording: Recording) -> tuple[Recording, dict[str, dict[float, int]]]:

@@ -57,8 +57,9 @@ def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArra
     from scipy.special import bdtrc
 
     anywhere = stamps[:: max(1, stamps.size // BLOCK)]
-    for signal in inputs:
-        least = 2.0 * REACH * noise_level(select(signal[1], finite(signal[1])))
+    for time, samples in inputs:
+        signal = Signal(time, samples)
+        least = 2.0 * REACH * noise_level(select(samples, finite(samples)))
         count = int(np.count_nonzero(_changed(signal, times, step, least)))
         if count and bdtrc(count - 1, times.size, float(np.mean(_changed(signal, anywhere, step, least)))) < CHANCE:
             return True
@@ -67,10 +68,11 @@ def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArra
 
 def _changed(signal: Signal, times: FloatArray, step: float, least: float) -> BoolArray:
     """Mask of the times [s] at which an input differs by more than `least` from its value shortly before."""
-    before = np.searchsorted(signal[0], times - max(GAP_STEPS * step, _ANSWER))
-    now = np.searchsorted(signal[0], times + step)
-    last = signal[1].size - 1
-    return np.asarray(np.abs(signal[1][np.minimum(now, last)] - signal[1][np.minimum(before, last)]) > least)
+    before = np.searchsorted(signal.time, times - max(GAP_STEPS * step, _ANSWER))
+    now = np.searchsorted(signal.time, times + step)
+    last = signal.samples.size - 1
+    changes = signal.samples[np.minimum(now, last)] - signal.samples[np.minimum(before, last)]
+    return np.asarray(np.abs(changes) > least)
 
 
 @dataclass(frozen=True)
@@ -208,7 +210,7 @@ def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:
     count, first = single_spikes(values, noise)
     if not 0 < count <= SELDOM * values.size:
         return signal, 0, np.nan
-    return (time, bridged(samples, noise)), count, float(select(time, usable)[first[0]])
+    return Signal(time, bridged(samples, noise)), count, float(select(time, usable)[first[0]])
 
 
 def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float) -> tuple[float, float]:
@@ -234,18 +236,19 @@ def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, ste
     Cost: two passes over q, and where there is such a level two more, in chunks; the memory is that of a chunk and of
     the places where the level is entered and left.
     """
+    stamps, samples = q
     smallest, largest = quality.usual
     span = largest - smallest
     width = min(max(2.0 * REACH * quality.noise, _LEAST * span), _MUCH * span)
     ends = []
     for sign, bottom, other in ((-1.0, -smallest - width, -largest), (1.0, largest - width, smallest)):
-        bound = _gap(q[1], (bottom, bottom + 2.0 * width), other, sign)
+        bound = _gap(samples, (bottom, bottom + 2.0 * width), other, sign)
         if bound < np.inf:
-            runs = runs_between(q[1], bound, np.inf) if sign > 0.0 else runs_between(q[1], -np.inf, -bound)
+            runs = runs_between(samples, bound, np.inf) if sign > 0.0 else runs_between(samples, -np.inf, -bound)
             edges = np.unique(runs)
-            times = q[0][edges[(edges > 0) & (edges < q[1].size)]]
-            most = 2 * np.diff(runs).sum() >= q[1].size
-            bound = np.inf if most or answer_inputs(times[np.isfinite(times)], inputs, q[0], step) else bound
+            times = stamps[edges[(edges > 0) & (edges < samples.size)]]
+            most = 2 * np.diff(runs).sum() >= samples.size
+            bound = np.inf if most or answer_inputs(times[np.isfinite(times)], inputs, stamps, step) else bound
         ends.append(sign * bound)
     return ends[0], ends[1]
 
@@ -336,7 +339,7 @@ def trusted(
     time, samples = q
     bounds = lost_bounds(q, inputs, quality, step) if lost and not quality.constant else (-np.inf, np.inf)
     measured = _within(samples, bounds)
-    dropouts_of_q = dropouts((time, measured), inputs, quality, step) if lost and inert else NONE
+    dropouts_of_q = dropouts(Signal(time, measured), inputs, quality, step) if lost and inert else NONE
     measured = _without(measured, dropouts_of_q.spans)
     if measured is not samples:  # their values do not describe the motion
         as_measured = {key: getattr(quality, key) for key in ("n", "not_finite", "lost", "not_finite_at")}

@@ -12,7 +12,7 @@ from ...diagnostics.sentences import judge, sentences
 from ...errors import DataRefusedError
 from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
-from ...signals.columns import missing, scaled
+from ...signals.columns import Signal, missing, scaled
 from ...signals.findings import (
     Finding,
     coarse_inputs,
@@ -53,11 +53,11 @@ def corrected_log(log: RawLog, by: Corrections) -> RawLog:
         return made.setdefault((id(time), delay), scaled(time, by.clock, delay))
 
     inputs = [
-        (base(time, by.delay), scaled(samples, gain, 0.0))
+        Signal(base(time, by.delay), scaled(samples, gain, 0.0))
         for (time, samples), gain in zip(log.inputs, by.gains, strict=True)
     ]
-    q = base(log.q[0]), scaled(log.q[1], by.gain_q, by.zero)
-    velocity = None if log.velocity is None else (base(log.velocity[0]), log.velocity[1])
+    q = Signal(base(log.q.time), scaled(log.q.samples, by.gain_q, by.zero))
+    velocity = None if log.velocity is None else Signal(base(log.velocity.time), log.velocity.samples)
     return RawLog(q, tuple(inputs), velocity, log.notes)
 
 
@@ -80,12 +80,12 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[R
     settings = prototype.ingest
     interval = settings.sample_interval
     try:
-        raw_step = nominal_step(signals.q[0])
+        raw_step = nominal_step(signals.q.time)
         signals = _without_spikes(signals, settings)
         trusted = _trusted(signals, prototype, raw_step)
         warnings = [*signals.notes, *_warnings(signals, prototype, trusted)]
         usable = survey(
-            (signals.q[0], trusted.samples),
+            Signal(signals.q.time, trusted.samples),
             signals.beside,
             gaps=settings.gaps,
             time_reversal=settings.time_reversal,
@@ -94,7 +94,7 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[R
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     quality = trusted.quality
-    clock = examine(signals.q[0])
+    clock = examine(signals.q.time)
     _refuse_no_record(where, usable.span, interval, usable.rows.keep.size * raw_step)
     _refuse_other_clock(where, clock, quality, prototype)
     finest = max(settings.record_interval, raw_step * (1.0 - 1e-3))
@@ -140,7 +140,7 @@ def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
     texts = list[str]()
     inputs = []
     for k, signal in enumerate(signals.inputs if settings.spikes == "mask" else (), start=1):
-        bridged, count, first = without_spikes(signal, nominal_step(signal[0]))
+        bridged, count, first = without_spikes(signal, nominal_step(signal.time))
         if count:
             texts.append(f"v{k}: {bridged_remark(count, first)}")
         inputs.append(bridged)
@@ -158,7 +158,7 @@ def _few_samples(signals: RawLog, interval: float) -> tuple[list[str], list[Find
     """Inputs with stamps of their own that may have been recorded on change only, and those with too long steps for a
     sample interval [s].
     """
-    own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q[0]}
+    own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q.time}
     steps = {name: nominal_step(time) for name, time in own.items()}
     few = [name for name, time in own.items() if seldom(time.size, steps[name], float(time[-1] - time[0]))]
     return few, coarse_inputs(steps, interval)
@@ -195,12 +195,12 @@ def _sensor(signals: RawLog, quality: SignalQuality) -> dict[str, Any]:
 
     A sketch of the samples serves to recognise a copy.
     """
-    step = resolution(signals.q[1])
+    step = resolution(signals.q.samples)
     return {
         "noise": quality.noise,
         "resolution": step,
         "hum": [line.frequency for line in quality.hum if line.stands_out],
-        "held": held_samples(signals.q[1], step),
+        "held": held_samples(signals.q.samples, step),
         "sketch": sketch(*signals.q),
     }
 
