@@ -1,7 +1,7 @@
 """The page of one run."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -63,18 +63,8 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure], j
         f"{log.key}-{kind}": _without_q(figures[f"{log.key}-{kind}"]) for kind in SECTION_TITLES for log in data.logs
     }
     shown = {first.name, *(f"{log.key}-{kind}" for kind in LOG_FIGURES for log in data.logs)}
-    charts: dict[str, list[dict[str, Any]]] = {kind: [] for kind in ("residual", "study", "control", "")}
-    drawn = {name: figure for name, figure in figures.items() if name not in shown}
-    for name, made in zip(drawn, in_processes(partial(chart, models=models), list(drawn.values()), jobs), strict=True):
-        kind = name.partition("-")[0]
-        charts[kind if kind in charts else ""].append(made)
+    charts = _charts({name: figure for name, figure in figures.items() if name not in shown}, models, jobs)
     rows = sheet_rows(sheet.facts)
-    lengths = (
-        f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, "
-        f"{short(sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs), 4)} s"
-        for role in ("train", "validation")
-        if (logs := data.role(role))
-    )
     log_checks = [CheckRow(**row) for row in data.log_checks]
     check_header, check_rows = beside(log_checks)
     judged_by = {check.name for check in sheet.checks}
@@ -84,7 +74,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure], j
         ("uplot.min.js", "tables.js", "series.js", "viewer.js"),
         {
             "name": data.prototype.name,
-            "subtitle": " · ".join((*lengths, f"models {', '.join(models)}")),
+            "subtitle": " · ".join((*_lengths(data), f"models {', '.join(models)}")),
             "main_model": sheet.main_model,
             "assessment": assessment(sheet.checks),
             "data_grade": sheet.grades["data"],
@@ -136,6 +126,26 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure], j
             "viewer_json": json_for_script(viewer_data([first, *views.values()], models)),
         },
     )
+
+
+def _charts(figures: Mapping[str, Figure], models: Sequence[str], jobs: int) -> dict[str, list[dict[str, Any]]]:
+    """The figures drawn in `jobs` processes, by the kind with which their names begin; "" for those of the device."""
+    charts: dict[str, list[dict[str, Any]]] = {kind: [] for kind in ("residual", "study", "control", "")}
+    drawn = in_processes(partial(chart, models=models), list(figures.values()), jobs)
+    for name, made in zip(figures, drawn, strict=True):
+        kind = name.partition("-")[0]
+        charts[kind if kind in charts else ""].append(made)
+    return charts
+
+
+def _lengths(data: RunData) -> Iterator[str]:
+    """Number and length of the training logs, then of the validation logs."""
+    for role in ("train", "validation"):
+        logs = data.role(role)
+        if logs:
+            several = "s" if len(logs) > 1 else ""
+            seconds = sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs)
+            yield f"{len(logs)} {ROLE_WORDS[role]} log{several}, {short(seconds, 4)} s"
 
 
 def assessment(checks: Sequence[Check]) -> str:

@@ -317,31 +317,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     located = tuple(select(time, ~usable)[:LOCATED].tolist())
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
-        return SignalQuality(
-            n=samples.size,
-            not_finite=missing,
-            lost=lost,
-            not_finite_at=located,
-            smallest=np.nan,
-            largest=np.nan,
-            mean=np.nan,
-            usual=(np.nan, np.nan),
-            noise=np.nan,
-            idle=False,
-            low_rail=0.0,
-            high_rail=0.0,
-            rails=(),
-            stepped=False,
-            levels=(),
-            longest_frozen=0.0,
-            frozen_samples=0,
-            frozen_at=np.nan,
-            rests=False,
-            spikes=0,
-            spikes_at=(),
-            hum=(),
-            band=Bandwidth(np.nan, np.nan),
-        )
+        return _nothing_finite(samples.size, located)
     smallest, largest = span(values)
     noise = noise_level(values)
     frozen, start = _longest_run(values)
@@ -373,6 +349,35 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         spikes_at=tuple(stamps[first_spikes].tolist()),
         hum=tuple(line for f in MAINS if (line := hum(values, step, f)) is not None),
         band=bandwidth(bridged(values, noise) if spikes else values, step, noise),
+    )
+
+
+def _nothing_finite(count: int, located: tuple[float, ...]) -> SignalQuality:
+    """Quality of a signal of so many samples, none of which is finite."""
+    return SignalQuality(
+        n=count,
+        not_finite=count,
+        lost=count,
+        not_finite_at=located,
+        smallest=np.nan,
+        largest=np.nan,
+        mean=np.nan,
+        usual=(np.nan, np.nan),
+        noise=np.nan,
+        idle=False,
+        low_rail=0.0,
+        high_rail=0.0,
+        rails=(),
+        stepped=False,
+        levels=(),
+        longest_frozen=0.0,
+        frozen_samples=0,
+        frozen_at=np.nan,
+        rests=False,
+        spikes=0,
+        spikes_at=(),
+        hum=(),
+        band=Bandwidth(np.nan, np.nan),
     )
 
 
