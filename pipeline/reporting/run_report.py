@@ -55,7 +55,19 @@ def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
 
 
 def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure], jobs: int = 1) -> str:
-    """The page as HTML, its figures drawn in `jobs` processes; the same data give the same bytes."""
+    """The page as HTML; the same data give the same bytes.
+
+    Parameters
+    ----------
+    data : RunData
+        The run.
+    sheet : Datasheet
+        Its datasheet.
+    figures : mapping of str to Figure
+        From `figures_of`.
+    jobs : int
+        Processes that draw the figures.
+    """
     models = data.model_names
     judged = judged_log(data)
     first = figures[f"{judged.key}-overlay"]

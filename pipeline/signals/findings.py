@@ -186,8 +186,19 @@ def coarse_inputs(steps: Mapping[str, float], interval: float) -> list[Finding]:
 
 
 def unshown(time: TimeQuality, q: SignalQuality, interval: float, frequency: float, least: float) -> bool:
-    """True if a frequency has fewer samples a period than `least`, and would have more in a finer record of the log."""
-    # The first is never true of NaN.
+    """True if a frequency has few samples a period, and would have more in a finer record of the log.
+
+    Parameters
+    ----------
+    time, q : TimeQuality, SignalQuality
+        Of the displacement.
+    interval : float
+        Interval of the record [s].
+    frequency : float
+        The frequency [Hz]; NaN is never unshown.
+    least : float
+        Samples a period that are enough.
+    """
     return frequency * interval * least > 1.0 and not q.idle and interval > UNTOLD_STEP * time.step
 
 

@@ -147,7 +147,17 @@ def bridged_remark(spikes: int, first: float) -> str:
 
 
 def masked_remarks(left_out: LeftOut, lost: Dropouts, factor: float, unit: str) -> Iterator[str]:
-    """Remarks on samples of q that were masked as no measurements; levels are printed in `unit`, `factor` × SI."""
+    """Remarks on samples of q that were masked as no measurements.
+
+    Parameters
+    ----------
+    left_out : LeftOut
+        Their numbers by cause.
+    lost : Dropouts
+        Where the sensor lost its target.
+    factor, unit : float, str
+        Levels are printed in `unit`, which is `factor` × SI.
+    """
     for text in dropout_remarks(lost, factor, unit):
         yield f"q: {text}: {'split there' if 'jump' in text else 'masked'} ([ingest] lost)"
     at_level = left_out.lost - int(np.diff(lost.spans).sum())

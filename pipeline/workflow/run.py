@@ -295,13 +295,12 @@ def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
         As `run_prototype` before any work.
     """
     prototype = place.prototype
-    prototype_file = place.prototype_file
-    before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
+    before_any_work(place, reading_tasks(prototype, place.prototype_file), replace=replace)
     if (place.root / MANIFEST).is_file():
-        return in_snapshot(place.root, lambda run: status(run, plan(Planned(run, prototype, prototype_file))))
+        return in_snapshot(place.root, lambda run: status(run, plan(Planned(run, prototype, place.prototype_file))))
     with TemporaryDirectory(prefix="debist-plan-") as empty:
-        run = RunFolder.create(Path(empty) / "run", prototype.model_dump(mode="json"), prototype_file)
-        return status(run, plan(Planned(run, prototype, prototype_file)))
+        run = RunFolder.create(Path(empty) / "run", prototype.model_dump(mode="json"), place.prototype_file)
+        return status(run, plan(Planned(run, prototype, place.prototype_file)))
 
 
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:

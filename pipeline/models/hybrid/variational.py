@@ -373,12 +373,10 @@ def _act_by_instruments(
             for row in range(4):
                 drive[at + row * _ROW] = pull[row]
         else:
-            left = inputs[i - 1, 0]
-            right = inputs[i - 1, 1]
             for row in range(FIRST_STRAIN):
                 drive[at + row * _ROW] = (
-                    left * by_voltage[2 * row * STAGES + stage_lane]
-                    + right * by_voltage[(2 * row + 1) * STAGES + stage_lane]
+                    inputs[i - 1, 0] * by_voltage[2 * row * STAGES + stage_lane]
+                    + inputs[i - 1, 1] * by_voltage[(2 * row + 1) * STAGES + stage_lane]
                 )
 
 
