@@ -94,8 +94,7 @@ class _Search:
             pulses[::2, [1, 3]] = 1.0, -1.0
             searches.append(self._evolved(alone, pulses, _ROUNDS))
         costs = self._cost(np.array([each.x for each in searches]).T, judges)
-        best = self._evolved(judges, searches[int(np.argmin(costs))].population, _ROUNDS // 2)
-        return np.asarray(best.x)
+        return np.asarray(self._evolved(judges, searches[int(np.argmin(costs))].population, _ROUNDS // 2).x)
 
     def _cost(self, values: FloatArray, by: Ensemble, /) -> Any:
         """Mean cost over the ensemble of each pulse, `values` (6, P)."""
@@ -103,8 +102,7 @@ class _Search:
         self.runs += len(by.gains)
         runs = by.run(commands(values.T, self.side, self.highest), self.start)
         lag = float(self.joint.lags.mean())
-        costs = judged(runs, self.start, self.target, self.distance, values.T, self.goal, lag)
-        return costs.mean(axis=1)
+        return judged(runs, self.start, self.target, self.distance, values.T, self.goal, lag).mean(axis=1)
 
     def _evolved(self, by: Ensemble, pulses: FloatArray, rounds: int) -> Any:
         """The pulses after some rounds."""

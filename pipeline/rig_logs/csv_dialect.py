@@ -144,9 +144,8 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     """The sample as a table, None if it is none.
 
     The width is the most frequent one. A column holds numbers if most of its cells do, of those that are not empty in
-    the second half. Data begin with the first row of two numbers or more in which those columns hold nothing else. Of a
-    column that is empty in the second half, every cell from there on must be a number. Numbers above a row of texts are
-    part of the preamble. A later row that does not fit is no preamble but an error, which the parser reports.
+    the second half. Of a column that is empty in the second half, every cell of the data must be a number. A later row
+    that does not fit is no preamble but an error, which the parser reports.
     """
     rows = [split_row(line, delimiter) for line in lines]
     width = Counter(len(row) for row in rows if any(row)).most_common(1)[0][0] if any(map(any, rows)) else 0
@@ -156,24 +155,11 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     fitting = [i for i in range(begin, len(rows)) if fits[i]]
     if width < 2 or not fitting:
         return None
-    later = fitting[len(fitting) // 2 :]
-    likely = [_mostly_values([rows[i][j] for i in later], decimal) for j in range(width)]
-    clocks = [not wanted or any(is_stamp(rows[i][j]) for i in later) for j, wanted in enumerate(likely)]
-    keys = likely[1] and not any(rows[i][0] for i in later)  # of an instrument, in the first column of its preamble
-    begins = next((i for i in fitting if _filled(rows[i], likely, decimal) >= 2), 0)
-    keys = keys and not any(len(row) == width and any(row) and _NOTES.fullmatch(row[0]) for row in rows[:begins][-2:])
-    data = [fit and not (keys and row[0]) and _in_place(row, clocks) for row, fit in zip(rows, fits, strict=True)]
-    filled = [_filled(row, likely, decimal) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
-    only_text = {
-        i for i, j in pairwise(fitting) if not filled[j] and any(rows[j]) and not any(map(NUMBER.match, rows[j]))
-    }
-    only_text |= {i for i, row in enumerate(rows[1:]) if len(row) == 1 and row[0].endswith(":")}  # a key
-    blank = {i for i in fitting if all(cell.lower() in MISSING for cell in rows[i])}  # or a line below the heading
-    first = next((i for i in fitting if filled[i] >= 2 and i not in only_text | blank), None)
+    later = [rows[i] for i in fitting[len(fitting) // 2 :]]
+    likely = [_mostly_values([row[j] for row in later], decimal) for j in range(width)]
+    first = _first_row(rows, fits, fitting, later, likely, decimal)
     if first is None:
         return None
-    while first > begin and filled[first - 1] and first - 1 not in blank and _same_kinds(rows[first - 1], rows[first]):
-        first -= 1  # as of a channel that begins later, beside the time
     body = [rows[i][:width] for i in fitting if i >= first]
     columns = [[cell for cell in column if cell] for column in zip(*body, strict=True)]
     numeric = tuple(
@@ -188,6 +174,46 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
         numeric=numeric,
         ragged=any(len(rows[i]) > width for i in fitting if i >= first),
     )
+
+
+def _first_row(
+    rows: list[list[str]],
+    fits: Sequence[bool],
+    fitting: Sequence[int],
+    later: Sequence[Sequence[str]],
+    likely: Sequence[bool],
+    decimal: str,
+) -> int | None:
+    """First row of data: two numbers or more, and nothing else in the columns that are `likely` numbers; or None.
+
+    Numbers above a row of texts are part of the preamble, and so are blank rows. Rows just above the data belong to
+    them even with a single number, as of a channel that begins later, beside the time.
+    """
+    clocks = [not wanted or any(is_stamp(row[j]) for row in later) for j, wanted in enumerate(likely)]
+    keys = likely[1] and not any(row[0] for row in later)  # of an instrument, in the first column of its preamble
+    begins = next((i for i in fitting if _filled(rows[i], likely, decimal) >= 2), 0)
+    heading = rows[:begins][-2:]
+    keys = keys and not any(len(row) == len(likely) and any(row) and _NOTES.fullmatch(row[0]) for row in heading)
+    filled = [
+        _filled(row, likely, decimal) if fit and not (keys and row[0]) and _in_place(row, clocks) else 0
+        for row, fit in zip(rows, fits, strict=True)
+    ]
+    preamble = {
+        i for i, j in pairwise(fitting) if not filled[j] and any(rows[j]) and not any(map(NUMBER.match, rows[j]))
+    }
+    preamble |= {i for i, row in enumerate(rows[1:]) if len(row) == 1 and row[0].endswith(":")}  # above a key
+    blank = {i for i in fitting if all(cell.lower() in MISSING for cell in rows[i])}  # or a line below the heading
+    first = next((i for i in fitting if filled[i] >= 2 and i not in preamble | blank), None)
+    if first is None:
+        return None
+    while (
+        first > fitting[0]
+        and filled[first - 1]
+        and first - 1 not in blank
+        and _same_kinds(rows[first - 1], rows[first])
+    ):
+        first -= 1
+    return first
 
 
 def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:

@@ -120,25 +120,23 @@ def code_remarks(counts: dict[float, int]) -> list[str]:
     ]
 
 
-def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list[str]:
+def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> Iterator[str]:
     """Remarks on them: what, how many, since when. Levels are printed in `unit`, which is `factor` × SI."""
-    remarks = []
     if len(lost.bursts):
         levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in lost.levels[:2])
         more = f" and {len(lost.levels) - 2} more levels" if len(lost.levels) > 2 else ""
         bursts = f"{counted(len(lost.bursts), 'burst')} of {int(np.diff(lost.bursts).sum())} samples"
-        remarks.append(f"{bursts} at {levels}{more}, which no motion reaches, the first at {lost.first[0]:.6g} s")
+        yield (f"{bursts} at {levels}{more}, which no motion reaches, the first at {lost.first[0]:.6g} s")
     if len(lost.held):
-        remarks.append(
+        yield (
             f"{counted(len(lost.held), 'segment')} of {int(np.diff(lost.held).sum())} samples in which the last value "
             f"was held, the first at {lost.first[1]:.6g} s"
         )
     if count := len(lost.cuts):
-        remarks.append(
+        yield (
             f"{counted(count, 'jump')} from one sample to the next, the first at {lost.cuts[0, 1]:.6g} s: rows "
             "are missing though time goes on (a buffer was lost?)"
         )
-    return remarks
 
 
 def bridged_remark(spikes: int, first: float) -> str:
@@ -209,20 +207,19 @@ def gap_remarks(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> I
             yield f"{counted(count, 'gap')} {what}, {several}from {before} to {after} s: {then}"
 
 
-def rate_remarks(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[str]:
-    """Remarks on the sample interval: shorter than that of the log, so that rows are interpolated, or too long for the
+def rate_remarks(time: TimeQuality, q: SignalQuality, sample_interval: float) -> Iterator[str]:
+    """Remark on the sample interval: shorter than that of the log, so that rows are interpolated, or too long for the
     motion in a log that could show it.
     """
     if time.step > UNTOLD_STEP * sample_interval:
         made_up = 100.0 * (1.0 - sample_interval / time.step)
-        return [
+        yield (
             f"the log has a sample every {time.step:.4g} s, so {made_up:.0f} % of the rows at [ingest] "
             f"sample_interval = {sample_interval:g} are interpolated: the noise looks smaller and fits take longer; "
             f"set sample_interval = {time.step:.4g}"
-        ]
-    if not unshown(time, q, sample_interval, q.band.most, LEAST_PER_PERIOD):
-        return []
-    return [
-        f"q: moves up to {q.band.most:.3g} Hz (99 % of its power), of which [ingest] sample_interval = "
-        f"{sample_interval:g} s leaves little: set sample_interval = {advised_interval(q.band.most, time.step):g}"
-    ]
+        )
+    elif unshown(time, q, sample_interval, q.band.most, LEAST_PER_PERIOD):
+        yield (
+            f"q: moves up to {q.band.most:.3g} Hz (99 % of its power), of which [ingest] sample_interval = "
+            f"{sample_interval:g} s leaves little: set sample_interval = {advised_interval(q.band.most, time.step):g}"
+        )

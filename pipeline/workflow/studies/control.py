@@ -137,8 +137,13 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
 
 def switching_maps(root: Path, settings: ControlSettings, observer: Observer) -> dict[str, Any]:
     """P(switch | voltage, duration) both ways, with its band."""
-    decides = {"lag": settings.lag, "draws": DRAWS, "highest": control_run(root).limit}
-    return kept_document(root, "map", decides, observer, partial(_maps, settings))
+    return kept_document(
+        root,
+        "map",
+        {"lag": settings.lag, "draws": DRAWS, "highest": control_run(root).limit},
+        observer,
+        partial(_maps, settings),
+    )
 
 
 def _maps(settings: ControlSettings, joint_run: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
@@ -289,8 +294,9 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
     """The controller of a run's joint, kept in the run, and what the model predicts of it."""
     highest = control_run(root).highest(settings)
 
-    decides = asdict(settings) | {"highest": highest}
-    return kept_document(root, "design", decides, observer, partial(_design, settings, highest))
+    return kept_document(
+        root, "design", asdict(settings) | {"highest": highest}, observer, partial(_design, settings, highest)
+    )
 
 
 def _design(
