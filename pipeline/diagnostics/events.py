@@ -122,10 +122,9 @@ def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
         moving = runs_of(np.abs(np.diff(column)) > LEVEL_MOVES * size)
         begins, ends = np.array([(rows.start, rows.stop) for rows in moving], dtype=np.int64).reshape(-1, 2).T
         stays = np.concatenate(([LEVEL_SAMPLES], begins[1:] - ends[:-1], [LEVEL_SAMPLES])) >= LEVEL_SAMPLES
-        for begin, end, before, after in zip(begins, ends, stays[:-1], stays[1:], strict=False):
-            if before and after and end - begin <= STEP_SAMPLES and abs(column[end] - column[begin]) >= STEP * size:
-                times.append(float(t[begin + 1]))
-    apart = np.unique(times)
+        sudden = (ends - begins <= STEP_SAMPLES) & (np.abs(column[ends] - column[begins]) >= STEP * size)
+        times.append(t[begins[sudden & stays[:-1] & stays[1:]] + 1])
+    apart = np.unique(np.concatenate(times))
     return apart if apart.size <= MOST_STEPS else np.empty(0)
 
 

@@ -50,9 +50,15 @@ def texts() -> dict[str, str]:
 
 def _module(summary: str, named: dict[str, Graph], constants: dict[str, Any] | None = None, imports: str = "") -> str:
     """The text of a module with constants and graphs."""
-    parts = [_HEADER.format(summary=summary), "from ..codegen.graph import Graph\n", imports]
-    for name, value in (constants or {}).items():
-        parts.append(f"\n{name} = " + "\n    ".join(textwrap.wrap(repr(value), 110, break_long_words=False)) + "\n")
+    parts = [
+        _HEADER.format(summary=summary),
+        "from ..codegen.graph import Graph\n",
+        imports,
+        *(
+            f"\n{name} = " + "\n    ".join(textwrap.wrap(repr(value), 110, break_long_words=False)) + "\n"
+            for name, value in (constants or {}).items()
+        ),
+    ]
     for name, each in named.items():
         body = "\n".join(textwrap.wrap(each.text, 116, break_long_words=False, break_on_hyphens=False))
         parts.append(f'\n{name} = Graph(\n    {each.inputs!r},\n    {each.outputs!r},\n    """\n{body}\n    """,\n)\n')

@@ -14,7 +14,7 @@ from ..diagnostics.run_data import WHY, RunData, judged_log
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, shell_word, with_true_names
 from ..system.worker_pool import in_processes
-from ..units.quantity import short
+from ..units.quantity import counted, short
 from .control_figures import control_figures
 from .datasheet_rows import (
     NOT_USED,
@@ -155,9 +155,8 @@ def _lengths(data: RunData) -> Iterator[str]:
     for role in ("train", "validation"):
         logs = data.role(role)
         if logs:
-            several = "s" if len(logs) > 1 else ""
             seconds = sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs)
-            yield f"{len(logs)} {ROLE_WORDS[role]} log{several}, {short(seconds, 4)} s"
+            yield f"{counted(len(logs), f'{ROLE_WORDS[role]} log')}, {short(seconds, 4)} s"
 
 
 def assessment(checks: Sequence[Check]) -> str:

@@ -377,8 +377,8 @@ class MatSource(Source):
             of_all = members.get("TimeUnit") if several and is_called("time", field) else units
             by_name = units.get(0, field) if isinstance(units, MatStruct) else of_all
             unit = text_of(info.get(0, "Units") if isinstance(info, MatStruct) else by_name)
-            for entry, data in self._plain(f"{place}.{field}", member, second):
-                channels.append((replace(entry, unit=entry.unit or unit.strip()), data))
+            plain_channels = self._plain(f"{place}.{field}", member, second)
+            channels += [(replace(entry, unit=entry.unit or unit.strip()), data) for entry, data in plain_channels]
         return channels
 
     def _note_scalar(self, name: str, value: MatArray, second: float) -> None:

@@ -185,20 +185,24 @@ def discarded_remarks(rows: TimeRows) -> Iterator[str]:
     """Remark on rows that are left out where time steps back."""
     if rows.turns.size:
         share = rows.backward / rows.time.size
-        places = counted(int(rows.turns.size), "place")
         much = "; give the parts as logs of their own, or repair the clock" if share > _MUCH_DISCARDED else ""
         yield (
-            f"time steps back at {places}, first after {stamped(float(rows.turns[0]))} s: {rows.backward} of "
-            f"{rows.time.size} rows ({100.0 * share:.2g} %) are left out ([ingest] time_reversal){much}"
+            f"time steps back at {counted(int(rows.turns.size), 'place')}, first after "
+            f"{stamped(float(rows.turns[0]))} s: {rows.backward} of {rows.time.size} rows ({100.0 * share:.2g} %) are "
+            f"left out ([ingest] time_reversal){much}"
         )
 
 
 def gap_remarks(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> Iterator[str]:
     """Remarks on gaps in time, and on spans [s] in which the inputs are not known."""
-    anew = "what they were is not known, so fits and free runs start anew behind"
     kinds = (
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
-        ("in the inputs", len(unknown), unknown, anew),
+        (
+            "in the inputs",
+            len(unknown),
+            unknown,
+            "what they were is not known, so fits and free runs start anew behind",
+        ),
     )
     for what, count, places, then in kinds:
         if count:

@@ -242,5 +242,9 @@ def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> Iterat
         smallest, largest = span(samples)
         for remark in scale_remarks(largest - smallest, unit.symbol, plant.plausible_span(unit.symbol)):
             yield f"{name} {remark}"
-    of_levels = "mm" if plant.angle else prototype.channels.q.unit
-    yield from masked_remarks(trusted.left_out, trusted.dropouts, 1.0 / plant.displacement.factor, of_levels)
+    yield from masked_remarks(
+        trusted.left_out,
+        trusted.dropouts,
+        1.0 / plant.displacement.factor,
+        "mm" if plant.angle else prototype.channels.q.unit,
+    )

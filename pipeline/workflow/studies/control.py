@@ -121,15 +121,16 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
     folder = output or root / layout.EXPORTS
     with new_outputs(folder, "control", force=force, made_from=control_run(root).origin) as staged:
         (staged / "linear.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8", newline="\n")
-        structs: dict[str, Any] = {}
-        for number, point in enumerate(document["equilibria"], start=1):
-            structs[f"equilibrium_{number}"] = {
+        structs = {
+            f"equilibrium_{number}": {
                 **{name: np.array(point[name]) for name in ("A", "B", "C", "D", "B_squared")},
                 "x0": np.array(point["x0"])[:, None],
                 "v0": np.array(point["v_V"])[:, None],
                 "q0": point["q_m"],
                 "stable": float(point["stable"]),
             }
+            for number, point in enumerate(document["equilibria"], start=1)
+        }
         savemat(staged / "linear.mat", structs)
         written = sorted(staged.iterdir())
     return [rebased(path, staged, folder) for path in written]
