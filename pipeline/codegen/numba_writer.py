@@ -2,8 +2,8 @@
 
 `kernel` takes arrays, `formula` numbers.
 
-Written as Python source they would pass numba's type inference one by one, 2 ms each; so they cost a tenth of that, and
-vector instructions are written out, and do not depend on an optimiser.
+Written as Python source they would pass numba's type inference one by one, 2 ms each; here they cost a tenth of that.
+Vector instructions are written out, so they do not depend on an optimiser.
 """
 
 # mypy: disable-error-code="no-untyped-def,no-untyped-call,call-overload"

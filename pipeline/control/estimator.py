@@ -1,12 +1,12 @@
 """State estimator: an extended Kalman filter on the identified joint, fed by the laser once in a period.
 
-The estimate holds the joint's state x, its stop operators z (exact in a step), the voltages of both converters, which
-lag behind their commands, and a moment d on the slope. d stands for everything outside the model: external forces,
-friction of another kind, a drifting barrier. The voltages act as such a moment, so that they can balance it. d changes
-as a random walk, so that the estimate of q has no steady error.
+The estimate holds the joint's state x, its stop operators z (exact in a step), and a moment d on the slope. It also
+holds the voltages of both converters, which lag behind their commands. d stands for everything outside the model:
+external forces, friction of another kind, a drifting barrier. The voltages act as such a moment, so that they can
+balance it. d changes as a random walk, so that the estimate of q has no steady error.
 
 Readings correct displacement, slope, interior shape, their rates and d. Their covariance P moves with the exact
-Jacobian at the estimate: about the saddle a beam's slope may be unstable at a given displacement, and then the sign of
+Jacobian at the estimate. About the saddle a beam's slope may be unstable at a given displacement, and then the sign of
 the correction changes. Maxwell strains and creep follow from the motion alone: their own dynamics forget every error.
 
 The functions are traced into graphs (`pipeline.codegen.graph`): lists of numbers in, dictionaries of lists out. `now`

@@ -261,8 +261,8 @@ def _differentiate(x: FloatArray, u: FloatArray, c: Constants, a: FloatArray, b:
 def linearise(plant: ControlledJoint, x: FloatArray, v: FloatArray) -> LinearModel:
     """The linear model about the equilibrium `x`, shape (STATES,), under the voltages `v`, shape (2,) [V].
 
-    Dry friction whose level sets in with the speed is left out with the stop operators: over the few millimetres per
-    second in which it does, its slope is a damping that no motion of a millimetre meets.
+    Dry friction whose level sets in with the speed is left out with the stop operators. It sets in within a few
+    millimetres per second, and its slope there is a damping that no motion of a millimetre meets.
     """
     k = plant.constants.k.copy()
     k[[INDEX[name] for name in DRY_LEVELS]] = 0.0

@@ -195,9 +195,9 @@ def lowest_voltage(
 def with_voltage_error(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemble:
     """The joint with draws whose voltages err as its lowest voltage may, for pulses near that voltage.
 
-    What the parameters do acts as a voltage that is too high or too low: on four joints its deviations at 0.1 s and at
-    0.8 s were 0.72 to 1.36 times that at `TYPICAL`, and correlated with it by 0.83 to 1.00. So all pulses are scaled
-    alike, by the deviation of the first of `lowest` that lasts as long.
+    Errors of the parameters act as a voltage that is too high or too low. On four joints its deviations at 0.1 s and at
+    0.8 s were 0.72 to 1.36 times that at `TYPICAL`, with correlations of 0.83 to 1.00. So all pulses are scaled alike,
+    by the deviation of the first of `lowest` that lasts as long.
     """
     switching = [pulse for pulse in lowest if pulse is not None]
     if not switching:

@@ -161,8 +161,8 @@ def device(prototype: Prototype) -> Device:
     Raises
     ------
     InputError
-        A unit is unknown or measures something else, an acceleration would act by its square, or a parameter set is for
-        a joint and q is neither a length nor an angle; the text names the key.
+        A unit is unknown or measures something else; an acceleration would act by its square; or a parameter set is for
+        a joint, but q is neither a length nor an angle. The text names the key.
     """
     channels = prototype.channels
     plant = prototype.plant

@@ -92,8 +92,8 @@ class DatasheetFact:
 def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
     """One finding for each fact whose modelled value lies far outside the measured ones; one good one if none does.
 
-    The measured values are compared with those of the model's free runs, in the same events and by the same estimator:
-    damping depends on the size of the motion, and a rest on the time since the joint came there. Without a free run
+    The measured values are compared with those of the model's free runs, in the same events and by the same estimator.
+    Damping depends on the size of the motion, and a rest on the time since the joint came there. Without a free run
     they are compared with the model's own value.
     """
     compared = [(fact.title, *both) for fact in facts if (both := comparison(fact)) is not None]

@@ -227,8 +227,8 @@ def converter_lag(records: Sequence[tuple[FloatArray, FloatArray]]) -> Converter
 
     Notes
     -----
-    In records of 1 ms a lag of 2 to 10 ms is found to 2 %, one of 1 ms 13 % too long, one of 14 or 20 ms 4 or 10 % too
-    short, as the decay goes on in the plateau; a step with a shorter one is over before it is seen.
+    In records of 1 ms a lag of 2 to 10 ms is found to 2 %, and one of 1 ms 13 % too long. One of 14 or 20 ms is found 4
+    or 10 % too short, as the decay goes on in the plateau. A step with a shorter lag is over before it is seen.
     """
     lags = np.concatenate([step_lags(t, v) for t, v in records])
     if lags.size < LEAST_STEPS:

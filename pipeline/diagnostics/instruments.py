@@ -94,15 +94,15 @@ class Reading:
     Attributes
     ----------
     status : {"measured", "not measured", "another device"}
-        Not measured where no run follows the log, where the steps do not converge, where no quantity is known to within
-        `SIGNIFICANCE` limits, and where a training log leaves another residual than the others.
+        Not measured where no run follows the log, where the steps do not converge, or where no quantity is known to
+        within `SIGNIFICANCE` limits. Nor where a training log leaves another residual than the others.
     exchange : {"none", "inputs", "sign", "both"}
         What had to be exchanged first.
     corrections : Corrections
         What makes the readings true.
     estimate, standard_error : FloatArray, shape (K,)
         Errors of the readings, in the order of `quantities`: reading over truth minus 1 for gains and the clock,
-        reading minus truth for the zero; a positive delay is that of the recorded inputs. NaN where not measured.
+        reading minus truth for the zero. A positive delay is that of the recorded inputs. NaN where not measured.
     residual_ratio : float
         What no instrument explains over the same of the training logs, noise taken off.
     unlike : float

@@ -300,7 +300,7 @@ def element(coupling: Any, p: Any, rate: Any, load: Any) -> Expression:
 
     A Maxwell branch whose strain is a function S(x), with the coupling h = S', relaxes at one rate, and its load e is
     its state w. A shape element is an overdamped second coordinate, the slope that the beam's tip has beside its
-    displacement: it relaxes at a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x).
+    displacement. It relaxes at a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x).
     All follow from the energy ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint,
     and the same coupling stands in both equations. So no element can create energy.
 

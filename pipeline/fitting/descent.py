@@ -2,7 +2,7 @@
 
 `Descent` tries one damping after the other; `ParallelDescent` several at once, for simulations that run side by side:
 eight joints run through a log in the time of one. It takes the least damping that brings a fair share of the best fall,
-not the best: a bold step along the curved valley of this cost leaves more for the next one.
+not the best one. A bold step along the curved valley of this cost leaves more for the next step.
 """
 
 from dataclasses import dataclass

@@ -53,8 +53,9 @@ class NormalPopulation:
 class Shrinkage:
     """Weight of the prior in members, and the spreads at which distances are cut.
 
-    Of twelve simulated joints each had logs that were exp(37) times as probable (mean of the exponent) under the others
-    as under the prior; with 1 and 20 members exp(31), with 0.1 and 60 exp(40), but five members would then be too sure.
+    The logs of twelve simulated joints were exp(37) times as probable (mean of the exponent) under the other joints as
+    under the prior. With 1 and 20 members it is exp(31), with 0.1 and 60 exp(40), but five members would then be too
+    sure.
     """
 
     spreads: float = 0.3

@@ -123,9 +123,9 @@ def random_excitation(
 ) -> list[Burst]:
     """Draw an experiment up to `top` [V]: a rest, then bursts and pauses until `duration` [s].
 
-    The first burst is a full pulse on the left, which sends a joint resting on the left over to the right. Later
-    pulses mostly change sides, so that the joint is sent from well to well; about half of them use the full
-    voltage, the others stay between a half and the full one, where switching is no longer certain.
+    The first burst is a full pulse on the left, which sends a joint resting on the left over to the right. Later pulses
+    mostly change sides, so that the joint is sent from well to well. About half of them use the full voltage. The
+    others stay between a half and the full one, where switching is not certain.
 
     Parameters
     ----------

@@ -111,7 +111,7 @@ def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed:
     """Draw a prototype from `seed`, run the experiments, write logs, ``NAME.toml`` and ``truth/``.
 
     A drawn prototype is drawn again until every log switches often enough and none reaches the laser's rail, as an
-    operator would choose the prototypes worth recording; all of it follows from `seed`.
+    operator would choose the prototypes worth recording. All of it follows from `seed`.
 
     Parameters
     ----------

@@ -70,9 +70,9 @@ def heading_rows(
     """Indices of the rows above the data that hold the names and the units; None where there is none.
 
     Empty rows may stand between them and the data, and cells without content at the ends of either. The names are in
-    the row that labels the most columns. Of several such rows those with a time come first, and the first of these is
-    taken; the last is taken of comments, and where two cells above units may be a key and its value. A row of one cell
-    more than the data, as for comments, names the first of them; above units of two more.
+    the row that labels the most columns. Among several such rows those with a time come first, and the first of these
+    is taken. The last one is taken among comments, and where two cells above units may be a key and its value. A row of
+    one cell more than the data, as for comments, names the first of them; above units of two more.
 
     Parameters
     ----------

@@ -306,8 +306,8 @@ class Clock:
     first : str
         The first cell that is not empty.
     origins : dict of float to float
-        First time [ns] of the columns of one log, by the time [ns] after which they begin anew; the first to be read
-        sets it, so that what lies between two clocks stays.
+        First time [ns] of the columns of one log, by the time [ns] after which they begin anew. The first column to be
+        read sets it, so that the time between two clocks is kept.
 
     Attributes
     ----------

@@ -75,9 +75,9 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     Returns
     -------
     str
-        TOML. Every channel is listed in comments. A role with one candidate is filled in and marked as a
-        suggestion; one with several, and every unit that the log does not state, holds `FILL_IN`, which no
-        log and no unit registry knows.
+        TOML. Every channel is listed in comments. A role with one candidate is filled in and marked as a suggestion. A
+        role with several, and every unit that the log does not state, holds `FILL_IN`, which no log and no unit
+        registry knows.
 
     Raises
     ------

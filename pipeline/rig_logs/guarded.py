@@ -140,8 +140,8 @@ def read_recording(
 
     Notes
     -----
-    Cost: the start of the process (elsewhere than on Linux each time), most of it numpy's import; the parse, and one
-    write of 8 bytes a sample; the arrays are views of a mapped temporary file, so the system can page them out.
+    Cost: the start of the process (elsewhere than on Linux each time), most of it numpy's import; the parse; and one
+    write of 8 bytes a sample. The arrays are views of a mapped temporary file, so the system can page them out.
     """
     limits = limits or Limits()
     _check_is_file(path)

@@ -41,7 +41,7 @@ class Simulator(Protocol):
 def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     """Mean over folds and its interval by the corrected resampled t-test.
 
-    Folds share most of their training data, so their errors are no independent draws: the variance of the mean is taken
+    Folds share most of their training data, so their errors are no independent draws. The variance of the mean is taken
     as (1/k + 1/(k − 1)) s² instead of s²/k (Nadeau & Bengio 2003, doi:10.1023/A:1024068626366).
 
     Parameters

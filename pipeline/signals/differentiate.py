@@ -98,7 +98,7 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
     each round weights the terms by the increments of the round before, and the weights enter the equation above. nu =
     1, Cauchy's density.
 
-    With gamma = M this would be the scale of greatest likelihood of the increments themselves; but those of a smoothed
+    With gamma = M this would be the scale of greatest likelihood of the increments themselves. But those of a smoothed
     signal are smaller than the truth's, and the scale would shrink with them. Solving and re-estimating alternate,
     accelerated by secants in log s, until s changes by less than a twentieth.
 

@@ -189,7 +189,7 @@ class Log:
         """The log from the first valid sample whose velocity is known on, with zeros where it is not valid.
 
         That is the first valid one, or `EDGE` samples later for a log that begins in motion: its inputs from before are
-        kept as its past. A log whose first samples go where no others do is taken from the first one on all the same: a
+        kept as its past. A log whose first samples go where no others do is taken from the first one on all the same. A
         model that has never been there would lose a run that starts there.
         """
         begins_in_motion = self.begins_in_motion

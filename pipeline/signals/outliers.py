@@ -1,8 +1,8 @@
 """Samples that are no measurements. They are masked.
 
 A device with inertia does not jump: it passes through the values between, and its velocity changes over many samples.
-So a jump shows a fault of the sensor or of the recorder: a burst at one level, a value that was held, rows that were
-lost, or the level of a sensor without a target. But a jump that answers a step of an input is one of the device.
+So a jump shows a fault of the sensor or of the recorder. It is a burst at one level, a held value, lost rows, or the
+level of a sensor without a target. But a jump that answers a step of an input is one of the device.
 """
 
 from collections.abc import Iterator, Sequence
@@ -199,9 +199,9 @@ def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:
     """An input with its single samples far off neighbours that agree on the line between these; how many, and the
     stamp [s] of the first.
 
-    Nothing is changed where a step [s] is longer than an amplifier needs to go there and back, where such samples are
-    frequent, and in a command without noise: there pulses may be as short. A controller that differentiates kicks for
-    one of its periods, and the device follows.
+    Nothing is changed where a step [s] is longer than an amplifier needs to go there and back, or where such samples
+    are frequent. Nor is a command without noise, whose pulses may be as short. A controller that differentiates kicks
+    for one of its periods, and the device follows.
     """
     time, samples = signal
     usable = finite(samples)
@@ -233,7 +233,7 @@ def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, ste
 
     Notes
     -----
-    Cost: two passes over q, and where there is such a level two more, in chunks; the memory is that of a chunk and of
+    Cost: two passes over q, and two more where there is such a level, in chunks. The memory is that of a chunk and of
     the places where the level is entered and left.
     """
     stamps, samples = q

@@ -391,8 +391,8 @@ def _slopes(time: FloatArray, samples: FloatArray) -> FloatArray:
     """Slopes of three-point parabolas, none so steep that it leads far out of its neighbours over the longer step.
 
     Of two stamps that nearly coincide, the noise between them is a slope without a bound. A slope d overshoots over a
-    step h by 4/27 of d h at most, so at 1.5 times the changes beside it by less than a quarter of these; on even steps
-    the limit is never reached.
+    step h by 4/27 of d h at most. So at 1.5 times the changes beside it, it overshoots by less than a quarter of these.
+    On even steps the limit is never reached.
     """
     steps = np.diff(time)
     changes = np.abs(np.diff(samples))

@@ -29,7 +29,7 @@ class TimeRows:
     time : FloatArray, shape (N,)
         All stamps [s].
     keep : BoolArray, shape (N,)
-        Rows with a finite stamp later than all finite ones before: of equal stamps the first, and after a step back
+        Rows with a finite stamp later than all finite ones before. Of equal stamps it is the first; after a step back
         none until time has passed the point where it turned.
     turns : FloatArray
         Stamps [s] after which time stepped back.
@@ -240,8 +240,8 @@ def survey(
     gaps : {"split", "refuse"}
         Number the segments, or refuse a log with gaps.
     time_reversal : {"refuse", "split", "unwrap"}
-        Refuse a log whose time steps back; or leave out what does not advance and treat the place as a gap, as also
-        where stamps that were unwrapped do.
+        Refuse a log whose time steps back; or leave out rows that do not advance and treat the place as a gap. Stamps
+        that were unwrapped and still step back are treated so too.
     cuts : FloatArray
         Stamps [s] behind which rows are missing though time goes on: treated as gaps too.
 

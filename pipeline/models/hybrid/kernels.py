@@ -91,7 +91,7 @@ def joint_rates(
     c : FloatArray, shape (VALUES,)
         Corrections at q (`corrections_at`).
     z, start : FloatArray, shapes (STOPS,) and (3,)
-        Stop operators, as a share of their capacity in [−1, 1], where (q, τ, β) was `start`; what they are at x follows
+        Stop operators, as a share of their capacity in [−1, 1], where (q, τ, β) was `start`. Their values at x follow
         from the play since, so that they need no differential equation.
     p : FloatArray, shape (PREPARED,)
         Prepared constants.
@@ -202,9 +202,9 @@ def tabulate(basis: FloatArray, weights: FloatArray, density: int) -> tuple[floa
 def _column_step() -> Graph:
     """A Runge-Kutta step of one column: its state `x` and stop operators `z` move to `x_found` and `z_found`.
 
-    `a` are ∂f/∂(x, z) of all entries in `STAGES` stages, of which the first four count; `b` what acts on the column
-    itself, row by row in `SLOTS` slots, of which the first four and the end count. `w` are the friction's arm, the
-    step [s], the beam's length, and for each of these five which stop operators follow the play, and by how much.
+    `a` are ∂f/∂(x, z) of all entries in `STAGES` stages; the first four count. `b` acts on the column itself, row by
+    row in `SLOTS` slots; the first four and the end count. `w` are the friction's arm, the step [s], the beam's length,
+    and for each of these five which stop operators follow the play, and by how much.
     """
     build = Builder()
     add = build.add

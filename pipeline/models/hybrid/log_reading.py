@@ -221,11 +221,11 @@ class DrivingVoltages:
 
         Notes
         -----
-        Voltages known at the samples only are a cubic spline: it restores an anti-aliased edge of a pulse far better
+        Voltages known at the samples only are a cubic spline. It restores an anti-aliased edge of a pulse far better
         than straight lines, whose square takes 1.7 ms from it at a sample interval of 10 ms. Finer ones are straight
-        lines, and each half step sees the mean of their square around it, so that no edge falls between half steps:
-        from the 1 ms record two free runs were within 0.013 % of the range of those with steps of 0.4 ms.
-        Cost for 37.5 s at three steps in 10 ms: 0.2 ms from samples, 0.4 ms from a 1 ms record.
+        lines. Each half step sees the mean of their square around it, so that no edge falls between half steps. From
+        the 1 ms record two free runs were within 0.013 % of the range of those with steps of 0.4 ms. Cost for 37.5 s at
+        three steps in 10 ms: 0.2 ms from samples, 0.4 ms from a 1 ms record.
         """
         limit = 2.0 * largest
         half = self._dt / (2 * steps)

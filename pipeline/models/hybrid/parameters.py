@@ -1,9 +1,9 @@
 """Constants of the slow-coordinate joint from a parameter set and deviations with stated widths.
 
-A deviation is counted in prior standard deviations, so that the ridge of every estimate is the unit matrix. The
-widths are those of a joint of which no drawing is at hand: it is larger, slower or less sensitive by a tenth to a
-fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth. Laser and probes are
-taken as right at full scale: another scale would be another length or voltage of the joint, and nothing else.
+A deviation is counted in prior standard deviations, so that the ridge of every estimate is the unit matrix. The widths
+are those of a joint without a drawing. It is larger, slower or less sensitive by a tenth to a fifth, its mounts are
+elsewhere by half a millimetre, its moduli differ by a fifth. Laser and probes are taken as right at full scale: another
+scale would be another length or voltage of the joint, and nothing else.
 """
 
 from dataclasses import dataclass

@@ -49,8 +49,8 @@ def sensitivities(
     q : FloatArray, shape (N,)
         Reading [m] at the samples without the laser's offset.
     columns : FloatArray, shape (N, C + 5)
-        Its derivatives by the constants, of which those without a scale are left out, then by laser offset [1], and by
-        delay, charging time and probes in units of θ.
+        Its derivatives by the constants that have a scale, then by laser offset [1], and by delay, charging time and
+        probes in units of θ.
     by_weights : FloatArray, shape (N, 9, M)
         Its derivatives by the weights of the corrections.
 

@@ -6,7 +6,7 @@ inputs add there. A few percent are enough: the identification goes on from ther
 
 The prior states how wide deviations and corrections are, and how alike the two sides. A joint is built to be its own
 mirror image. So errors of its equations are nearly the same on both sides, and errors of a parameter set are common to
-both membranes; only a workshop's tolerances are each side's own.
+both membranes. Only a workshop's tolerances are each side's own.
 """
 
 from collections.abc import Sequence

@@ -1,9 +1,9 @@
 """SINDy's regression in weak form: pysindy's feature library, integrated against test functions over each segment.
 
 Both sides of q̈ = Σ c_p θ_p(x) are multiplied by a test function φ = (1 − s²)⁴ of half width H and integrated;
-integration by parts leaves −∫ φ' q̇ dt on the left, so no second derivative of the measurement enters (Messenger & Bortz
-2021, doi:10.1137/20M1343166). Segments differ in length, which pysindy's weak library does not take in one fit
-(dynamicslab/pysindy issue 187): every segment has a library of its own, so no test function straddles a gap. pysindy
+integration by parts leaves −∫ φ' q̇ dt on the left, so no second derivative of the measurement enters (Messenger &
+Bortz 2021, doi:10.1137/20M1343166). Segments differ in length, which pysindy's weak library does not take in one fit
+(dynamicslab/pysindy issue 187). Every segment has a library of its own, so no test function straddles a gap. pysindy
 draws the places of test functions from NumPy's global state (its issue 485), which is seeded here and put back.
 
 A `Problem` holds the rows for every candidate term and every held-out block.
