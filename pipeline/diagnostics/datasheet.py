@@ -364,8 +364,8 @@ def _rest_errors(
 ) -> tuple[float, float] | None:
     """Modelled minus measured rest on the left and on the right; None unless all are known.
 
-    Modelled are the rests in free runs over the logs; without those the equilibria, short of which friction and creep
-    hold a joint.
+    The model's rests are those of free runs over the logs. Without free runs they are the equilibria, which friction
+    and creep keep a joint from.
     """
     if isinstance(wells, NoWells):
         return None

@@ -168,10 +168,10 @@ class InstrumentTest:
     def _between(self) -> FloatArray:
         """Standard deviation [limits] of a log's corrections that no errors within the log show, shape (K,).
 
-        A model errs otherwise under other inputs, so honest logs read differently. The variance between logs is what
-        the training logs differ by among themselves, less their standard errors (the method of moments of DerSimonian
-        and Laird 1986, doi:10.1016/0197-2456(86)90046-2). Of n logs each was compared with the mean of the others, a
-        new one is compared with that of all: factors 1 − 1/n and 1 + 1/n.
+        A model errs otherwise under other inputs, so honest logs read differently. The variance between logs is the
+        variance among the training logs, less their standard errors (the method of moments of DerSimonian and Laird
+        1986, doi:10.1016/0197-2456(86)90046-2). Of n logs each was compared with the mean of the others, a new one is
+        compared with that of all: factors 1 − 1/n and 1 + 1/n.
         """
         count = len(self._logs)
         measured = [reading for reading in self.of_training if reading.status == "measured"] if count > 1 else []

@@ -186,7 +186,7 @@ class NarxModel(ModelFile):
         v : FloatArray, shape (N, K)
             Inputs at the samples [V].
         seen : FloatArray, shape (M,)
-            Displacement [m] of the first M samples, at the last of which the run begins.
+            Displacement [m] of the first M samples; the run begins at the last of them.
         qdot0 : float
             Velocity [m/s] there.
 

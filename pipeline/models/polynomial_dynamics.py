@@ -71,7 +71,7 @@ class PolynomialDynamics:
     squared : bool
         True if the inputs are v² (electrostatic), false if v.
     low, high : float
-        Displacement [m] outside of which a run counts as diverged.
+        Range of displacements [m]; outside a run counts as diverged.
     """
 
     exponents: IntArray

@@ -143,7 +143,8 @@ def calibrated_row(fitted: Calibrated) -> CalibratedRow:
 def datasheet_tables(document: dict[str, Any]) -> list[tuple[str, tuple[str, ...], Rows]]:
     """The datasheet for the terminal, as tables with title, heading and rows.
 
-    The facts of the page, what the logs show of them, what acts, and last the checks of the assessment.
+    The facts of the page, the evidence of the logs for them, the acting elements, and last the checks of the
+    assessment.
     """
     sheet = sheet_rows([DatasheetFact(**fact) for fact in document["facts"]])
 

@@ -49,8 +49,8 @@ class Burst:
     Attributes
     ----------
     shape : Shape
-        ``pulse`` holds both sides; the others swing between the sides: what is positive goes left, what is
-        negative goes right, since the electrostatic force does not depend on the sign of the voltage.
+        ``pulse`` holds both sides; the others swing between the sides. Positive values go left and negative ones right,
+        since the electrostatic force does not depend on the sign of the voltage.
     start, duration : float
         [s].
     left, right : float

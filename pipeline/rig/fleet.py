@@ -193,7 +193,7 @@ def simulate_fleet(folder: Path, count: int, experiment: Experiment, *, seed: in
 def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameters, Bench, list[SimulatedLog]]:
     """A joint, its bench and its logs, drawn until they are worth recording; the drawing is taken as it is.
 
-    With the generator of an equal seed it is what `simulate_prototype` drew.
+    A generator of an equal seed draws the same as in `simulate_prototype`.
 
     Raises
     ------

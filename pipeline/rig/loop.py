@@ -261,7 +261,7 @@ class Scenario:
     noise : float
         Factor on the laser's noise.
     gain : float
-        Factor on the voltages that the converters give, against what they are commanded.
+        Factor from the commands of the converters to their voltages.
     mass : float
         Factor on the moving mass.
     barrier : float

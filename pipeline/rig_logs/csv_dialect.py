@@ -311,7 +311,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     start : bytes
         The first `SAMPLE_BYTES` bytes of the file.
     whole : bool
-        True if that is the whole file.
+        True if these bytes are the whole file.
     options : CsvOptions
         Settings of the user.
 

@@ -385,7 +385,7 @@ def _plain_line(line: str) -> str:
 
 
 def _prototype_name(log: Path) -> str:
-    """A name that the settings allow: the log's without what it is for, or its folder's where nothing else is left."""
+    """A name that the settings allow: the log's without its purpose, or its folder's if that leaves nothing."""
     stem = log.stem
     if purposes(stem):
         stem = "_".join(part for part in _BETWEEN.split(stem) if part and not purpose_of(part.strip("0123456789")))

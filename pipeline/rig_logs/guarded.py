@@ -69,7 +69,7 @@ class Recording:
     rates : mapping of str to float
         Sample rates [Hz] that single numbers beside the channels state, by their names; information only.
     frequencies : mapping of str to float
-        Frequencies [Hz] of which nothing says whether they are those of the samples or of a motion, by their names.
+        Frequencies [Hz] by their names, either of the samples or of a motion: the log does not state which.
     descriptions : mapping of str to str
         Text of the log beside a channel, by its name.
     heading : str

@@ -126,7 +126,7 @@ class Source(ABC):
     rates : dict of str to float
         The sample rates [Hz] that single numbers state, by their names.
     frequencies : dict of str to float
-        Frequencies [Hz] of which nothing says whether they are those of the samples or of a motion, by their names.
+        Frequencies [Hz] by their names, either of the samples or of a motion: the log does not state which.
     counted : Counted
         Origins of its clocks.
     starts : dict of str to (float, float)

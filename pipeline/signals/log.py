@@ -58,8 +58,8 @@ class Log:
     valid : BoolArray, shape (N,)
         False in gaps of q and where it is masked; true everywhere if left out.
     fine : FloatArray, shape (N, r, K), optional
-        Inputs at r evenly spaced times of each sample interval, the first of which is the sample itself, where they
-        are known so finely.
+        Inputs at r evenly spaced times of each sample interval, from the sample itself on, where they are known so
+        finely.
     past : FloatArray, shape (P, K) or (P, r, K), optional
         Inputs of the log before this part of it, as fine as `drive`.
     velocity : FloatArray, shape (N,), optional

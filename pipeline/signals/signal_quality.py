@@ -294,7 +294,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     Parameters
     ----------
     time : FloatArray, shape (N,)
-        Time stamps [s], only used to locate what is found.
+        Time stamps [s], only used to locate events.
     samples : FloatArray, shape (N,)
         The signal; NaN and infinities allowed.
     step : float
@@ -445,8 +445,8 @@ def bridged(values: FloatArray, noise: float) -> FloatArray:
 def spikes_in(part: FloatArray, noise: float) -> BoolArray:
     """Single samples far off the line between neighbours that agree with each other, shape (N − 2,).
 
-    Two samples further on either side lie on that line too; beside a turning point, of which a slow log has few
-    samples, they bend away from it. And it is far beyond the noise of the samples around it.
+    Two samples further on either side lie on that line too; beside a turning point, where a slow log has few samples,
+    they bend away from it. And it is far beyond the noise of the samples around it.
     """
     with np.errstate(invalid="ignore"):  # infinite samples
         off = np.abs(part[1:-1] - 0.5 * (part[:-2] + part[2:]))

@@ -185,8 +185,7 @@ class DrivingVoltages:
     Parameters
     ----------
     v : FloatArray, shape (N, 2) or (N, r, 2)
-        Voltages [V] at the samples, or at r evenly spaced times of each sample interval, the first of which is the
-        sample itself.
+        Voltages [V] at the samples, or at r evenly spaced times of each sample interval, from the sample itself on.
     dt : float
         Sample interval [s].
 

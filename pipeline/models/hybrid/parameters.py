@@ -61,7 +61,7 @@ class Deviation:
     unit : str
         SI unit of the quantity, a name in :data:`pipeline.units.units.POWERS`.
     typical : float or None
-        Prior mean of a logarithm of which the parameter set has no value.
+        Prior mean of a logarithm for which the parameter set has no value.
     """
 
     name: str
