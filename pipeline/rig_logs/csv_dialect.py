@@ -192,8 +192,8 @@ def _first_row(
     clocks = [not wanted or any(is_stamp(row[j]) for row in later) for j, wanted in enumerate(likely)]
     keys = likely[1] and not any(row[0] for row in later)  # of an instrument, in the first column of its preamble
     begins = next((i for i in fitting if _filled(rows[i], likely, decimal) >= 2), 0)
-    heading = rows[:begins][-2:]
-    keys = keys and not any(len(row) == len(likely) and any(row) and _NOTES.fullmatch(row[0]) for row in heading)
+    notes = (row[0] for row in rows[:begins][-2:] if len(row) == len(likely) and any(row))
+    keys = keys and not any(map(_NOTES.fullmatch, notes))
     filled = [
         _filled(row, likely, decimal) if fit and not (keys and row[0]) and _in_place(row, clocks) else 0
         for row, fit in zip(rows, fits, strict=True)

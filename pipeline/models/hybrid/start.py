@@ -44,7 +44,6 @@ ALIKE = 0.9
 """Correlation of a correction with its mirror image."""
 _EVEN = ("damping", "stiffness", "loss")
 """Corrections that a mirrored joint has with the same sign at −q; generalised forces have the other one."""
-_MIRROR = {"left": "right", "right": "left"}
 
 
 @dataclass(frozen=True)
@@ -219,7 +218,7 @@ def prior_root(
         covariance[: len(NAMES), : len(NAMES)] = siblings.covariance
     for row, name in enumerate(CORRECTIONS[:CURVES]):
         side, *rest = name.split("_")
-        image = CORRECTIONS.index("_".join([_MIRROR.get(side, side), *rest]))
+        image = CORRECTIONS.index("_".join([{"left": "right", "right": "left"}.get(side, side), *rest]))
         sign = 1.0 if name in _EVEN else -1.0
         for n in range(centres):
             i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))

@@ -179,11 +179,10 @@ def _simulator(parameters: JointParameters) -> Simulator | None:
     if len(stable) < 2:
         return None
     reduced = reduce_joint(parameters)
-    start = min(stable)
 
     def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""
-        motion = simulate_reduced(reduced, t, v, start, 0.0)
+        motion = simulate_reduced(reduced, t, v, min(stable), 0.0)
         return motion.q, motion.qdot
 
     return simulate
