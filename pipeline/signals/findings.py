@@ -15,9 +15,9 @@ import numpy as np
 from ..numerics.arrays import FloatArray
 from ..settings.prototype import Gate
 from ..units.quantity import moment, percent, quantity, scale, short, significant, stamped
-from .columns import Missing
-from .noise import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
-from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
+from .columns import Missing, finite, select
+from .noise import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval, is_stepped, noise_level
+from .signal_quality import BOTH_SIGNS, SignalQuality, few_levels, is_ramped, rail, span, usual_span
 from .timebase import TimeQuality
 
 Severity = Literal["unseen", "good", "fair", "poor"]
@@ -258,7 +258,7 @@ def scale_suspicion(span: float, plausible: tuple[float, float] | None) -> float
     return factor
 
 
-def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
+def saturation(time: FloatArray, samples: FloatArray, unit: str) -> list[str]:
     """Remarks on an input that is cut off at its largest or smallest value, exactly or beneath noise.
 
     A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests about
@@ -270,18 +270,21 @@ def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) ->
         Time stamps [s].
     samples : FloatArray, shape (N,)
         The input.
-    step : float
-        Nominal step [s].
     unit : str
         SI unit of the input.
     """
-    quality = examine_signal(time, samples, step)
-    if quality.constant or quality.stepped or quality.levels or quality.ramped:
+    values = select(samples, finite(samples))
+    if not values.size or few_levels(values) or is_stepped(values):
         return []
+    noise = noise_level(values)
+    usual = usual_span(values)
+    ends = [rail(values, usual, end, noise) for end in (0, 1)]
+    rails = [(end.low, end.high) for end in ends if end]
+    largest = max(abs(bound) for bound in span(values))
     remarks = []
-    for low, high in quality.rails:
+    for low, high in rails if not is_ramped(rails) else ():
         level = 0.5 * (low + high)
-        if abs(level) <= BOTH_SIGNS * max(abs(quality.smallest), abs(quality.largest)):
+        if abs(level) <= BOTH_SIGNS * largest:
             continue
         there = (samples >= low) & (samples <= high)
         cut = "but for its noise, " if high > low else ""
@@ -346,12 +349,12 @@ def remarks_on(
 
 def _stays(quality: SignalQuality, clock: Clock) -> Iterator[str]:
     """Remarks on times in which a signal stands still."""
-    for rail, share, value in (
+    for end, share, value in (
         ("upper", quality.high_rail, quality.usual[1]),
         ("lower", quality.low_rail, quality.usual[0]),
     ):
         if share > 0.0:
-            yield f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?"
+            yield f"{100 * share:.2g} % of the samples stay at the {end} extreme {value:.6g}: saturated?"
     long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
     if clock == "s" and long and not (quality.stepped or quality.rests):
         yield f"unchanged for {quality.longest_frozen:.3g} s from {stamped(quality.frozen_at)} s on"

@@ -290,7 +290,7 @@ def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> list[s
     plant = device(prototype)
     warnings += _hum_against_rate(signals, prototype.ingest.sample_rate)
     for k, ((time, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1):
-        warnings += [f"v{k}: {remark}" for remark in saturation(time, column, nominal_step(time), unit.symbol)]
+        warnings += [f"v{k}: {remark}" for remark in saturation(time, column, unit.symbol)]
     ends = [("q", span(trusted.samples), plant.displacement)] + [
         (f"v{k}", span(column), unit)
         for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
