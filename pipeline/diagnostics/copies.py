@@ -39,8 +39,10 @@ def sketch(time: FloatArray, q: FloatArray) -> list[tuple[int, float]]:
     """
     least: dict[int, float] = {}
     for hashes, stamps in _windows(time, q):
-        order = np.argsort(hashes, kind="stable")[: 2 * _KEPT]
-        for value, stamp in zip(hashes[order].tolist(), stamps[order].tolist(), strict=True):
+        if hashes.size > 2 * _KEPT:
+            low = hashes <= np.partition(hashes, 2 * _KEPT - 1)[2 * _KEPT - 1]
+            hashes, stamps = hashes[low], stamps[low]
+        for value, stamp in zip(hashes.tolist(), stamps.tolist(), strict=True):
             least.setdefault(value, stamp)
         least = dict(sorted(least.items())[:_KEPT])
     return list(least.items())

@@ -12,12 +12,11 @@ from typing import Literal
 
 import numpy as np
 
-from ..numerics.arrays import FloatArray
 from ..settings.prototype import Gate
 from ..units.quantity import moment, percent, quantity, scale, short, significant
 from .columns import Missing
 from .noise import LOST_PER_PERIOD, advised_interval
-from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
+from .signal_quality import SignalQuality
 from .timebase import TimeQuality
 
 Severity = Literal["unseen", "good", "fair", "poor"]
@@ -248,38 +247,3 @@ def scale_suspicion(span: float, plausible: tuple[float, float] | None) -> float
     while max(low * factor / span, span / (high * factor)) > 1.0 and max(factor, 1.0 / factor) < 1e9:
         factor *= prefix
     return factor
-
-
-def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
-    """Remarks on an input that is cut off at its largest or smallest value, exactly or beneath noise.
-
-    A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests about
-    zero is not at a rail there: its steps may hide the noise, and an amplifier that is off makes none.
-
-    Parameters
-    ----------
-    time : FloatArray, shape (N,)
-        Time stamps [s].
-    samples : FloatArray, shape (N,)
-        The input.
-    step : float
-        Nominal step [s].
-    unit : str
-        SI unit of the input.
-    """
-    quality = examine_signal(time, samples, step)
-    if quality.constant or quality.stepped or quality.levels or quality.ramped:
-        return []
-    remarks = []
-    for low, high in quality.rails:
-        level = 0.5 * (low + high)
-        if abs(level) <= BOTH_SIGNS * max(abs(quality.smallest), abs(quality.largest)):
-            continue
-        there = (samples >= low) & (samples <= high)
-        cut = "but for its noise, " if high > low else ""
-        remarks.append(
-            f"{100.0 * np.mean(there):.2g} % of the samples stay at {level:.6g} {unit}, {cut}the first at "
-            f"{time[np.argmax(there)]:.6g} s, which they reach at a slope: a saturated probe? What was applied there "
-            "is not known: widen the probe's range, unless this is a command that is limited there"
-        )
-    return remarks

@@ -1,6 +1,7 @@
 """The noise of a record and its spectrum: how fast it moves, and how strongly mains hum shows in it."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -228,7 +229,7 @@ class Hum:
         return self.above_floor_db > _STANDS_OUT
 
 
-def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
+def hum(samples: FloatArray, step: float, frequencies: Sequence[float] = MAINS) -> tuple[Hum, ...]:
     """Mains hum from an averaged spectrum (Hann windows of 4 s, half overlapping).
 
     Parameters
@@ -237,21 +238,28 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
         Finite samples, taken as uniform.
     step : float
         Sampling step [s].
-    frequency : float
-        Mains frequency [Hz]; the grid's drift of ±0.2 Hz is allowed for.
+    frequencies : sequence of float
+        Mains frequencies [Hz]; the grid's drift of ±0.2 Hz is allowed for.
 
     Returns
     -------
-    Hum or None
-        None where the line or the floor beside it lies beyond the Nyquist frequency, or the record is shorter
-        than two windows.
+    tuple of Hum
+        Without those whose line, or the floor beside it, lies beyond the Nyquist frequency; none where the record is
+        shorter than two windows.
     """
     size = round(_HUM_WINDOW / step)
-    if frequency + _HUM_BAND > 0.5 / step or samples.size < 2 * size:
-        return None
+    shown = [frequency for frequency in frequencies if frequency + _HUM_BAND <= 0.5 / step]
+    if not shown or samples.size < 2 * size:
+        return ()
     power = _spectrum(samples, size)
-    offset = np.abs(np.fft.rfftfreq(size, step) - frequency)
-    line = offset <= 0.2 + 2.0 * (1.0 / (size * step))  # and the width of two bins
+    bins = np.asarray(np.fft.rfftfreq(size, step), dtype=np.float64)
+    return tuple(line for frequency in shown if (line := _line(power, bins, frequency)) is not None)
+
+
+def _line(power: FloatArray, bins: FloatArray, frequency: float) -> Hum | None:
+    """The line at a frequency of a spectrum over its `bins` [Hz]; None where there is nothing beside it."""
+    offset = np.abs(bins - frequency)
+    line = offset <= 0.2 + 2.0 * bins[1]  # and the width of two bins
     # The mean of the logarithms' exponential is taken low by a few other lines; the median is not.
     floor = float(np.median(power[(offset <= _HUM_BAND) & ~line])) * int(line.sum())
     total = float(power[line].sum())
@@ -267,11 +275,15 @@ def mains_at_another_rate(samples: FloatArray, step: float) -> tuple[Hum, float]
     """
     steps = np.diff(samples[: BLOCKS * CHUNK])
     quiet = np.where(np.abs(steps) <= 2.0 * REACH * noise_level(samples), steps, 0.0)
-    in_place = (hum(quiet, step, frequency) for frequency in MAINS)
-    if any(line is not None and line.stands_out for line in in_place):
+    if any(line.stands_out for line in hum(quiet, step)):
         return None
-    elsewhere = ((hum(quiet, step, frequency / factor), factor) for factor in (2.0, 0.5) for frequency in MAINS)
-    return next(((line, factor) for line, factor in elsewhere if line is not None and line.stands_out), None)
+    elsewhere = (
+        (line, factor)
+        for factor in (2.0, 0.5)
+        for line in hum(quiet, step, [frequency / factor for frequency in MAINS])
+        if line.stands_out
+    )
+    return next(elsewhere, None)
 
 
 def aliased(frequency: float, step: float) -> float:

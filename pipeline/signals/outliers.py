@@ -273,7 +273,9 @@ def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, sign:
     jumps = 2 * runs  # one sample of each jump may lie between
     for rows in chunks(samples.size):
         part = sign * samples[rows]
-        top = np.sort(np.concatenate((top, part[part < bottom])))[-jumps - 1 :]
+        top = np.concatenate((top, part[part < bottom]))
+        if top.size > jumps:
+            top = np.partition(top, -jumps - 1)[-jumps - 1 :]
     apart = top.size > jumps and bottom - top[0] >= 0.5 * (top[0] - smallest)
     return float(0.5 * (bottom + top[0])) if apart else np.inf
 

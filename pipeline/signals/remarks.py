@@ -8,12 +8,13 @@ from typing import Literal
 
 import numpy as np
 
+from ..numerics.arrays import FloatArray
 from ..units.quantity import counted, stamped
 from .columns import Missing, Signal, finite, select
 from .findings import UNTOLD_STEP, scale_suspicion, unshown
-from .noise import LEAST_PER_PERIOD, advised_interval, mains_at_another_rate
+from .noise import LEAST_PER_PERIOD, advised_interval, is_stepped, mains_at_another_rate, noise_level
 from .outliers import Dropouts, LeftOut
-from .signal_quality import SignalQuality
+from .signal_quality import BOTH_SIGNS, SignalQuality, few_levels, is_ramped, rail, span, usual_span
 from .survey import TimeRows
 from .timebase import TimeQuality
 
@@ -72,12 +73,12 @@ def channel_remarks(
 
 def _stays(quality: SignalQuality, clock: Clock) -> Iterator[str]:
     """Remarks on times in which a signal stands still."""
-    for rail, share, value in (
+    for end, share, value in (
         ("upper", quality.high_rail, quality.usual[1]),
         ("lower", quality.low_rail, quality.usual[0]),
     ):
         if share > 0.0:
-            yield f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?"
+            yield f"{100 * share:.2g} % of the samples stay at the {end} extreme {value:.6g}: saturated?"
     long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
     if clock == "s" and long and not (quality.stepped or quality.rests):
         yield f"unchanged for {quality.longest_frozen:.3g} s from {stamped(quality.frozen_at)} s on"
@@ -91,12 +92,47 @@ def _first(places: tuple[float, ...], clock: Clock) -> str:
     return f", the first at {shown[clock]}"
 
 
-def scale_remarks(span: float, unit: str, plausible: tuple[float, float] | None) -> Iterator[str]:
+def saturation_remarks(time: FloatArray, samples: FloatArray, unit: str) -> Iterator[str]:
+    """Remarks on an input that is cut off at its largest or smallest value, exactly or beneath noise.
+
+    A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests about
+    zero is not at a rail there: its steps may hide the noise, and an amplifier that is off makes none.
+
+    Parameters
+    ----------
+    time : FloatArray, shape (N,)
+        Time stamps [s].
+    samples : FloatArray, shape (N,)
+        The input.
+    unit : str
+        SI unit of the input.
+    """
+    values = select(samples, finite(samples))
+    if not values.size or few_levels(values) or is_stepped(values):
+        return
+    noise = noise_level(values)
+    usual = usual_span(values)
+    ends = [rail(values, usual, end, noise) for end in (0, 1)]
+    rails = [(end.low, end.high) for end in ends if end]
+    largest = max(abs(bound) for bound in span(values))
+    for low, high in rails if not is_ramped(rails) else ():
+        level = 0.5 * (low + high)
+        if abs(level) > BOTH_SIGNS * largest:
+            there = (samples >= low) & (samples <= high)
+            cut = "but for its noise, " if high > low else ""
+            yield (
+                f"{100.0 * np.mean(there):.2g} % of the samples stay at {level:.6g} {unit}, {cut}the first at "
+                f"{time[np.argmax(there)]:.6g} s, which they reach at a slope: a saturated probe? What was applied "
+                "there is not known: widen the probe's range, unless this is a command that is limited there"
+            )
+
+
+def scale_remarks(reach: float, unit: str, plausible: tuple[float, float] | None) -> Iterator[str]:
     """Remark on a channel whose numbers span so much, in its SI `unit`, that their prefix seems to be wrong."""
-    factor = scale_suspicion(span, plausible)
+    factor = scale_suspicion(reach, plausible)
     if factor is not None:
         size = f"{factor:g}× too large" if factor > 1.0 else f"{1.0 / factor:g}× too small"
-        yield f"spans {span:.3g} {unit} and looks {size}: check its unit in [channels]"
+        yield f"spans {reach:.3g} {unit} and looks {size}: check its unit in [channels]"
 
 
 def mains_remarks(inputs: Sequence[Signal], rate: float) -> Iterator[str]:

@@ -7,7 +7,7 @@ a triangle. All this is seen in units of what the level shows by itself: half a 
 reach.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +18,6 @@ from ..numerics.metrics import NORMAL_MEDIAN
 from .columns import BLOCKS, CHUNK, chunks, column, finite, select
 from .noise import (
     CHANCE,
-    MAINS,
     REACH,
     Bandwidth,
     Hum,
@@ -285,7 +284,7 @@ class SignalQuality:
     @property
     def ramped(self) -> bool:
         """True if it comes to both ends of its range at a slope, beneath its noise, as a command with ramps does."""
-        return len(self.rails) == 2 and all(high > low for low, high in self.rails)
+        return is_ramped(self.rails)
 
 
 def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> SignalQuality:
@@ -340,14 +339,14 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         high_rail=high.share if high else 0.0,
         rails=tuple((end.low, end.high) for end in (low, high) if end),
         stepped=is_stepped(values),
-        levels=_levels(values),
+        levels=few_levels(values),
         longest_frozen=ended - began,
         frozen_samples=frozen,
         frozen_at=began,
         rests=_rests(values, start, start + frozen),
         spikes=spikes,
         spikes_at=tuple(stamps[first_spikes].tolist()),
-        hum=tuple(line for f in MAINS if (line := hum(values, step, f)) is not None),
+        hum=hum(values, step),
         band=bandwidth(bridged(values, noise) if spikes else values, step, noise),
     )
 
@@ -381,7 +380,12 @@ def _nothing_finite(count: int, located: tuple[float, ...]) -> SignalQuality:
     )
 
 
-def _levels(values: FloatArray) -> tuple[float, ...]:
+def is_ramped(rails: Sequence[tuple[float, float]]) -> bool:
+    """True if a signal comes to both ends of its range, `rails` as in `SignalQuality`, at a slope beneath its noise."""
+    return len(rails) == 2 and all(high > low for low, high in rails)
+
+
+def few_levels(values: FloatArray) -> tuple[float, ...]:
     """The different values, none where there are more than `MOST_LEVELS`."""
     levels: set[float] = set()
     for rows in chunks(values.size):

@@ -129,7 +129,8 @@ def read_si(
 def on_uniform_clocks(log: RawLog) -> RawLog:
     """The log with the uniform clock in place of stamps that are those of one, rounded; which is noted."""
     signals = {"q": log.q, **log.beside}
-    clocks = {id(time): uniform_clock(time) for time, _ in signals.values()}
+    stamps = {id(time): time for time, _ in signals.values()}  # signals may share theirs
+    clocks = {key: uniform_clock(time) for key, time in stamps.items()}
     notes = list(log.notes)
     for key, clock in clocks.items():
         if clock is not None:

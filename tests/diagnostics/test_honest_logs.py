@@ -11,7 +11,7 @@ from pipeline.diagnostics.copies import shared_recordings, sketch
 from pipeline.diagnostics.log_facts import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
-from pipeline.signals.findings import Finding, saturation
+from pipeline.signals.findings import Finding
 from pipeline.signals.remarks import channel_remarks
 from pipeline.signals.signal_quality import examine_signal
 from tests.double_well import DoubleWell
@@ -113,7 +113,7 @@ def test_an_amplifier_that_is_off_is_at_no_rail() -> None:
     """Its monitor has an offset, and steps that hide its noise; what it drives has ripple."""
     on = np.sin(0.7 * T) > 0.2
     v = np.round((-3.7 + on * (2000.0 + 15.0 * np.sin(628.3 * T + T**2))) / 0.07) * 0.07
-    assert saturation(T, v, 1 / 2000.0, "V") == []
+    assert [*saturation_remarks(T, v, "V")] == []
     noisy = v + np.random.default_rng(1).normal(0.0, 1.0, T.size)
     clipped = np.minimum(noisy + on * 300.0 * np.sin(3.0 * T), 2200.0)
-    assert len(saturation(T, clipped, 1 / 2000.0, "V")) == 1
+    assert len([*saturation_remarks(T, clipped, "V")]) == 1

@@ -19,7 +19,6 @@ from ...signals.findings import (
     log_findings,
     missing_findings,
     rate_findings,
-    saturation,
 )
 from ...signals.log import LONGEST_BRIDGE, UNKNOWN, Corrections, RawLog
 from ...signals.noise import held_samples, resolution
@@ -33,6 +32,7 @@ from ...signals.remarks import (
     masked_remarks,
     missing_remarks,
     rate_remarks,
+    saturation_remarks,
     scale_remarks,
 )
 from ...signals.signal_quality import SignalQuality, examine_signal, span
@@ -235,7 +235,7 @@ def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> Iterat
     yield from (f"q: {remark}" for remark in channel_remarks(trusted.quality))
     yield from mains_remarks(signals.inputs, rate) if rate else ()
     for name, time, samples, unit in inputs:
-        yield from (f"{name}: {remark}" for remark in saturation(time, samples, nominal_step(time), unit.symbol))
+        yield from (f"{name}: {remark}" for remark in saturation_remarks(time, samples, unit.symbol))
     named = [("q", trusted.samples, plant.displacement), *((name, samples, unit) for name, _, samples, unit in inputs)]
     for name, samples, unit in named:
         smallest, largest = span(samples)
