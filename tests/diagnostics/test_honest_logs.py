@@ -12,7 +12,7 @@ from pipeline.diagnostics.log_facts import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.signals.findings import Finding
-from pipeline.signals.remarks import channel_remarks
+from pipeline.signals.remarks import channel_remarks, saturation_remarks
 from pipeline.signals.signal_quality import examine_signal
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
