@@ -392,12 +392,9 @@ def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:
         for number, label in enumerate(panel.cells.labels):
             if (panel.cells.index == number).any():
                 yield label, Style(f"cell{number}")
-    for band in panel.bands:
-        yield band.label, Style("band", slot(band.role, models))
-    for line in panel.lines:
-        yield line.label, Style(line_kind(line), slot(line.role, models), line.dash)
-    for points in panel.points:
-        yield points.label, Style(points.marker, slot(points.role, models))
+    yield from ((band.label, Style("band", slot(band.role, models))) for band in panel.bands)
+    yield from ((line.label, Style(line_kind(line), slot(line.role, models), line.dash)) for line in panel.lines)
+    yield from ((points.label, Style(points.marker, slot(points.role, models))) for points in panel.points)
 
 
 def _place(style: Style) -> tuple[int, int]:

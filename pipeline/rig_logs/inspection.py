@@ -144,8 +144,10 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         alike = [seen.span for other, _, seen, _ in examined if other.unit == channel.unit and other is not channel]
         driven = channel.name in (*driving["v1"], *driving["v2"])
         own = codes.get(channel.name, {})
-        usual = channel_remarks(quality, own_clock, driven=driven, alike=max(alike, default=np.nan))
-        remarks = (*code_remarks(own), *usual)
+        remarks = (
+            *code_remarks(own),
+            *channel_remarks(quality, own_clock, driven=driven, alike=max(alike, default=np.nan)),
+        )
         time = column if channel.time is None else channel.time
         if position is not None and time is not None and channel.name in driving["q"]:
             lost, quality = _without_dropouts(Signal(time, channel.samples), quality, bases[position].step)

@@ -216,8 +216,7 @@ def _segment(group: Segments, rows: slice, points: FloatArray, interval: float) 
         interpolated(time, samples, points, smooth=smooth)
         for samples, smooth in zip(columns, group.smooth, strict=True)
     ]
-    for pieces in zip(*streams, strict=True):
-        yield np.stack(pieces)
+    yield from (np.stack(pieces) for pieces in zip(*streams, strict=True))
 
 
 def _bridged(group: Segments, gap: FloatArray) -> Iterator[FloatArray]:

@@ -137,10 +137,8 @@ def on_uniform_clocks(log: RawLog) -> RawLog:
             names = ", ".join(name for name, (time, _) in signals.items() if id(time) == key)
             of = "" if len(clocks) == 1 else f" of {names}"
             notes.append(f"the time stamps{of} are {clock.described}")
-    made = []
-    for time, samples in signals.values():
-        clock = clocks[id(time)]
-        made.append(Signal(time if clock is None else clock.time, samples))
+    uniform = {key: clock.time for key, clock in clocks.items() if clock is not None}
+    made = (Signal(uniform.get(id(time), time), samples) for time, samples in signals.values())
     return _raw_log(made, len(log.inputs), notes)
 
 
