@@ -115,8 +115,8 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
         if suggestion.role == "time" and not suggestion.candidates and (first.rates or not _left_over(first)):
             rate = "states its sample rate" if first.rates else "has none"
             lines.append(f"# time is left out: the log {rate}; see sample_rate")
-            continue
-        lines += _role_lines(suggestion, by_name, first)
+        else:
+            lines += _role_lines(suggestion, by_name, first)
     lines += _velocity_lines(first)
     # What a log holds is quoted where TOML reads it; in comments its control characters are written out, as here.
     return "\n".join(map(_plain_line, [*lines, "", *_plant_lines(first), *_ingest_lines(first)])) + "\n"

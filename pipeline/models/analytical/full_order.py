@@ -236,28 +236,26 @@ def simulate(
     -----
     Cost: about 4 µs a step of the integrator.
     """
-    count = t.size
-    solution = no_solution(count)
-    states, rates, steps = solution
-    load = np.zeros(count) if force is None else force
+    solution = no_solution(t.size)
+    load = np.zeros(t.size) if force is None else force
     inputs = Inputs(np.ascontiguousarray(t), np.ascontiguousarray(v), np.ascontiguousarray(load))
     valid = integrate(inputs, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
-    states[valid:] = np.nan
-    rates[valid:] = np.nan
-    qm, qm_dot, z = np.split(states, [RITZ, FIRST_Z], axis=1)
+    solution.states[valid:] = np.nan
+    solution.rates[valid:] = np.nan
+    qm, qm_dot, z = np.split(solution.states, [RITZ, FIRST_Z], axis=1)
     levers = parameters.levers
     return FullOrderMotion(
         t,
         qm @ levers,
         qm_dot @ levers,
-        rates[:, RITZ:FIRST_Z] @ levers,
+        solution.rates[:, RITZ:FIRST_Z] @ levers,
         *run_status(t, valid),
         qm=qm,
         qm_dot=qm_dot,
         z=z,
         phi=np.arctan(qm @ parameters.slopes),
-        accepted=int(steps[0]),
-        rejected=int(steps[1]),
+        accepted=int(solution.steps[0]),
+        rejected=int(solution.steps[1]),
     )
 
 

@@ -38,7 +38,7 @@ from ...signals.remarks import (
 from ...signals.signal_quality import SignalQuality, examine_signal, span
 from ...signals.survey import Survey, inputs_unknown, survey
 from ...signals.timebase import TimeQuality, examine, nominal_step, seldom
-from ...signals.uniform_record import RecordReport, Resampling, UniformRecord
+from ...signals.uniform_record import Resampling, UniformRecord
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
@@ -103,11 +103,13 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[R
     unknown = inputs_unknown(usable, LONGEST_BRIDGE * interval)
     few, coarse = _few_samples(signals, interval)
     cut_off = _cut_off(usable, clock)
+    report = resamplings[1].report
+    cut = cut_off / report.interval  # rows
     findings = [
         *missing_findings(beside),
         *rate_findings(clock, quality, interval),
         *coarse,
-        *log_findings(clock, quality, _masked_share(resamplings[1].report, cut_off), few),
+        *log_findings(clock, quality, (report.masked_rows + cut) / (report.rows + cut), few),
     ]
     kept = [finding for finding in findings if finding.gate == "rails" and settings.rails == "keep"]
     accepted = judge(where, [finding for finding in findings if finding not in kept], prototype.quality)
@@ -208,12 +210,6 @@ def _cut_off(usable: Survey, clock: TimeQuality) -> float:
     """Time [s] at both ends of a log in which no sample of q is left; clock: that of q."""
     edges = usable.groups[0].edges
     return max(0.0, float(edges[0, 0]) - clock.start) + max(0.0, clock.stop - float(edges[-1, 1]))
-
-
-def _masked_share(report: RecordReport, cut_off: float) -> float:
-    """Share of the rows of a record that are masked, or were cut off [s] at the log's ends."""
-    rows = cut_off / report.interval
-    return (report.masked_rows + rows) / (report.rows + rows)
 
 
 def record_columns(piece: UniformRecord, names: Sequence[str]) -> dict[str, FloatArray]:
