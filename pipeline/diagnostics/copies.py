@@ -49,7 +49,7 @@ def sketch(time: FloatArray, q: FloatArray) -> list[tuple[int, float]]:
 
 
 def shared_recordings(logs: Sequence[LogSignals]) -> list[tuple[int, int, Finding]]:
-    """Every pair of logs that hold one recording, by their places, with the finding on what they share."""
+    """Every pair of logs that hold one recording, by their places, with a finding on the shared spans."""
     pairs = ((i, k, overlap(logs[i], logs[k])) for i, k in combinations(range(len(logs)), 2))
     return [(i, k, finding) for i, k, finding in pairs if finding is not None]
 

@@ -1,4 +1,4 @@
-"""The full-order joint: where it rests, what energy it stores, how it moves."""
+"""The full-order joint: its rests, its stored energy, its motion."""
 
 from dataclasses import dataclass
 

@@ -1,7 +1,7 @@
 """Time steps of the full-order joint by the implicit midpoint rule.
 
-The joint is stiff (slow modes near 20 rad/s, beam losses at −5·10⁴ 1/s), so the step is implicit; the midpoint rule
-is of second order, A-stable, and neither adds nor removes energy in a linear conservative system. With
+The joint is stiff (slow modes near 20 rad/s, beam losses at −5·10⁴ 1/s), so the step is implicit. The midpoint rule is
+of second order, A-stable, and neither adds nor removes energy in a linear conservative system. With
 ``x_m = x0 + h v_m/2`` a step solves
 
     ``M(x_m)·2(v_m − v0)/h + bias(x_m, v_m) = force(x_m, v_m)``

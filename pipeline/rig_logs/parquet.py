@@ -33,6 +33,7 @@ from .source import (
 )
 
 _BUFFER = 1 << 20
+_MOST_DIGITS = 75  # of decimals whose differences Arrow holds
 
 
 class ParquetSource(Source):
@@ -126,9 +127,6 @@ def _since_first(name: str, column: Any, counted: Counted) -> Any:
         return column
     wide = column.cast(pa.decimal256(_MOST_DIGITS, column.type.scale))
     return pc.subtract(wide, pa.scalar(origin, wide.type))
-
-
-_MOST_DIGITS = 75  # of decimals whose differences Arrow holds
 
 
 def _leaves(name: str, field: Any, path: tuple[str, ...]) -> Iterator[tuple[str, tuple[str, ...], Any]]:

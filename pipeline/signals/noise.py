@@ -25,6 +25,24 @@ _BALANCED = 0.25
 """Least share of the time that a signal of two values spends at either, so that it switches and does not flicker."""
 _RESOLUTION = 1e-12
 """Share of the range of a record, or of its largest difference, below which a difference is only rounding."""
+_FEWEST = 100
+"""Changes that show how far apart they are."""
+_SELDOM = 0.05
+"""Share of the changes that may follow each other sooner, as beside a repaired gap."""
+LEAST_PER_PERIOD = 5.0
+"""Samples in a period of what moves, below which a record hardly shows it."""
+ADVISED_PER_PERIOD = 8.0
+"""The same for an advised interval."""
+LOST_PER_PERIOD = 10.0 / 3.0
+"""The same, below which decimation takes most of it: the kernel lets a third of its power pass."""
+_NEARLY_ALL = 0.99
+_WINDOW = 1 << 14
+MAINS = (50.0, 60.0)
+"""Mains frequencies [Hz] at which hum is looked for."""
+_HUM_WINDOW = 4.0
+_HUM_BAND = 8.0
+_STANDS_OUT = 10.0
+"""Decibels over the spectrum beside it above which a line is reported."""
 
 
 def white_noise(samples: FloatArray) -> float:
@@ -133,12 +151,6 @@ def _excerpt(samples: FloatArray, most: int = CHUNK) -> FloatArray:
     return np.asarray(first[np.isfinite(first)])
 
 
-_FEWEST = 100
-"""Changes that show how far apart they are."""
-_SELDOM = 0.05
-"""Share of the changes that may follow each other sooner, as beside a repaired gap."""
-
-
 def held_samples(samples: FloatArray, resolution: float | None) -> int:
     """Samples between changes of a signal by more than a step of its converter; 1 where there are few changes.
 
@@ -151,16 +163,6 @@ def held_samples(samples: FloatArray, resolution: float | None) -> int:
     """
     changes = np.flatnonzero(np.abs(np.diff(_excerpt(samples, 16 * CHUNK))) > 1.5 * (resolution or 0.0))
     return 1 if changes.size < _FEWEST else int(np.quantile(np.diff(changes), _SELDOM))
-
-
-LEAST_PER_PERIOD = 5.0
-"""Samples in a period of what moves, below which a record hardly shows it."""
-ADVISED_PER_PERIOD = 8.0
-"""The same for an advised interval."""
-LOST_PER_PERIOD = 10.0 / 3.0
-"""The same, below which decimation takes most of it: the kernel lets a third of its power pass."""
-_NEARLY_ALL = 0.99
-_WINDOW = 1 << 14
 
 
 class Bandwidth(NamedTuple):
@@ -201,14 +203,6 @@ def bandwidth(samples: FloatArray, step: float, noise: float) -> Bandwidth:
 def advised_interval(most: float, step: float) -> float:
     """Sample interval [s] for a signal that moves up to `most` [Hz] and was recorded with the step [s]."""
     return float(f"{max(1.0 / (ADVISED_PER_PERIOD * most), step):.4g}")
-
-
-MAINS = (50.0, 60.0)
-"""Mains frequencies [Hz] at which hum is looked for."""
-_HUM_WINDOW = 4.0
-_HUM_BAND = 8.0
-_STANDS_OUT = 10.0
-"""Decibels over the spectrum beside it above which a line is reported."""
 
 
 @dataclass(frozen=True)

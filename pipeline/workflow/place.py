@@ -145,7 +145,7 @@ class Place:
 
 
 def place_of(given: Path, output: Path | None = None) -> Place:
-    """The settings file and the run folder that belong together, of which one is given.
+    """The settings file and the run folder that belong together, found from either.
 
     Raises
     ------

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from pipeline.device.device import JOINT
-from pipeline.signals.findings import saturation, scale_suspicion
+from pipeline.signals.findings import scale_suspicion
 from pipeline.signals.noise import hum, is_idle, resolution
+from pipeline.signals.remarks import saturation_remarks
 from pipeline.signals.signal_quality import examine_signal, usual_span
 from tests.prototypes import motion
 
@@ -203,17 +204,17 @@ def _pulses(lag, heights, rate=10_000.0):
 def test_a_probe_that_saturates_beneath_its_noise():
     t, v = _pulses(3e-3, [3000.0, 2700.0, 1800.0, 2900.0])
     added = np.random.default_rng(2).normal(size=t.size)
-    assert len(saturation(t, np.minimum(v, 2500.0) + added, "V")) == 1
-    assert saturation(t, v + added, "V") == []
+    assert len([*saturation_remarks(t, np.minimum(v, 2500.0) + added, "V")]) == 1
+    assert [*saturation_remarks(t, v + added, "V")] == []
 
 
 def test_pulses_of_one_height_are_no_rail():
     added = np.random.default_rng(3).normal(size=80_000)
     t, lagging = _pulses(3e-3, [2500.0])
-    assert saturation(t, lagging + added, "V") == []
+    assert [*saturation_remarks(t, lagging + added, "V")] == []
     square = np.where(t % 0.4 < 0.2, 2500.0, 0.0)
-    assert saturation(t, square + added, "V") == []
+    assert [*saturation_remarks(t, square + added, "V")] == []
     ramped = np.interp(t % 0.4, [0.0, 0.02, 0.2, 0.22], [0.0, 2500.0, 2500.0, 0.0])
-    assert saturation(t, ramped + added, "V") == []
+    assert [*saturation_remarks(t, ramped + added, "V")] == []
     triangle = np.interp(t % 0.4, [0.0, 0.2, 0.4], [0.0, 2500.0, 0.0])
-    assert saturation(t, triangle + added, "V") == []
+    assert [*saturation_remarks(t, triangle + added, "V")] == []

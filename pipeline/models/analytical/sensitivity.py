@@ -65,7 +65,7 @@ def state_sensitivities(
     masses = np.empty((count, RITZ, RITZ))
     slopes = np.empty((count, SLOPES))
     sources = np.empty((count, _MOVED, unknowns))
-    _tabulate(_Run(t, v, states, rates), points, steps, _Tables(masses, slopes, sources))
+    _tabulate(_Run(t, v, states, rates), points, steps, masses, slopes, sources)
     out = np.empty((t.size, STATES, unknowns))
     integrate_sensitivities(
         t,
@@ -93,18 +93,25 @@ class _Run(NamedTuple):
     rates: FloatArray
 
 
-class _Tables(NamedTuple):
-    """M (2N − 1, 4, 4), J (…, 79) and ∂f/∂p (…, 7, P), M times that of q̇_m, at N samples and halfway between."""
-
-    masses: FloatArray
-    slopes: FloatArray
-    sources: FloatArray
-
-
 @compiled(nogil=True)
-def _tabulate(run: _Run, points: FloatArray, steps: FloatArray, tables: _Tables) -> None:
-    """Fill the tables along a run."""
-    masses, slopes, sources = tables
+def _tabulate(
+    run: _Run, points: FloatArray, steps: FloatArray, masses: FloatArray, slopes: FloatArray, sources: FloatArray
+) -> None:
+    """Fill tables at the N samples of a run and halfway between.
+
+    Parameters
+    ----------
+    run : _Run
+        The run.
+    points : FloatArray, shape (P + 1, 41)
+        Parameters of the joint, then those with one unknown moved by its step.
+    steps : FloatArray, shape (P,)
+        Steps of the unknowns.
+    masses, slopes : FloatArray, shapes (2N − 1, 4, 4) and (2N − 1, 79)
+        M and J (output).
+    sources : FloatArray, shape (2N − 1, 7, P)
+        ∂f/∂p, M times that of q̇_m (output).
+    """
     x = np.empty(STATES)
     a = np.empty(RITZ)
     squares = np.empty(2)
