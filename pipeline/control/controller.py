@@ -134,7 +134,6 @@ def move(s: FloatArray, v: FloatArray, law: Law) -> None:
     _move((s, v, law.numbers, law.prepared, law.curves))
 
 
-@compiled
 def closed_on_model(law: Law, joint: Law, start: float, target: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Run a controller on a joint of the model's class from rest.
 

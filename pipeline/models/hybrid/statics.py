@@ -157,7 +157,6 @@ def rest_state(
     return x, z
 
 
-@compiled
 def rest_at_reading(
     reading: float,
     by: tuple[float, float],
