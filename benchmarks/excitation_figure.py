@@ -11,7 +11,13 @@ from pipeline.device.parameters import NOMINAL
 from pipeline.fitting.information import Coverage
 from pipeline.reporting.figure import FIXED
 from pipeline.rig.excitation import Burst, alternating_pulses, command
-from pipeline.workflow.studies.excitation import Design, Requirements, Simulator, design_excitation, drawn_simulators
+from pipeline.workflow.studies.excitation_design import (
+    Design,
+    Requirements,
+    Simulator,
+    design_excitation,
+    drawn_simulators,
+)
 
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "figures" / "excitation.svg"
 STYLE: Any = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}

@@ -22,7 +22,7 @@ from pipeline.rig.random_joint import random_joint
 from pipeline.workflow.engine import Unheard
 from pipeline.workflow.report_data import load_scores
 from pipeline.workflow.run import run_prototype, run_stage
-from pipeline.workflow.studies.excitation import Requirements, design_excitation, drawn_simulators
+from pipeline.workflow.studies.excitation_design import Requirements, design_excitation, drawn_simulators
 
 FORM = LAYOUTS["parquet"]
 RATE = 10_000.0

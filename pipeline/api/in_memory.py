@@ -20,9 +20,10 @@ from ..models.model_type import StoredModel, model_type
 from ..numerics.arrays import FloatArray
 from ..settings.models import AUTO, ENTRIES, entry, names
 from ..settings.prototype import Plant, Prototype, parse_prototype
-from ..signals.columns import code_remarks, codes_in, masked
+from ..signals.columns import Signal, codes_in, masked
 from ..signals.findings import scale_suspicion
 from ..signals.log import UNKNOWN, Log, RawLog, log_of
+from ..signals.remarks import code_remarks
 from ..store import layout
 from ..store.columns import TUBE_COLUMNS
 from ..store.run_folder import RunFolder
@@ -140,7 +141,7 @@ def settings(
 
 
 def _plain(table: Mapping[str, Any]) -> dict[str, Any]:
-    """Values of a table of settings, those of NumPy as Python's, paths as texts."""
+    """Values of a table of settings: numbers of NumPy become Python's, paths become texts."""
     texts = {key: str(value) if isinstance(value, Path) else value for key, value in table.items()}
     return {key: value.item() if isinstance(value, np.generic) else value for key, value in texts.items()}
 
@@ -212,7 +213,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
     stamps = np.ascontiguousarray(signals.t)
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
-    q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
+    q, *inputs = (Signal(stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
     log = on_uniform_clocks(
         RawLog(
             q,
@@ -222,7 +223,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
     )
     if signals.unit != "m":
         log = with_displacement(log, device(prototype), parameter_set(prototype, _in_this_folder()))
-    measured = log.q[1][np.isfinite(log.q[1])]
+    measured = log.q.samples[np.isfinite(log.q.samples)]
     refuse_other_units({"q": float(np.ptp(measured)) if measured.size else 0.0}, prototype)
     resamplings, noticed = examined(log, prototype, where)
     fine, coarse = (record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings)
@@ -416,7 +417,7 @@ def seconds(t: Any) -> FloatArray:
 
 
 def _columns(given: Mapping[str, Any], *, gaps: bool) -> dict[str, FloatArray]:
-    """Columns of finite numbers, all as long as t; those that are None are left out. `gaps` are NaN but of t."""
+    """Columns of finite numbers, all as long as t, without those that are None. `gaps` become NaN, except in t."""
     columns: dict[str, FloatArray] = {}
     for name, values in given.items():
         if values is None:

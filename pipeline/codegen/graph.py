@@ -18,6 +18,10 @@ import numpy as np
 
 from ..numerics.arrays import FloatArray
 
+_COMMUTE = {"add", "mul", "and", "or"}
+_OF_NUMBERS = {"add", "sub", "mul", "neg", "le", "lt"}
+"""Operations that are computed here if all operands are numbers; every language gives the same value."""
+
 
 class Operation(NamedTuple):
     """One operation: `name`, and operands that are numbers of earlier operations.
@@ -103,7 +107,7 @@ def _line(operation: Operation) -> str:
 
 
 class Builder:
-    """Operations, each different one once; those of numbers alone are computed here."""
+    """Operations without repetition; an operation on numbers alone is computed here."""
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []
@@ -140,7 +144,6 @@ def reachable(operations: list[Operation], stores: list[Operation]) -> list[Oper
     return renumbered + [store._replace(operands=(place[store.operands[0]],)) for store in stores]
 
 
-_COMMUTE = {"add", "mul", "and", "or"}
 NUMPY: dict[str, Callable[..., Any]] = {
     "add": np.add, "sub": np.subtract, "mul": np.multiply, "div": np.divide, "neg": np.negative, "sqrt": np.sqrt,
     "abs": np.abs, "sign": np.sign, "min": np.minimum, "max": np.maximum, "exp": np.exp, "atan": np.arctan,
@@ -160,8 +163,6 @@ NUMPY: dict[str, Callable[..., Any]] = {
 
 
 Number = Union["Value", float]
-_OF_NUMBERS = {"add", "sub", "mul", "neg", "le", "lt"}
-"""Operations that are computed here if all operands are numbers; every language gives the same value."""
 
 
 @dataclass(eq=False)

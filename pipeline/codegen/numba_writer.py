@@ -2,8 +2,8 @@
 
 `kernel` takes arrays, `formula` numbers.
 
-Written as Python source they would pass numba's type inference one by one, 2 ms each; so they cost a tenth of that, and
-vector instructions are written out, and do not depend on an optimiser.
+Written as Python source they would pass numba's type inference one by one, 2 ms each; here they cost a tenth of that.
+Vector instructions are written out, so they do not depend on an optimiser.
 """
 
 # mypy: disable-error-code="no-untyped-def,no-untyped-call,call-overload"
@@ -247,7 +247,7 @@ class _Writer:
         return self._of_library(name, a)
 
     def _of_library(self, name: str, a: Any) -> Any:
-        """A function of the C library, of one joint after the other."""
+        """A function of the C library, called for one joint after the other."""
         name = name if self.real == _REAL else f"{name}f"
         function = function_of(self.builder.module, ir.FunctionType(self.real, [self.real]), name)
         if self.width == 1:

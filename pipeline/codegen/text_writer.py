@@ -11,6 +11,8 @@ from .graph import Graph, GraphSequence, Operation
 _OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<="}
 _LONGEST = 90
 """Characters of an expression that is written where it is used, if it is used once."""
+_CONDITIONS = frozenset({"lt", "le", "and", "or", "not", "finite"})
+"""Operations whose value is true or false."""
 
 
 class Code(str):
@@ -79,10 +81,6 @@ MATLAB = Language(
 )  # fmt: skip
 
 
-_CONDITIONS = frozenset({"lt", "le", "and", "or", "not", "finite"})
-"""Operations whose value is true or false."""
-
-
 def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
     """A static C function of the inputs, then of the outputs that are not inputs."""
     typed = [
@@ -105,7 +103,7 @@ def matlab_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
 
 
 def c_sequence(name: str, sequence: GraphSequence) -> Code:
-    """A static C function of the given arrays; those of its graphs are made by `c_function`."""
+    """A static C function of the given arrays; `c_function` writes the functions of its graphs."""
     changed = sequence.changed()
     given = ", ".join(f"{'' if array in changed else 'const '}real *{array}" for array in sequence.given)
     local = ", ".join(f"{array}[{size}]" for array, size in sequence.local.items())
@@ -128,7 +126,7 @@ def matlab_sequence(name: str, sequence: GraphSequence) -> Code:
 
 
 def _lines(graph: Graph, language: Language, scalars: frozenset[str]) -> Iterator[str]:
-    """One statement for each value that is used often or is long; then what is stored."""
+    """One statement for each value that is used often or is long, then the stores."""
     operations = graph.operations
     uses = [0] * len(operations)
     for operation in operations:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..numerics.arrays import FloatArray, IntArray
     from ..rig_logs.inspection import InspectedChannel, Inspection
     from ..workflow.inspection import LogExcitation
-    from ..workflow.studies.excitation import Design
+    from ..workflow.studies.excitation_design import Design
 
 
 def emit_design(design: "Design", files: Iterable[Path]) -> None:

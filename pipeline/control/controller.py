@@ -74,8 +74,8 @@ def begin_control(reading: float, law: Law, s: FloatArray) -> None:
 def control(s: FloatArray, reading: float, target: float, law: Law, v: FloatArray) -> None:
     """One period: correct the estimate, fill the voltages `v`, shape (2,) [V], predict; `s` is the controller's state.
 
-    Whatever reading and target are, the voltages lie within 0 … the largest; without a reading they go to zero in
-    `estimator.RAMP` periods, and the estimate begins anew when readings come back. Cost: the same in every state, 3 µs.
+    Whatever reading and target are, the voltages lie within 0 … the largest. Without a reading they go to zero in
+    `estimator.RAMP` periods. The estimate begins anew when readings come back. Cost: the same in every state, 3 µs.
 
     Parameters
     ----------
@@ -134,7 +134,6 @@ def move(s: FloatArray, v: FloatArray, law: Law) -> None:
     _move((s, v, law.numbers, law.prepared, law.curves))
 
 
-@compiled
 def closed_on_model(law: Law, joint: Law, start: float, target: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Run a controller on a joint of the model's class from rest.
 

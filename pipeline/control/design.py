@@ -1,7 +1,7 @@
 """Design of the controller on the identified joint: its numbers, and the tables that it reads.
 
-Targets: equilibria held there, charge of both sides, gains of the linear-quadratic regulator. Braking curves: the
-largest speeds from which full braking still stops at a target, by simulation of the model.
+Targets are equilibria of the model: the voltages that hold it there, the charge of both sides, and the gains of the
+linear-quadratic regulator. Braking curves come from simulation (`pipeline.control.braking`).
 """
 
 import math
@@ -15,12 +15,10 @@ from ..generated.condensed_joint import SHAPE_RATES, STATES, STOP_ELEMENTS
 from ..models.hybrid.kernels import INDEX, tabulate
 from ..models.hybrid.statics import rest_state
 from ..numerics.arrays import FloatArray
-from ..numerics.compiled import compiled, copy_into
 from ..numerics.metrics import BAND
-from .controller import move
+from .braking import braking_curves, reached
 from .estimator import PERIOD
-from .feedback import RESERVE
-from .law import BEYOND, CONTROLLER_STATE, CORRECTED, FEEDBACK, NUMBERS, PLACES, REACHES, RESTS, SIDES, TARGETS, Law
+from .law import BEYOND, CORRECTED, FEEDBACK, NUMBERS, REACHES, RESTS, SIDES, TARGETS, Law
 from .plant import (
     ASSUMED_LAG,
     ControlledJoint,
@@ -37,12 +35,51 @@ COMMON = 0.05
 """Step of the mean share of the largest squared voltage on both sides at an unstable target."""
 SLOW = 15.0
 """Unstable pole [1/s] up to which both sides are charged: a quarter of the slowest zero in the right half plane."""
+WEIGHT = 0.2
+"""Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""
+NEAR = 0.07
+"""Distance, over that of the wells, within which the regulator begins; it stops at twice that distance."""
+STEEPNESS = 2.0
+"""Share of the largest moment for a speed off the braking curve that is the largest one of a snap."""
+SETTLES = 0.14
+"""Part of a snap's time after which a brake has taken hold: the slope has followed the moment."""
+READING = 1.5e-4
+"""Standard deviation of a reading over the wells' distance: noise, resolution, and the laser's linearity as it changes
+with the motion."""
+PUSH = 1.2e-4
+WALK = 1e-2
+"""Standard deviations of a white force on q [√s], over the largest moment through the wells' distance, and of the
+random walk of the unknown moment [1/√s], over the largest one."""
+BOUND = 10.0
+"""Magnitude that no estimate passes, over what it reaches in a snap, or over the largest moment."""
+NODES = 2
+"""Points of the table of the corrections in a width σ."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Choices of the user.
+
+    Attributes
+    ----------
+    highest : float
+        Largest voltage [V].
+    lags : tuple of float
+        Time constants of the left and the right converter [s].
+    slew, average : float or None
+        Largest rate [V/s] of each voltage, and its largest mean over `MEMORY` [V]; None is no limit.
+    """
+
+    highest: float
+    lags: tuple[float, float] = (ASSUMED_LAG, ASSUMED_LAG)
+    slew: float | None = None
+    average: float | None = None
 
 
 def target_table(
     plant: ControlledJoint, wells: list[LinearModel], places: FloatArray, highest: float, lag: float, reach: FloatArray
 ) -> tuple[FloatArray, tuple[float, float]]:
-    """Rows as `pipeline.control.law.TARGET_COLUMNS` names them, and what switches the joint slowly.
+    """Rows of `pipeline.control.law.TARGET_COLUMNS`, and the voltages that switch the joint slowly.
 
     Parameters
     ----------
@@ -57,7 +94,7 @@ def target_table(
     lag : float
         Time constant [s] from command to force, the mean of both sides.
     reach : FloatArray, shape (CORRECTED,)
-        Of the leading states, what weighs as the largest moment.
+        Deviations of the leading states that weigh as much as the largest moment.
 
     Returns
     -------
@@ -149,7 +186,7 @@ def regulator(
     lag : float
         Time constant from command to force [s].
     reach : FloatArray, shape (CORRECTED,)
-        Of the leading states, what weighs as the largest moment.
+        Deviations of the leading states that weigh as much as the largest moment.
     """
     a, b = jacobian(x, u, plant.constants)
     per_square = moments_per_square(plant, x, u)
@@ -164,240 +201,6 @@ def regulator(
     drive = step[:-1, -1:]
     cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
     return np.asarray(np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0])
-
-
-@compiled
-def reached(law: Law, start: FloatArray, end: float, v: FloatArray) -> FloatArray:
-    """Largest magnitudes of the leading states, shape (CORRECTED,), in a snap of the model.
-
-    Parameters
-    ----------
-    law : Law
-        With the model; its tables are not needed.
-    start : FloatArray, shape (STATES,)
-        A well, without voltage.
-    end : float
-        The other well [m].
-    v : FloatArray, shape (2,)
-        Voltages [V] until the joint is half way there; then there are none. At most `LONGEST` periods are looked at.
-    """
-    s = np.zeros(CONTROLLER_STATE)
-    largest = np.zeros(CORRECTED)
-    none = np.zeros(2)
-    half = 0.5 * (start[0] + end)
-    copy_into(s[:STATES], start)
-    for _ in range(LONGEST):
-        move(s, v if (s[0] - half) * (end - half) < 0.0 else none, law)
-        for i in range(CORRECTED):
-            largest[i] = max(largest[i], abs(s[i]))
-        if (s[0] - end) * (end - half) > 0.0:
-            break
-    return largest
-
-
-LONGEST = 600
-"""Periods of a motion of the model, at most."""
-EVERY = 2
-"""Periods from one braked instant to the next."""
-SPEEDS = (1.0, 2.0)
-"""Speeds, over the largest of a snap, with which motions begin that are braked."""
-LEVELS = (1.0, 0.5)
-"""Shares of the largest moment that push them."""
-
-
-def braking_curves(
-    law: Law, wells: list[LinearModel], slope: float, places: FloatArray, side: int, highest: float, fastest: float
-) -> tuple[FloatArray, FloatArray]:
-    """Speeds [m/s] of the mass centre at which a brake begins, and during it, to stop at each place.
-
-    Both have the shape (len(places), REACHES), for distances up to that of the wells.
-
-    Motions towards the places, slow and fast ones, are simulated and braked at every instant. The instant at which one
-    stops at a place is a point of that place's first curve. The second curve is the brake of the first motion that
-    stops there, after its first periods: that motion is the one from rest under full voltage.
-
-    Parameters
-    ----------
-    law : Law
-        With the model.
-    wells : list[LinearModel]
-        Left well, saddle, right well.
-    slope : float
-        τ/q of slow motions [1/m].
-    places : FloatArray, shape (TARGETS,)
-        Targets [m].
-    side : int
-        That pushes: 0 left, 1 right.
-    highest : float
-        Largest voltage [V].
-    fastest : float
-        Largest speed of a snap [m/s].
-    """
-    towards = 1.0 if side == 0 else -1.0
-    start = wells[0 if side == 0 else 2].x
-    brake = highest * np.sqrt(RESERVE) * np.eye(2)[1 - side]
-    settles = round(law.number("settles"))
-    reaches = np.linspace(0.0, float(wells[2].x[0] - wells[0].x[0]), REACHES)
-    begins = [np.zeros((1, 2)) for _ in places]
-    lasts = begins.copy()
-    for x0, speed, level in [
-        *((start, 0.0, level) for level in LEVELS),
-        *((start, speed, 1.0) for speed in SPEEDS),
-        *((wells[1].x, 0.5 * speed, level) for speed in SPEEDS for level in (0.0, *LEVELS)),
-    ]:
-        push = highest * np.sqrt(level) * np.eye(2)[side]
-        s = np.zeros(CONTROLLER_STATE)
-        s[:STATES] = x0
-        s[PLACES["volts"]] = push
-        s[1] = towards * fastest * speed
-        s[3] = towards * fastest * speed * slope
-        motion, turns = pushed(law, s, push, brake, towards)
-        for i, place in enumerate(places):
-            beyond = towards * (turns - place)
-            cross = np.flatnonzero((beyond[1:] > 0.0) & (beyond[:-1] <= 0.0))
-            if not cross.size:
-                continue
-            row = int(cross[0])
-            share = -beyond[row] / (beyond[row + 1] - beyond[row])
-            stop = towards * braked(law, (1.0 - share) * motion[row] + share * motion[row + 1], push, brake, towards)
-            stop[:, 0] = stop[-1, 0] - stop[:, 0]
-            if stop[0, 0] > reaches[1]:
-                begins[i] = np.vstack([begins[i], stop[:1]])
-                if len(lasts[i]) == 1 and len(stop) > 2 * settles:
-                    lasts[i] = np.vstack([lasts[i], stop[settles:-1]])
-    first = np.array([_curve(points, reaches) for points in begins])
-    later = [_curve(points, reaches) if len(points) > 1 else curve for points, curve in zip(lasts, first, strict=True)]
-    return first, np.maximum(first, later)
-
-
-def _curve(points: FloatArray, reaches: FloatArray) -> FloatArray:
-    """Speeds at `reaches` [m] from points (distance, speed), on lines; beyond the last point as √distance."""
-    distance, speed = points[np.argsort(points[:, 0])].T
-    speed = np.maximum.accumulate(speed)
-    if len(distance) == 1:
-        return np.sqrt(2.0 * reaches)  # never needs braking: 1 m/s²
-    curve = np.interp(reaches, distance, speed)
-    first = reaches < distance[1]
-    curve[first] = speed[1] * np.sqrt(reaches[first] / distance[1])
-    last = reaches > distance[-1]
-    curve[last] = speed[-1] * np.sqrt(reaches[last] / distance[-1])
-    return np.asarray(curve)
-
-
-@compiled
-def pushed(
-    law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
-) -> tuple[FloatArray, FloatArray]:
-    """States of a motion under `push` [V], and where it would turn round if braked there with `brake` [V].
-
-    There is one in `EVERY` periods. The motion ends when it turns round by itself; the tip may move backwards at first.
-    `s` is moved along.
-
-    Parameters
-    ----------
-    law : Law
-        With the model.
-    s : FloatArray, shape (CONTROLLER_STATE,)
-        The joint's state; moved on.
-    push : FloatArray, shape (2,)
-        Voltages [V].
-    brake : FloatArray, shape (2,)
-        Voltages of the brake [V].
-    towards : float
-        1 to the right, −1 to the left.
-    """
-    most = LONGEST // EVERY
-    motion = np.empty((most, s.size))
-    turns = np.empty(most)
-    forwards = False
-    for i in range(most):
-        copy_into(motion[i], s)
-        turns[i] = braked(law, s, push, brake, towards)[-1, 0]
-        for _ in range(EVERY):
-            move(s, push, law)
-        if forwards and towards * s[1] <= 0.0:
-            return motion[: i + 1], turns[: i + 1]
-        forwards = towards * s[1] > 0.0
-    return motion, turns
-
-
-@compiled
-def braked(law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float) -> FloatArray:
-    """Displacement [m] and the mass centre's speed [m/s] every period under `brake` [V] after `push` [V], to the turn.
-
-    A voltage changes by at most the slew limit in a period.
-
-    Parameters
-    ----------
-    law : Law
-        With the model.
-    s : FloatArray, shape (CONTROLLER_STATE,)
-        The joint's state.
-    push : FloatArray, shape (2,)
-        Voltages before [V].
-    brake : FloatArray, shape (2,)
-        Voltages of the brake [V].
-    towards : float
-        1 to the right, −1 to the left.
-    """
-    end = s.copy()
-    v = push.copy()
-    motion = np.empty((LONGEST, 2))
-    slew = law.numbers[_SLEW]
-    for i in range(LONGEST):
-        motion[i, 0] = end[0]
-        motion[i, 1] = end[1] + law.numbers[_LEVER] * end[3]
-        if towards * end[1] <= 0.0:
-            return motion[: i + 1]
-        for side in range(2):
-            v[side] = min(max(brake[side], v[side] - slew), v[side] + slew)
-        move(end, v, law)
-    return motion
-
-
-_SLEW = NUMBERS.index("slew")
-_LEVER = NUMBERS.index("lever")
-
-
-WEIGHT = 0.2
-"""Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""
-NEAR = 0.07
-"""Distance, over that of the wells, within which the regulator begins; it stops at twice that distance."""
-STEEPNESS = 2.0
-"""Share of the largest moment for a speed off the braking curve that is the largest one of a snap."""
-SETTLES = 0.14
-"""Part of a snap's time after which a brake has taken hold: the slope has followed the moment."""
-READING = 1.5e-4
-"""Standard deviation of a reading over the wells' distance: noise, resolution, and the laser's linearity as it changes
-with the motion."""
-PUSH = 1.2e-4
-WALK = 1e-2
-"""Standard deviations of a white force on q [√s], over the largest moment through the wells' distance, and of the
-random walk of the unknown moment [1/√s], over the largest one."""
-BOUND = 10.0
-"""Magnitude that no estimate passes, over what it reaches in a snap, or over the largest moment."""
-NODES = 2
-"""Points of the table of the corrections in a width σ."""
-
-
-@dataclass(frozen=True)
-class Settings:
-    """Choices of the user.
-
-    Attributes
-    ----------
-    highest : float
-        Largest voltage [V].
-    lags : tuple of float
-        Time constants of the left and the right converter [s].
-    slew, average : float or None
-        Largest rate [V/s] of each voltage, and its largest mean over `MEMORY` [V]; None is no limit.
-    """
-
-    highest: float
-    lags: tuple[float, float] = (ASSUMED_LAG, ASSUMED_LAG)
-    slew: float | None = None
-    average: float | None = None
 
 
 def design(plant: ControlledJoint, settings: Settings) -> Law:

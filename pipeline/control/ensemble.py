@@ -128,7 +128,7 @@ class Ensemble:
         return np.ascontiguousarray(runs[:, 1:, 0].reshape(pulses, count, samples - 1))
 
     def with_gain_error(self, deviation: float) -> "Ensemble":
-        """The same with draws whose voltages differ from those commanded with this relative standard deviation.
+        """The ensemble with draws whose voltages differ from the commands, by this relative standard deviation.
 
         The logarithms are quantiles of the normal distribution in a drawn order, so that few draws have its width too.
         """
@@ -138,7 +138,7 @@ class Ensemble:
 
 
 def ensemble_of(model: HybridModel, draws: int, converters: Converters) -> Ensemble:
-    """The estimate of an identified joint and `draws` draws from its posterior and from what its converters may be."""
+    """The estimate of an identified joint, and draws from its posterior with possible lags of its converters."""
     rng = np.random.default_rng(SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
     lags = np.array(converters.lags) * np.exp(converters.spread * _spread(rng, draws, 2))

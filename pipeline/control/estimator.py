@@ -1,12 +1,12 @@
 """State estimator: an extended Kalman filter on the identified joint, fed by the laser once in a period.
 
-The estimate holds the joint's state x, its stop operators z (exact in a step), the voltages of both converters, which
-lag behind their commands, and a moment d on the slope. d stands for everything outside the model: external forces,
-friction of another kind, a drifting barrier. The voltages act as such a moment, so that they can balance it. d changes
-as a random walk, so that the estimate of q has no steady error.
+The estimate holds the joint's state x, its stop operators z (exact in a step), and a moment d on the slope. It also
+holds the voltages of both converters, which lag behind their commands. d stands for everything outside the model:
+external forces, friction of another kind, a drifting barrier. The voltages act as such a moment, so that they can
+balance it. d changes as a random walk, so that the estimate of q has no steady error.
 
 Readings correct displacement, slope, interior shape, their rates and d. Their covariance P moves with the exact
-Jacobian at the estimate: about the saddle a beam's slope may be unstable at a given displacement, and then the sign of
+Jacobian at the estimate. About the saddle a beam's slope may be unstable at a given displacement, and then the sign of
 the correction changes. Maxwell strains and creep follow from the motion alone: their own dynamics forget every error.
 
 The functions are traced into graphs (`pipeline.codegen.graph`): lists of numbers in, dictionaries of lists out. `now`
@@ -57,6 +57,15 @@ seconds after them."""
 STATUS = ("ok", "recovering", "lost signal", "given up")
 """Meaning of the status: readings lie outside the settling band about the estimate; readings are missing, so
 the voltages go to zero; the target was not reached, so the voltages are zero until the next one."""
+ESTIMATED = STATES + STOPS + 4
+"""Numbers of an estimate."""
+SIZES = {
+    "s": CONTROLLER_STATE, "signals": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2,
+    **dict.fromkeys(("y", "dx", "k1", "k2", "k3", "k4"), STATES),
+    "prepared": PREPARE.outputs["p"], "slopes": PREPARE_SLOPES.outputs["p"],
+    **dict.fromkeys(("curves", "rests", "targets", "braking"), 0),
+}  # fmt: skip
+"""Lengths of the arrays that the functions take; 0 of tables, which have any length."""
 
 
 def graph_of(function: Callable[..., Outputs]) -> Graph:
@@ -88,7 +97,7 @@ def row(place: Any, count: int) -> tuple[Any, Any]:
 
 
 def rest(q: Any, n: dict[str, Any]) -> State:
-    """The state as after a long rest at q [m] without voltage: friction holds what is left of the force."""
+    """The state after a long rest at q [m] without voltage: friction balances the remaining force."""
     lower, share = row((q + n["farthest"]) * n["rest_per_metre"], RESTS)
     tau, beta, stuck = (
         fetch("rests", i, 3.0 * lower) * (1.0 - share) + fetch("rests", 3 + i, 3.0 * lower) * share for i in range(3)
@@ -111,7 +120,7 @@ def begin(signals: Values, n: Numbers, rests: Values) -> Outputs:
 
 
 def listen(now: State, signals: Values, n: Numbers, rests: Values) -> Outputs:
-    """Correct the estimate by a reading, or count what is missing; take the target over.
+    """Correct the estimate by a reading, or count a missing one; take the target over.
 
     Parameters
     ----------
@@ -182,7 +191,7 @@ def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, V
 
 
 def _packed(i: int, j: int) -> int:
-    """Place of an entry of the covariance, of which the lower triangle is kept."""
+    """Place of an entry of the covariance in its stored lower triangle."""
     return max(i, j) * (max(i, j) + 1) // 2 + min(i, j)
 
 
@@ -368,7 +377,7 @@ def _product(left: list[Values], right: list[Values]) -> list[Values]:
 def _jacobian(
     now: dict[str, Values], u: Values, slopes: Values, prepared: Values, n: dict[str, Any]
 ) -> tuple[list[Values], dict[int, Any]]:
-    """PERIOD × ∂(rates)/∂(filter's numbers), and what a force does to the velocities."""
+    """PERIOD × ∂(rates)/∂(filter's numbers), and the change of the velocities by a force."""
     x = now["x"]
     z = now["z"]
     c, c_q = corrections(x[0], n)
@@ -416,7 +425,7 @@ def check(now: State, v: Values, n: Numbers, rests: Values) -> Outputs:
 
 
 def heed(v: Values, n: Numbers) -> Outputs:
-    """Voltages [V] that act on the joint, as measured: within 0 … the largest, 0 for what is not finite."""
+    """Measured voltages [V], limited to 0 … the largest; 0 in place of numbers that are not finite."""
     return {"v": [clip(choose(function("finite", volts), volts, 0.0), 0.0, n["highest"]) for volts in v]}
 
 
@@ -427,14 +436,3 @@ def known_state(now: State, n: Numbers) -> Outputs:
     status = choose(function("lt", 0.5, now["refused"][0]), 3.0, status)
     status = choose(function("lt", 0.5, now["lost"][0]), 2.0, status)
     return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"], status]}
-
-
-ESTIMATED = STATES + STOPS + 4
-"""Numbers of an estimate."""
-SIZES = {
-    "s": CONTROLLER_STATE, "signals": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2,
-    **dict.fromkeys(("y", "dx", "k1", "k2", "k3", "k4"), STATES),
-    "prepared": PREPARE.outputs["p"], "slopes": PREPARE_SLOPES.outputs["p"],
-    **dict.fromkeys(("curves", "rests", "targets", "braking"), 0),
-}  # fmt: skip
-"""Lengths of the arrays that the functions take; 0 of tables, which have any length."""

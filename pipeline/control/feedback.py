@@ -103,7 +103,7 @@ def regulated(now: dict[str, Values], acting: Any, hold: Any, place: Any) -> Any
 
 
 def shares(moment: Any, left: Any, right: Any, common: Any) -> Any:
-    """Difference of the shares of left and right that makes a moment [N·m] of those at the largest voltage.
+    """Difference of the shares of both sides that makes a moment [N·m], given their moments at the largest voltage.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
 
 
 def _regulates(now: dict[str, Values], well: Any, n: dict[str, Any]) -> Any:
-    """1, or 2 where it is let go, from where the joint comes near its target until it is far away.
+    """1 from where the joint comes near its target until it is far away, 2 where it is let go, else 0.
 
     Far away from a well is beyond the saddle.
     """

@@ -23,7 +23,6 @@ FACTOR = 20.0
 """Largest factor that is tried on gain and friction; 1 over it is the least on the gain."""
 _PRECISION = 0.02
 """Relative error of the factors, and of the grid of frequencies."""
-_SETTLES = round(INTEGRAL / PERIOD)
 _ENTRIES = np.concatenate([np.arange(CONTROLLER_STATE)[PLACES[name]] for name in ("x", "volts", "moment", "level")])
 _GRID = np.exp(np.arange(-np.log(MEMORY), np.log(np.pi / PERIOD), _PRECISION))  # rad/s
 
@@ -63,7 +62,7 @@ def margins(plant: ControlledJoint, law: Law, saddle: float) -> Margins | None:
     limits = np.isin(NUMBERS, ("slew", "allowed"))
     law = law._replace(numbers=np.where(limits, law.number("highest"), law.numbers))
     sliding = law._replace(numbers=np.where(np.char.startswith(NUMBERS, "travel"), np.inf, law.numbers))
-    targets = np.full(_SETTLES, saddle)
+    targets = np.full(round(INTEGRAL / PERIOD), saddle)
     s = np.zeros(CONTROLLER_STATE)
     joint = np.zeros(CONTROLLER_STATE)
     begin_control(saddle, sliding, s)

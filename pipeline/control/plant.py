@@ -34,6 +34,16 @@ UNITS = ("m", "m/s", "1", "1/s", "1", "1/s", *("1",) * (2 * BRANCHES), *(unit fo
 
 ASSUMED_LAG = 4e-3
 """Assumed time constant [s] of unknown converters."""
+_SAME = 1e-5  # m, between two equilibria that are one
+_BEYOND = 0.5
+"""Margin beyond the measured rests within which equilibria are sought, as a share of their distance. If the logs show
+no rests: the limit, as a share of the wall. A beam's identified length is no measure: other parameters offset it."""
+_PREPARED = PREPARE.outputs["p"]
+_RATES = JACOBIAN.outputs["f"]
+_BY_CORRECTIONS = JACOBIAN.outputs["by_c"]
+_ITERATIONS = 40  # steps of Newton's method
+_LONGEST = 2e4  # of a move, in steps of the differences
+_TOLERANCE = 1e-3  # of the last move, in the same steps
 
 
 class Constants(NamedTuple):
@@ -117,17 +127,9 @@ def forces(x: FloatArray, u: FloatArray, c: Constants) -> FloatArray:
     return out
 
 
-_SAME = 1e-5  # m
-_BEYOND = 0.5
-"""Margin beyond the measured rests within which equilibria are sought, as a share of their distance. If the logs show
-no rests: the limit, as a share of the wall. A beam's identified length is no measure: other parameters offset it."""
-
 _prepare = kernel(PREPARE)
 _slopes = kernel(JACOBIAN)
 _bell = formula(BELL_SHAPE)
-_PREPARED = PREPARE.outputs["p"]
-_RATES = JACOBIAN.outputs["f"]
-_BY_CORRECTIONS = JACOBIAN.outputs["by_c"]
 
 
 @dataclass(frozen=True)
@@ -223,7 +225,7 @@ def jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, Fl
 
 
 def full_jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, FloatArray]:
-    """The same with the stop operators, which are held, as last columns of the first, (STATES, STATES + STOPS)."""
+    """Jacobians of the rates by states and held stop operators, (STATES, STATES + STOPS), and by squared voltages."""
     rows = STATES + STOPS
     a = np.zeros((rows, rows))
     b = np.zeros((rows, 2))
@@ -259,8 +261,8 @@ def _differentiate(x: FloatArray, u: FloatArray, c: Constants, a: FloatArray, b:
 def linearise(plant: ControlledJoint, x: FloatArray, v: FloatArray) -> LinearModel:
     """The linear model about the equilibrium `x`, shape (STATES,), under the voltages `v`, shape (2,) [V].
 
-    Dry friction whose level sets in with the speed is left out with the stop operators: over the few millimetres per
-    second in which it does, its slope is a damping that no motion of a millimetre meets.
+    Dry friction whose level sets in with the speed is left out with the stop operators. It sets in within a few
+    millimetres per second, and its slope there is a damping that no motion of a millimetre meets.
     """
     k = plant.constants.k.copy()
     k[[INDEX[name] for name in DRY_LEVELS]] = 0.0
@@ -297,7 +299,7 @@ def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:
 
 
 def _window(plant: ControlledJoint) -> tuple[float, float]:
-    """Displacements [m] between which equilibria are looked for."""
+    """Range of displacements [m] in which equilibria are searched."""
     if plant.rests is None:
         return -_BEYOND * plant.wall, _BEYOND * plant.wall
     left, right = (reading - plant.instruments.offset for reading in plant.rests)
@@ -320,11 +322,6 @@ def _root(left: Callable[[FloatArray], FloatArray], start: FloatArray, steps: Fl
         if size < _TOLERANCE:
             return at
     return None
-
-
-_ITERATIONS = 40
-_LONGEST = 2e4
-_TOLERANCE = 1e-3
 
 
 def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArray | None:

@@ -1,6 +1,6 @@
 """Feedforward snaps: push, brake, catch, optimised on the identified joint and robust over its posterior."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -35,7 +35,7 @@ _RUNS = _SEARCHES * _ROUNDS + (_ROUNDS // 2) * JUDGES
 
 @dataclass(frozen=True)
 class Pulse:
-    """A feedforward snap and what the model predicts of it.
+    """A feedforward snap and the model's prediction of it.
 
     Attributes
     ----------
@@ -64,6 +64,64 @@ class Pulse:
     q: FloatArray
 
 
+@dataclass
+class _Search:
+    """Differential evolution over the segments of a pulse; parameters as in `design_pulse`."""
+
+    joint: Ensemble
+    start: float
+    target: float
+    distance: float
+    highest: float
+    goal: Goal
+    on_progress: OnProgress
+    rng: np.random.Generator = field(default_factory=lambda: np.random.default_rng(SEED))
+    runs: int = 0
+    """Runs of each pulse so far."""
+
+    @property
+    def side(self) -> int:
+        """The side that pushes: 0 left, 1 right."""
+        return 0 if self.target > self.start else 1
+
+    def best(self) -> FloatArray:
+        """Durations [s] and efforts of the segments, shape (6,)."""
+        alone = self.joint.subset(slice(0, 1))
+        judges = self.joint.subset(slice(0, JUDGES))
+        searches = []
+        for _ in range(_SEARCHES):
+            pulses = self.rng.uniform(_BOUNDS[:, 0], _BOUNDS[:, 1], (_POPULATION, len(_BOUNDS)))
+            pulses[::2, [1, 3]] = 1.0, -1.0
+            searches.append(self._evolved(alone, pulses, _ROUNDS))
+        costs = self._cost(np.array([each.x for each in searches]).T, judges)
+        return np.asarray(self._evolved(judges, searches[int(np.argmin(costs))].population, _ROUNDS // 2).x)
+
+    def _cost(self, values: FloatArray, by: Ensemble, /) -> Any:
+        """Mean cost over the ensemble of each pulse, `values` (6, P)."""
+        self.on_progress("optimising", min(1.0, self.runs / _RUNS))
+        self.runs += len(by.gains)
+        runs = by.run(commands(values.T, self.side, self.highest), self.start)
+        lag = float(self.joint.lags.mean())
+        return judged(runs, self.start, self.target, self.distance, values.T, self.goal, lag).mean(axis=1)
+
+    def _evolved(self, by: Ensemble, pulses: FloatArray, rounds: int) -> Any:
+        """The pulses after some rounds."""
+        return differential_evolution(
+            self._cost,
+            _BOUNDS.tolist(),
+            (by,),
+            init=pulses,
+            maxiter=rounds,
+            vectorized=True,
+            polish=False,
+            updating="deferred",
+            tol=0.0,
+            mutation=(0.4, 0.9),
+            recombination=0.8,
+            rng=self.rng,
+        )
+
+
 def design_pulse(
     joint: Ensemble,
     start: float,
@@ -75,8 +133,9 @@ def design_pulse(
 ) -> Pulse:
     """The pulse that brings the joint from rest at `start` to rest at `target` (readings, m).
 
-    Differential evolution over the durations and efforts of three segments on the estimate, several times, from drawn
-    starts of which half push and brake fully; from the best on, judged by the mean over the estimate and some draws.
+    Differential evolution varies the durations and efforts of three segments. It runs several times on the estimate,
+    from drawn starts, half of which push and brake fully. The best run goes on with the mean over the estimate and some
+    draws.
 
     Parameters
     ----------
@@ -102,45 +161,9 @@ def design_pulse(
     -----
     Cost: 4 s.
     """
-    side = 0 if target > start else 1
-    alone = joint.subset(slice(0, 1))
-    judges = joint.subset(slice(0, JUDGES))
-    rng = np.random.default_rng(SEED)
-    done = 0
-
-    def cost(values: FloatArray, by: Ensemble) -> Any:
-        """Mean over the ensemble of what each pulse costs."""
-        nonlocal done
-        on_progress("optimising", min(1.0, done / _RUNS))
-        done += len(by.gains)
-        runs = by.run(commands(values.T, side, highest), start)
-        return judged(runs, start, target, distance, values.T, goal, float(joint.lags.mean())).mean(axis=1)
-
-    def search(by: Ensemble, pulses: FloatArray, rounds: int) -> Any:
-        """The pulses after some rounds."""
-        return differential_evolution(
-            cost,
-            _BOUNDS.tolist(),
-            (by,),
-            init=pulses,
-            maxiter=rounds,
-            vectorized=True,
-            polish=False,
-            updating="deferred",
-            tol=0.0,
-            mutation=(0.4, 0.9),
-            recombination=0.8,
-            rng=rng,
-        )
-
-    searches = []
-    for _ in range(_SEARCHES):
-        pulses = rng.uniform(_BOUNDS[:, 0], _BOUNDS[:, 1], (_POPULATION, len(_BOUNDS)))
-        pulses[::2, [1, 3]] = 1.0, -1.0
-        searches.append(search(alone, pulses, _ROUNDS))
-    costs = cost(np.array([each.x for each in searches]).T, judges)
-    best = search(judges, searches[int(np.argmin(costs))].population, _ROUNDS // 2).x
-    v = commands(best[None], side, highest)
+    search = _Search(joint, start, target, distance, highest, goal, on_progress)
+    segments = search.best()
+    v = commands(segments[None], search.side, highest)
     q = joint.run(v, start)[0]
     settling = settling_times(q, target, distance)
     overshoot = np.maximum((q - target) * np.sign(target - start), 0.0)
@@ -160,7 +183,7 @@ def design_pulse(
     return Pulse(
         t=t[:last],
         v=v[0, :last],
-        segments=best.reshape(-1, 2),
+        segments=segments.reshape(-1, 2),
         settling_s=float(settling[0]),
         overshoot_m=float(overshoot[0].max()),
         settling_low_s=low,

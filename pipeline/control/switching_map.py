@@ -21,6 +21,17 @@ CELLS = 25
 LEAST_VOLTAGE = 0.2
 DURATIONS = (0.02, 1.0)
 """Lowest voltage that is tried, as a share of the largest; shortest and longest pulse of the map [s]."""
+PULSES = (0.1, 0.2, 0.5)
+"""Durations [s] of the pulses whose lowest voltages are computed."""
+TYPICAL = PULSES[1]
+"""Duration of the pulse by which the draws of a map are judged [s]."""
+RESOLUTION = 0.015
+TOLERANCE = 1e-9
+"""Relative step of the voltages at which a joint is tried first, and relative error of the lowest voltage.
+
+It is differentiated by differences of `TOLERANCE`^⅓. The parameters move along columns of their covariance's factor.
+Those that are moved singly leave the valley of the posterior, where the voltage is curved: one joint's deviation was
+1.25 % so."""
 
 
 @dataclass(frozen=True)
@@ -90,19 +101,6 @@ def pulses(voltages: FloatArray, durations: FloatArray, side: int) -> FloatArray
     # The last millisecond of a pulse carries what is left of its duration, as a share of the square.
     commands[:, :, side] = voltages[:, None] * np.sqrt(np.clip((durations[:, None] - t) / PERIOD, 0.0, 1.0))
     return commands
-
-
-PULSES = (0.1, 0.2, 0.5)
-"""Durations [s] of the pulses whose lowest voltages are computed."""
-TYPICAL = PULSES[1]
-"""Duration of the pulse by which the draws of a map are judged [s]."""
-RESOLUTION = 0.015
-TOLERANCE = 1e-9
-"""Relative step of the voltages at which a joint is tried first, and relative error of the lowest voltage.
-
-It is differentiated by differences of `TOLERANCE`^⅓. The parameters move along columns of their covariance's factor.
-Those that are moved singly leave the valley of the posterior, where the voltage is curved: one joint's deviation was
-1.25 % so."""
 
 
 @dataclass(frozen=True)
@@ -195,11 +193,11 @@ def lowest_voltage(
 
 
 def with_voltage_error(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemble:
-    """The same joint with draws whose voltages err as its lowest voltage may: for pulses near it.
+    """The joint with draws whose voltages err as its lowest voltage may, for pulses near that voltage.
 
-    What the parameters do acts as a voltage that is too high or too low: on four joints its deviations at 0.1 s and at
-    0.8 s were 0.72 to 1.36 times that at `TYPICAL`, and correlated with it by 0.83 to 1.00. So all pulses are scaled
-    alike, by the deviation of the first of `lowest` that lasts as long.
+    Errors of the parameters act as a voltage that is too high or too low. On four joints its deviations at 0.1 s and at
+    0.8 s were 0.72 to 1.36 times that at `TYPICAL`, with correlations of 0.83 to 1.00. So all pulses are scaled alike,
+    by the deviation of the first of `lowest` that lasts as long.
     """
     switching = [pulse for pulse in lowest if pulse is not None]
     if not switching:
@@ -225,7 +223,7 @@ def _unit(joint: Ensemble, to: Well, duration: float) -> FloatArray:
 def _first(
     joint: Ensemble, wells: tuple[float, float, float], to: Well, duration: float
 ) -> tuple[float, float | None] | None:
-    """The first voltage [V] from below that switches the one joint, and the next of those tried that does not.
+    """The lowest voltage [V] that switches the one joint, and the next higher one tried that does not.
 
     None where none switches it.
     """

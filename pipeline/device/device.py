@@ -61,7 +61,7 @@ class Device:
 
     @property
     def logged(self) -> SiUnit:
-        """Unit in which the log has q, or the angle in place of it."""
+        """Unit of q in the log, or of the angle that stands in its place."""
         return self.angle or self.displacement
 
     @property
@@ -161,15 +161,15 @@ def device(prototype: Prototype) -> Device:
     Raises
     ------
     InputError
-        A unit is unknown or measures something else, an acceleration would act by its square, or a parameter set is for
-        a joint and q is neither a length nor an angle; the text names the key.
+        A unit is unknown or measures something else; an acceleration would act by its square; or a parameter set is for
+        a joint, but q is neither a length nor an angle. The text names the key.
     """
     channels = prototype.channels
     plant = prototype.plant
     mass = plant.mass
 
     def unit(key: str, stated: LogColumn | Quantity, *allowed: str) -> SiUnit:
-        """The unit that is stated under a key, of what is allowed there."""
+        """The unit that a key states, if it is allowed there."""
         return to_si(stated.unit, allowed, f"{prototype.name}: {key}.unit")
 
     logged = unit("channels.q", channels.q, *DISPLACEMENT)

@@ -36,6 +36,8 @@ _ALLOWED: dict[Sign, Callable[[float], bool]] = {
     "zero or positive": lambda value: value >= 0.0,
     "of either sign": lambda _: True,
 }
+B_MAX = 30e-3
+"""b_max [m] of eq. 17: z_b = b_max − b is how far the mounts are screwed together."""
 
 
 def _quantity(unit: str, meaning: str, default: float | None = None, *, sign: Sign = "positive") -> Any:
@@ -234,9 +236,6 @@ NOMINAL = replace(TABLE1, E=1.76e9)
 
 PARAMETER_SETS = {"table1": TABLE1, "nominal": NOMINAL}
 """The sets that ship with the program, by name."""
-
-B_MAX = 30e-3
-"""b_max [m] of eq. 17: z_b = b_max − b is how far the mounts are screwed together."""
 
 
 def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequence[str] = ()) -> "JointParameters":

@@ -12,6 +12,8 @@ from ..numerics.arrays import FloatArray
 from ..numerics.metrics import NORMAL_90
 from ..units.units import POWERS
 
+_SIZES = [NAMES.index(f"log {unit}") for unit in ("length", "time", "voltage")]
+
 
 @dataclass(frozen=True)
 class Calibrated:
@@ -37,7 +39,7 @@ class Calibrated:
 
 
 def calibrated(model: DynamicModel | None) -> list[Calibrated]:
-    """Every quantity that the fit of a hybrid model moves, those of the parameter set first; none of another model.
+    """Every quantity that the fit of a hybrid model moves, those of the parameter set first; empty for other models.
 
     Each is that of the device, whose size is another than the set's joint's.
     """
@@ -46,7 +48,7 @@ def calibrated(model: DynamicModel | None) -> list[Calibrated]:
 
 
 def _one(model: HybridModel, i: int) -> Calibrated:
-    """Deviation number i as a quantity: what it is at the set's size, times the device's size."""
+    """Deviation number i as a quantity: its value at the parameter set's size, times the device's size."""
     entry = DEVIATIONS[i]
     name = entry.quantity
     nominal = model.joint.parameters.value(name) if name in VECTOR_NAMES else None
@@ -83,6 +85,3 @@ def _bounds(model: HybridModel, row: FloatArray) -> FloatArray:
     """0 and the central 90 % about it of a number that depends on the deviations by `row`, shape (3,)."""
     deviation = float(np.sqrt(np.sum((row @ model.spread[: len(row)]) ** 2)))
     return NORMAL_90 * deviation * np.array([0.0, -1.0, 1.0])
-
-
-_SIZES = [NAMES.index(f"log {unit}") for unit in ("length", "time", "voltage")]

@@ -54,6 +54,9 @@ DRAWN_COUPLING = 8.5e-9
 
 RESOLUTION = 0.01
 """Step of the converter, in ranges of q: beyond, velocities come in steps of a few per cent."""
+ROUNDING = 1e-9
+"""Range of q over its largest value up to which it is constant but for the rounding of its unit."""
+_MOST_BESIDE = 2  # logs that the table shows side by side
 
 
 def input_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
@@ -110,7 +113,7 @@ def _late(fact: LogFacts, plant: Device) -> Iterator[Finding]:
 
 
 def _scale(fact: LogFacts, plant: Device) -> Iterator[Finding]:
-    """Mass and units: what they make of the coupling of a membrane, half the slope of its capacitance over q."""
+    """Findings on mass and units by the coupling of a membrane, half the slope of its capacitance over q."""
     subject, mass, allowed = (
         ("drawn", NOMINAL.m, UNSTATED_RATIO) if plant.known_mass is None else ("stated", plant.known_mass, RATIO)
     )
@@ -139,7 +142,7 @@ def _couplings(fact: LogFacts) -> list[float]:
 
 
 def _sides(fact: LogFacts) -> Iterator[Finding]:
-    """Membranes of one joint couple about as strongly, but for what is not sure of either."""
+    """Findings on the ratio of both couplings: membranes of one joint couple about equally, within their errors."""
     couplings = _couplings(fact)
     if len(couplings) > 1 and isinstance(fact.wells, Wells):
         ratio = couplings[0] / couplings[1]
@@ -186,7 +189,7 @@ def _field(fact: LogFacts, plant: Device) -> Finding:
 
 
 def _rest_levels(fact: LogFacts, plant: Device) -> Iterator[Finding]:
-    """A joint's voltage of one sign whose lowest level is not zero; one of two signs may switch between them.
+    """Findings on voltages of one sign whose lowest level is not zero; one of two signs may switch between them.
 
     What drives another device, as a fan, need never have been off, and an offset would bend the law of its square.
     """
@@ -232,10 +235,6 @@ def _input_actions(fact: LogFacts, plant: Device) -> Iterator[Finding]:
         else:
             as_stated = other >= OTHER_ACTION * own
             yield Finding("law", "good" if as_stated else "fair", fact.signals.name, actions[1], numbers)
-
-
-ROUNDING = 1e-9
-"""Range of q over its largest value up to which it is constant but for the rounding of its unit."""
 
 
 def motion_findings(fact: LogFacts, plant: Device) -> Iterator[Finding]:
@@ -372,7 +371,6 @@ State = Literal["not seen", "ok", "note", "wrong"]
 """ok: within the limit; note: look at it; wrong: the model would be wrong; not seen: the log does not show it."""
 
 STATES: dict[Severity, State] = {"unseen": "not seen", "good": "ok", "fair": "note", "poor": "wrong"}
-_MOST_BESIDE = 2
 
 
 @dataclass(frozen=True)

@@ -39,15 +39,17 @@ def sketch(time: FloatArray, q: FloatArray) -> list[tuple[int, float]]:
     """
     least: dict[int, float] = {}
     for hashes, stamps in _windows(time, q):
-        order = np.argsort(hashes, kind="stable")[: 2 * _KEPT]
-        for value, stamp in zip(hashes[order].tolist(), stamps[order].tolist(), strict=True):
+        if hashes.size > 2 * _KEPT:
+            low = hashes <= np.partition(hashes, 2 * _KEPT - 1)[2 * _KEPT - 1]
+            hashes, stamps = hashes[low], stamps[low]
+        for value, stamp in zip(hashes.tolist(), stamps.tolist(), strict=True):
             least.setdefault(value, stamp)
         least = dict(sorted(least.items())[:_KEPT])
     return list(least.items())
 
 
 def shared_recordings(logs: Sequence[LogSignals]) -> list[tuple[int, int, Finding]]:
-    """Every pair of logs that hold one recording, by their places, with the finding on what they share."""
+    """Every pair of logs that hold one recording, by their places, with a finding on the shared spans."""
     pairs = ((i, k, overlap(logs[i], logs[k])) for i, k in combinations(range(len(logs)), 2))
     return [(i, k, finding) for i, k, finding in pairs if finding is not None]
 

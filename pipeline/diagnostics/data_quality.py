@@ -53,7 +53,7 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
 
 
 def _remark_checks(data: RunData) -> list[Check]:
-    """Every remark on a log, and every (!) of the checks; what was masked or split is graded by its share."""
+    """Every remark on a log, and every (!) of the checks; masked and split samples are graded by their share."""
     advice = "see to it, or judge every number with that in mind"
     return [
         Check("data", "remark", "good" if DEALT_WITH.search(text) else "fair", f"{log.title}: {text}", advice)
@@ -96,7 +96,7 @@ def _extrapolation_checks(data: RunData) -> list[Check]:
 
 
 def _noise_check(data: RunData, span: float, noise: float) -> Check:
-    """Noise over the range of q [both m or rad], or where the sensor's steps hide it, what these round off."""
+    """Noise over the range of q [both m or rad], or the rounding error where the sensor's steps hide the noise."""
     unit = data.device.displacement.symbol
     steps = max(log.record_notes.get("resolution") or 0.0 for log in data.logs)
     if below_resolution(noise, steps):

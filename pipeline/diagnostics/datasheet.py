@@ -92,8 +92,8 @@ class DatasheetFact:
 def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
     """One finding for each fact whose modelled value lies far outside the measured ones; one good one if none does.
 
-    The measured values are compared with those of the model's free runs, in the same events and by the same estimator:
-    damping depends on the size of the motion, and a rest on the time since the joint came there. Without a free run
+    The measured values are compared with those of the model's free runs, in the same events and by the same estimator.
+    Damping depends on the size of the motion, and a rest on the time since the joint came there. Without a free run
     they are compared with the model's own value.
     """
     compared = [(fact.title, *both) for fact in facts if (both := comparison(fact)) is not None]
@@ -110,7 +110,7 @@ def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
 
 
 def comparison(fact: DatasheetFact) -> tuple[float, dict[str, Number]] | None:
-    """Distance of model and measurement in standard deviations, and what is compared; None where there is nothing.
+    """Distance of model and measurement in standard deviations, and the compared values; None where one is missing.
 
     They are those of the measured events, and of the model where its own value is compared.
     """
@@ -165,7 +165,7 @@ class Datasheet:
         }
 
     def elements(self, data: RunData) -> list[dict[str, Any]]:
-        """Forces of the elements of the judged model along the training logs, the largest first; 0 of what is absent.
+        """Forces of the elements of the judged model along the training logs, the largest first; 0 if absent.
 
         The share is that of the restoring force. Empty for a model whose elements are not known.
         """
@@ -364,8 +364,8 @@ def _rest_errors(
 ) -> tuple[float, float] | None:
     """Modelled minus measured rest on the left and on the right; None unless all are known.
 
-    Modelled are the rests in free runs over the logs; without those the equilibria, short of which friction and creep
-    hold a joint.
+    The model's rests are those of free runs over the logs. Without free runs they are the equilibria, which friction
+    and creep keep a joint from.
     """
     if isinstance(wells, NoWells):
         return None
@@ -377,7 +377,7 @@ def _rest_errors(
 
 
 def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> dict[str, float]:
-    """Rests and ring-downs in the model's own free runs over the logs, evaluated as those that were measured."""
+    """Rests and ring-downs in the model's own free runs over the logs, evaluated as in the measurement."""
     logs = [log for log in data.logs if model in log.predictions]
     if model is None or not logs:
         return {}

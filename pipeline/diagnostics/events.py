@@ -26,6 +26,21 @@ BESIDE_MONOTONE = 0.5  # what a ring-down leaves unexplained, as a share of what
 LEAST_DAMPING = 1e-4  # damping ratio below which an oscillation is not a device's own: it is driven, or hum
 MAINS_WIDTH = 0.5  # Hz to either side of a line of the mains, where it appears in the samples
 FARTHEST = 30.0  # of the logarithms of decay and frequency [1/s], which stay finite
+RESTS = {"_left": "well_left", "_right": "well_right", "": "rest"}
+"""Key of the places of rest by the suffix of the other facts there, as of ``stiffness_left``."""
+BLOCK = 2e-3
+"""Window [s] in which a voltage step is sought."""
+STILL = 6
+SETTLED = 24
+"""Blocks without a change that make a plateau, and those of its beginning that are looked at."""
+CHANGE = 0.02
+"""Share of the largest voltage by which a plateau's blocks may differ."""
+HIGH = 0.8
+"""Share that is left of a step, from which on its decay is looked at, until noise reaches it."""
+LEAST_IN_DECAY = 4
+LEAST_STEPS = 3
+CROOKED = 0.02
+"""RMS share of a step that its exponential may miss; a ramp has 0.05 and more."""
 
 
 @dataclass(frozen=True)
@@ -107,15 +122,10 @@ def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
         moving = runs_of(np.abs(np.diff(column)) > LEVEL_MOVES * size)
         begins, ends = np.array([(rows.start, rows.stop) for rows in moving], dtype=np.int64).reshape(-1, 2).T
         stays = np.concatenate(([LEVEL_SAMPLES], begins[1:] - ends[:-1], [LEVEL_SAMPLES])) >= LEVEL_SAMPLES
-        for begin, end, before, after in zip(begins, ends, stays[:-1], stays[1:], strict=False):
-            if before and after and end - begin <= STEP_SAMPLES and abs(column[end] - column[begin]) >= STEP * size:
-                times.append(float(t[begin + 1]))
-    apart = np.unique(times)
+        sudden = (ends - begins <= STEP_SAMPLES) & (np.abs(column[ends] - column[begins]) >= STEP * size)
+        times.append(t[begins[sudden & stays[:-1] & stays[1:]] + 1])
+    apart = np.unique(np.concatenate(times))
     return apart if apart.size <= MOST_STEPS else np.empty(0)
-
-
-RESTS = {"_left": "well_left", "_right": "well_right", "": "rest"}
-"""Key of the places of rest by the suffix of the other facts there, as of ``stiffness_left``."""
 
 
 def rest_events(
@@ -188,21 +198,6 @@ def _ring_down(t: FloatArray, q: FloatArray, rest: slice, interval: float, wells
     return ring_down(t[first:stop], q[first:stop])
 
 
-BLOCK = 2e-3
-"""Window [s] in which a voltage step is sought."""
-STILL = 6
-SETTLED = 24
-"""Blocks without a change that make a plateau, and those of its beginning that are looked at."""
-CHANGE = 0.02
-"""Share of the largest voltage by which a plateau's blocks may differ."""
-HIGH = 0.8
-"""Share that is left of a step, from which on its decay is looked at, until noise reaches it."""
-LEAST_IN_DECAY = 4
-LEAST_STEPS = 3
-CROOKED = 0.02
-"""RMS share of a step that its exponential may miss; a ramp has 0.05 and more."""
-
-
 @dataclass(frozen=True)
 class ConverterLag:
     """Time constant of one converter.
@@ -232,8 +227,8 @@ def converter_lag(records: Sequence[tuple[FloatArray, FloatArray]]) -> Converter
 
     Notes
     -----
-    In records of 1 ms a lag of 2 to 10 ms is found to 2 %, one of 1 ms 13 % too long, one of 14 or 20 ms 4 or 10 % too
-    short, as the decay goes on in the plateau; a step with a shorter one is over before it is seen.
+    In records of 1 ms a lag of 2 to 10 ms is found to 2 %, and one of 1 ms 13 % too long. One of 14 or 20 ms is found 4
+    or 10 % too short, as the decay goes on in the plateau. A step with a shorter lag is over before it is seen.
     """
     lags = np.concatenate([step_lags(t, v) for t, v in records])
     if lags.size < LEAST_STEPS:
@@ -282,7 +277,7 @@ def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:
 
 
 def _decay(share: FloatArray, interval: float, low: float) -> float | None:
-    """Time constant [s] of what is left of a step until `low`, by its logarithm weighed as its square is.
+    """Time constant [s] of a step's rest until `low`: a line through its logarithm, weighted by its square.
 
     None where it is shorter than the sample interval: then the first sample alone shows whether an edge is a decay.
     """

@@ -1,4 +1,4 @@
-"""Grades: what is judged, where it begins to be fair and poor, and why."""
+"""Grades: the judged numbers, the thresholds of fair and poor, and their reasons."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -7,6 +7,9 @@ from typing import Literal
 
 from ..signals.findings import Finding, Number, Severity
 from .sentences import sentences
+
+OF_WELLS = ("switches", "switch_accuracy", "ambiguous", "wells")
+"""Thresholds that say nothing of a device without two wells."""
 
 
 @dataclass(frozen=True)
@@ -49,13 +52,10 @@ THRESHOLDS = {
     ),
 }
 
-OF_WELLS = ("switches", "switch_accuracy", "ambiguous", "wells")
-"""Thresholds that say nothing of a device without two wells."""
-
 
 @dataclass(frozen=True)
 class Check:
-    """One judged number: what it is, its grade, the sentence with the number, and what to do unless it is good.
+    """One judged number: its code, its grade, the sentence with the number, and the advice unless it is good.
 
     Of what a `Finding` is behind, `log`, `subject` and `numbers` are those of the finding.
     """

@@ -94,15 +94,15 @@ class Reading:
     Attributes
     ----------
     status : {"measured", "not measured", "another device"}
-        Not measured where no run follows the log, where the steps do not converge, where no quantity is known to within
-        `SIGNIFICANCE` limits, and where a training log leaves another residual than the others.
+        Not measured where no run follows the log, where the steps do not converge, or where no quantity is known to
+        within `SIGNIFICANCE` limits. Nor where a training log leaves another residual than the others.
     exchange : {"none", "inputs", "sign", "both"}
         What had to be exchanged first.
     corrections : Corrections
         What makes the readings true.
     estimate, standard_error : FloatArray, shape (K,)
         Errors of the readings, in the order of `quantities`: reading over truth minus 1 for gains and the clock,
-        reading minus truth for the zero; a positive delay is that of the recorded inputs. NaN where not measured.
+        reading minus truth for the zero. A positive delay is that of the recorded inputs. NaN where not measured.
     residual_ratio : float
         What no instrument explains over the same of the training logs, noise taken off.
     unlike : float
@@ -168,10 +168,10 @@ class InstrumentTest:
     def _between(self) -> FloatArray:
         """Standard deviation [limits] of a log's corrections that no errors within the log show, shape (K,).
 
-        A model errs otherwise under other inputs, so honest logs read differently. The variance between logs is what
-        the training logs differ by among themselves, less their standard errors (the method of moments of DerSimonian
-        and Laird 1986, doi:10.1016/0197-2456(86)90046-2). Of n logs each was compared with the mean of the others, a
-        new one is compared with that of all: factors 1 − 1/n and 1 + 1/n.
+        A model errs otherwise under other inputs, so honest logs read differently. The variance between logs is the
+        variance among the training logs, less their standard errors (the method of moments of DerSimonian and Laird
+        1986, doi:10.1016/0197-2456(86)90046-2). Of n logs each was compared with the mean of the others, a new one is
+        compared with that of all: factors 1 − 1/n and 1 + 1/n.
         """
         count = len(self._logs)
         measured = [reading for reading in self.of_training if reading.status == "measured"] if count > 1 else []
@@ -249,7 +249,7 @@ class InstrumentTest:
         return np.array([*gains, -by.zero / by.gain_q, 1.0 / by.gain_q - 1.0, -by.delay, 1.0 / by.clock - 1.0])
 
     def _as_trained(self, parts: Sequence[Log]) -> tuple[Exchange, Sequence[Log]]:
-        """What must be exchanged for the log to be like the training logs, and the log with that exchanged."""
+        """The exchange of channels that makes the log like the training logs, and the log after that exchange."""
         trials: dict[Exchange, Sequence[Log]] = {"none": parts, "sign": [mirrored(each) for each in parts]}
         if parts[0].v.shape[1] > 1:
             trials["inputs"] = [exchanged(each) for each in parts]
@@ -277,7 +277,7 @@ class InstrumentTest:
         return None if residual is None else scale * residual
 
     def _problem(self, parts: Sequence[Log], delta: FloatArray) -> tuple[ObservedProblem, float, float]:
-        """The corrected log with the model, the observer gain, and what makes residuals those of the raw reading of q.
+        """The corrected log with the model, the observer gain, and the factor from its residuals to those of the raw q.
 
         The gain is by the log's own clock, as samples are compared from some of its time constants after a gap on. The
         noise is that of the raw reading: else a gain of zero would leave nothing of a linear device.

@@ -1,4 +1,4 @@
-"""The sentences of findings on logs: a row of the table for each, and what refuses a log."""
+"""The sentences of findings on logs: rows of the check's table, and refusals."""
 
 from collections.abc import Callable
 from dataclasses import astuple, dataclass
@@ -36,9 +36,7 @@ SHARES = {
 
 @dataclass(frozen=True)
 class ShownRow:
-    """A finding in the table of the check: what was looked at, what was found, what it may be, what to do, and numbers
-    beside it.
-    """
+    """A finding in the table of the check: subject, numbers, limit, advice, and further numbers."""
 
     what: str
     found: str
@@ -264,7 +262,7 @@ ROWS: dict[str, ShownRow | Callable[[Finding], ShownRow]] = {
 
 
 def of_row(finding: Finding) -> tuple[str, str]:
-    """Log, numbers and limit of a finding of the check in one line, and what to do."""
+    """Log, numbers and limit of a finding of the check in one line, and the advice."""
     made = row(finding)
     return line(finding.log, made.what, made.found, made.more, made.limit), made.advice
 

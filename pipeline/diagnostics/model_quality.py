@@ -17,6 +17,8 @@ BRIEF = 0.1
 """Share of a log that one place lasts at most."""
 MOST_OF_IT = 0.8
 """Least share of the squared error that one place causes."""
+RIVAL_SURELY = 2e-3
+"""A baseline is mentioned where it is surely better by more than this NRMSE."""
 
 
 def instrument_findings(data: RunData, model: str) -> Iterator[Finding]:
@@ -121,10 +123,6 @@ def _one_passage(log: LogData, model: str, wells: Wells) -> dict[str, Number]:
         return min(abs(float(run[min(row + 1, run.size - 1)] - run[max(row - 1, 0)])) for run in (q, own))
 
     return {"share": Number(share), "time": Number(float(log.motion.t[min(crossings, key=speed)]), "s")}
-
-
-RIVAL_SURELY = 2e-3
-"""A baseline is mentioned where it is surely better by more than this NRMSE."""
 
 
 def model_checks(

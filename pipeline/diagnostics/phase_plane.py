@@ -1,4 +1,4 @@
-"""The plane of q and q̇: where the device moved without voltage, and from where a model comes to rest in which well."""
+"""The plane of q and q̇: where the device moved without voltage, and the well in which a model comes to rest."""
 
 from typing import Any
 
@@ -72,7 +72,7 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
 
 def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatArray, FloatArray, Classes]:
-    """Places (n,) and speeds (m,) over all that was measured, and what becomes of each (m, n), as `OUTCOMES` counts.
+    """Grid of the measured places (n,) and speeds (m,), and the outcome from each point (m, n), a number of `OUTCOMES`.
 
     The model is released at each of them without input and simulated for `BASIN_TIME` s; `saddle` separates the wells.
     """

@@ -42,7 +42,7 @@ class Residual:
     input_bands : FloatArray, shape (K,)
         The same bounds for a residual that is as coloured, but independent of the input (Bartlett's formula).
     outside : float
-        Share of the cross-correlations at lags from 0 on that lie outside their bands; 0.01 is what chance gives.
+        Share of the cross-correlations at lags from 0 on that lie outside their bands; 0.01 by chance.
     frequency, density, measured_density : FloatArray, shape (F,)
         Frequency [Hz] and power spectral densities of residual and measured signal [unit²/Hz].
     """

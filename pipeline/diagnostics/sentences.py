@@ -1,12 +1,12 @@
-"""The sentences of findings, and whether they refuse the data: what was measured, and what to do."""
+"""The sentences of findings, with advice, and the refusal of data."""
 
 from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import Any
 
 from ..errors import DataRefusedError
 from ..settings.prototype import Gate, Quality
-from ..signals.findings import Finding, Number, counted
-from ..units.quantity import moment, percent, quantity, significant
+from ..signals.findings import Finding, Number
+from ..units.quantity import counted, moment, percent, quantity, significant
 from . import log_sentences
 
 ADVICE_BY_MODEL = {"rbf-paper": "fewer basis functions ([identify] basis_functions), or richer training logs"}

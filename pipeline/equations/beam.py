@@ -94,7 +94,7 @@ class Powers:
         return Powers({(*p[:variable], p[variable] - 1, *p[variable + 1 :]): p[variable] * v for p, v in falling})
 
     def integral(self) -> "Powers":
-        """The integral over the last variable from 0 to 1, which the result no longer has."""
+        """The integral over the last variable from 0 to 1; the result is free of it."""
         total: dict[tuple[int, ...], float] = {}
         for (*others, power), value in sorted(self.terms.items(), key=lambda term: term[0][-1]):
             total[tuple(others)] = total.get(tuple(others), 0.0) + value * (1.0 / (power + 1))

@@ -54,7 +54,7 @@ def term(function: Callable[..., Expression], output: str = "value", *along: str
 
 
 def maxwell_rate(strain_rate: Any, relaxation: Any, strain: Any) -> Expression:
-    """ė of the spring of a Maxwell branch (eq. 19): what is applied less what the damper takes, r = Y/η [1/s]."""
+    """ė of the spring of a Maxwell branch (eq. 19): the applied rate less the damper's, r = Y/η [1/s]."""
     return strain_rate - relaxation * strain
 
 
@@ -248,7 +248,7 @@ def _touched(way: Any) -> Expression:
 
 
 def bell(inside: Any, centre: Any, bend: Any) -> Expression:
-    """A Gaussian at x `clipped` to its range, outside of which it goes on as a constant; bend = 1/(2σ²)."""
+    """A Gaussian at x `clipped` to its range, so constant outside; bend = 1/(2σ²)."""
     distance = inside - centre
     return gaussian(2.0 * bend * distance * distance)
 
@@ -300,7 +300,7 @@ def element(coupling: Any, p: Any, rate: Any, load: Any) -> Expression:
 
     A Maxwell branch whose strain is a function S(x), with the coupling h = S', relaxes at one rate, and its load e is
     its state w. A shape element is an overdamped second coordinate, the slope that the beam's tip has beside its
-    displacement: it relaxes at a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x).
+    displacement. It relaxes at a rate r(x), and the inputs pull at it as the capacitances change with it, by β_k(x).
     All follow from the energy ½ w² − Σ β_k(x) u_k w: e is its derivative by w, its derivative by x acts on the joint,
     and the same coupling stands in both equations. So no element can create energy.
 
@@ -340,7 +340,7 @@ def polynomial_variables(q: Any, q_dot: Any, scales: Any) -> Expression:
 
 
 def kernels() -> dict[str, Term]:
-    """The terms that runs call, with exact slopes along what their sensitivities need.
+    """The terms that runs call, with the exact slopes that their sensitivities need.
 
     A stop operator at its stop counts as held.
     """

@@ -257,7 +257,7 @@ def _motion_kernels(s: FullSymbols) -> dict[str, Kernel]:
 
 
 def _symmetric(matrix: Expression) -> Expression:
-    """The lower half of a symmetric matrix is taken from the upper, which is then all that is computed."""
+    """A symmetric matrix whose lower half is taken from the upper, so that only the upper is computed."""
     return ca.triu2symm(ca.triu(matrix))
 
 

@@ -17,7 +17,7 @@ Term = Callable[[Any, Any, Any, dict[str, Any]], Any]
 
 @dataclass(frozen=True)
 class Constant:
-    """A positive constant of which the parameter set has no value.
+    """A positive constant that no parameter set holds.
 
     Attributes
     ----------

@@ -50,9 +50,15 @@ def texts() -> dict[str, str]:
 
 def _module(summary: str, named: dict[str, Graph], constants: dict[str, Any] | None = None, imports: str = "") -> str:
     """The text of a module with constants and graphs."""
-    parts = [_HEADER.format(summary=summary), "from ..codegen.graph import Graph\n", imports]
-    for name, value in (constants or {}).items():
-        parts.append(f"\n{name} = " + "\n    ".join(textwrap.wrap(repr(value), 110, break_long_words=False)) + "\n")
+    parts = [
+        _HEADER.format(summary=summary),
+        "from ..codegen.graph import Graph\n",
+        imports,
+        *(
+            f"\n{name} = " + "\n    ".join(textwrap.wrap(repr(value), 110, break_long_words=False)) + "\n"
+            for name, value in (constants or {}).items()
+        ),
+    ]
     for name, each in named.items():
         body = "\n".join(textwrap.wrap(each.text, 116, break_long_words=False, break_on_hyphens=False))
         parts.append(f'\n{name} = Graph(\n    {each.inputs!r},\n    {each.outputs!r},\n    """\n{body}\n    """,\n)\n')
@@ -154,7 +160,7 @@ _NAMES = {
 
 
 def graphs(kernels: dict[str, elements.Term], hoisted: str) -> dict[str, Graph]:
-    """Graphs of kernels that share what depends on the constants `hoisted` alone.
+    """Graphs of kernels that share the operations on the `hoisted` constants alone.
 
     Parameters
     ----------
@@ -197,7 +203,7 @@ def _trace(
     outputs: dict[str, elements.Expression],
     dense: bool = False,
 ) -> list[Operation]:
-    """Add the expressions; what is stored where."""
+    """Add the expressions to the builder; return the stores of their entries."""
     sparse = [value if dense else ca.sparsify(value) for value in outputs.values()]
     function = ca.Function("f", list(inputs.values()), ca.cse(sparse), list(inputs), list(outputs))
     register: dict[int, int] = {}
@@ -260,7 +266,7 @@ def _constant_operations(builder: Builder, hoisted: str) -> list[bool]:
 def _kernel(
     builder: Builder, stores: list[Operation], constant: list[bool], prepared: dict[int, int]
 ) -> list[Operation]:
-    """The kernel's own operations; `prepared` collects what it takes from the constants."""
+    """The kernel's own operations; `prepared` collects the operations on constants that it reads."""
     source = builder.operations
     own = Builder()
 

@@ -106,7 +106,7 @@ def write_controller(
 def _functions(
     law: str, of_graph: Callable[..., Code], of_sequence: Callable[[str, GraphSequence], Code]
 ) -> dict[str, Any]:
-    """The functions in a language, and what they are given of the law, whose tables are named behind `law`."""
+    """The functions in a language, and the numbers and tables of the law that they take, named behind `law`."""
     sequences = {"begin_control": BEGIN, "control": CONTROL, "observe": OBSERVE, "estimated": ESTIMATE}
     return {
         "begins": f"{law}e, {law}rests",

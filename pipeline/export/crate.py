@@ -114,9 +114,9 @@ def _files(
         *(_file(crate, place / name, name, name) for name in texts),
         *(_file(crate, source, name, f"Input {source.name}") for name, source in inputs.items()),
     ]
-    results = [_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts")]
-    for name, record in sorted(run.manifest.artifacts.items()):
-        results.append(
+    results = [
+        _file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts"),
+        *(
             _file(
                 crate,
                 run.checked(name),
@@ -124,7 +124,9 @@ def _files(
                 f"{record.recipe.stage}: {name}",
                 contentHash=record.content_hash,
             )
-        )
+            for name, record in sorted(run.manifest.artifacts.items())
+        ),
+    ]
     for stage in run.manifest.stages:
         if not run.stage_problem(stage):
             name = stage_file(stage)

@@ -127,7 +127,7 @@ class _Joint:
         )
 
     def drive(self, v: Values) -> Outputs:
-        """Inputs over the largest one, or what they do if that lags."""
+        """Inputs over the largest one, or their effect where that lags."""
         u = [value / self.volts for value in v]
         return {"u": self._effect(u) if self.effect_lags else u}
 

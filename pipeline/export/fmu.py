@@ -23,6 +23,8 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 """Time of all files in the archive."""
 FLAGS = ("-std=c99", "-O2", "-ffp-contract=off")
 """Flags of every compiler; without contraction the digits are those of debist on any processor."""
+_COMPILING = 120.0
+"""Seconds after which a compiler is given up; it takes two."""
 
 
 @dataclass(frozen=True)
@@ -113,7 +115,7 @@ def guid(subject: Subject) -> str:
 
 
 def identity(*content: str) -> str:
-    """A GUID of what an FMU is made of and the version that wrote it."""
+    """A GUID of the parts of an FMU and the version that wrote it."""
     return f"{{{uuid.uuid5(_NAMESPACE, '/'.join((program_version(), *content)))}}}"
 
 
@@ -143,10 +145,6 @@ def _library(place: Path, identifier: str, compiler: "Compiler") -> bytes | None
     except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
         return None
     return library.read_bytes()
-
-
-_COMPILING = 120.0
-"""Seconds after which a compiler is given up; it takes two."""
 
 
 _BASE_UNITS: dict[str, dict[str, int]] = {

@@ -146,7 +146,7 @@ class _Joint:
         return {"f": [*scaled, by[2] / slope, by[3] / slope, by[4] / interior, by[5] / interior]}
 
     def stick(self, x: Values, u: Values) -> Outputs:
-        """Stop operators that hold what force is left at rest, as far as they can."""
+        """Stop operators that balance the remaining force at rest, as far as they can."""
         capacity = sum(self.constant[f"stop_force_{i}"] for i in range(SLIPS))
         share = clip(self._forces(x, u)["forces"][0] / capacity, -1.0, 1.0) if capacity > 0.0 else 0.0
         return {"z": [share] * SLIPS + [0.0] * (STOPS - SLIPS)}

@@ -21,6 +21,12 @@ from ..units.units import MASS
 from .subject import SCALARS, Exported, Realisation, Subject, curve_tables
 from .templates import constant, render, write_texts
 
+_DESCRIPTION_BYTES = 116
+FORMAT = "debist-model/1"
+_BETWEEN = {"linear": "linear", "cubic": "cubic spline", "zero": "held"}
+CHECK_SAMPLES = 500
+"""Samples of the run to check against: five seconds at 10 ms."""
+
 
 def write_c(subject: Subject, folder: Path) -> Exported:
     """Write ``IDENTIFIER.h`` and ``IDENTIFIER.c``."""
@@ -79,9 +85,6 @@ def bounds(subject: Subject) -> list[str]:
         ),
         f"samples every {v.sample_interval:g} s",
     ]
-
-
-_DESCRIPTION_BYTES = 116
 
 
 def write_matlab(subject: Subject, folder: Path) -> Exported:
@@ -148,12 +151,6 @@ def variables(subject: Subject) -> dict[str, Any]:
         arrays["mass"] = float(getattr(subject.model, "mass_kg", 1.0))
         units["mass"] = MASS[v.q_unit].replace("·", ".").replace("²", "2")
     return arrays | {"units": units, "source": f"{subject.prototype}, {subject.name}, {subject.origin}"}
-
-
-FORMAT = "debist-model/1"
-_BETWEEN = {"linear": "linear", "cubic": "cubic spline", "zero": "held"}
-CHECK_SAMPLES = 500
-"""Samples of the run to check against: five seconds at 10 ms."""
 
 
 def write_json(subject: Subject, folder: Path) -> Exported:

@@ -24,6 +24,10 @@ _WEAKER = (0.2e-3, 3e-3)
 
 MATLAB_NAME = 63
 """Most letters of a name in MATLAB (namelengthmax)."""
+BREAKPOINTS = 201
+"""With this number linear interpolation is off by less than a thousandth of a curve's range."""
+SCALARS = frozenset({"h", "q0", "qdot0"})
+"""Inputs of functions that are single numbers."""
 
 
 @dataclass(frozen=True)
@@ -131,18 +135,14 @@ class Subject:
 
 @dataclass(frozen=True)
 class Exported:
-    """Files that were written, and what their user should know."""
+    """Files that were written, and remarks for their user."""
 
     written: list[Path]
     notes: list[str] = field(default_factory=list)
 
 
-BREAKPOINTS = 201
-"""With this number linear interpolation is off by less than a thousandth of a curve's range."""
-
-
 def curve_tables(subject: Subject) -> list[dict[str, Any]]:
-    """Restoring force F, damping d, and what the inputs do; none for a model without curves.
+    """Restoring force F, damping d, and gains of the inputs; none for a model without curves.
 
     Each has a `name`, a `unit`, and the arrays `q` over the range of the training logs, and `values`, shape (201,).
     """
@@ -163,10 +163,6 @@ class Variable:
     unit: str
     meaning: str
     nominal: float = 1.0
-
-
-SCALARS = frozenset({"h", "q0", "qdot0"})
-"""Inputs of functions that are single numbers."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""The one way by which values get into generated files: a writer for each language, through which every value goes.
+"""Values in generated files: each goes through the writer of its language.
 
 A template's own text and `Code` stand as they are. Any other text may come from a file that somebody else wrote. It
 reads as words wherever it lands: it can end no comment and no string, begin no line and no tag.

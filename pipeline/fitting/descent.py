@@ -2,7 +2,7 @@
 
 `Descent` tries one damping after the other; `ParallelDescent` several at once, for simulations that run side by side:
 eight joints run through a log in the time of one. It takes the least damping that brings a fair share of the best fall,
-not the best: a bold step along the curved valley of this cost leaves more for the next one.
+not the best one. A bold step along the curved valley of this cost leaves more for the next step.
 """
 
 from dataclasses import dataclass
@@ -52,7 +52,7 @@ class ObservedProblem(Protocol):
 
 @dataclass(frozen=True)
 class Prior:
-    """Gaussian prior ‖A θ − b‖²/2: what is known, or believed, before the data; shapes (R, P) and (R,)."""
+    """Gaussian prior ‖A θ − b‖²/2, knowledge or belief before the data; shapes (R, P) and (R,)."""
 
     matrix: FloatArray
     right: FloatArray

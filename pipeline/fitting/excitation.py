@@ -21,6 +21,10 @@ from .information import Conditioning, Coverage, ScaledRegressor, conditioning, 
 
 _SHORTEST = 64
 """Samples of a segment that shows a motion."""
+LEAST_VISITS = 3
+"""Samples nearest to a basis centre, below which its weight is the ridge's choice."""
+LARGEST_CONDITION = 1e4
+"""Condition number of unit-norm columns: beyond it, an error of 0.01 % in the data is one of 100 % in some weight."""
 
 
 @dataclass(frozen=True)
@@ -118,12 +122,6 @@ def _switches(q: FloatArray, wells: Wells | NoWells) -> tuple[int, int]:
         return 0, 0
     to_right = wells.side(q[snaps(q, wells)])
     return int(np.count_nonzero(to_right)), int(np.count_nonzero(~to_right))
-
-
-LEAST_VISITS = 3
-"""Samples nearest to a basis centre, below which its weight is the ridge's choice."""
-LARGEST_CONDITION = 1e4
-"""Condition number of unit-norm columns: beyond it, an error of 0.01 % in the data is one of 100 % in some weight."""
 
 
 def excitation_findings(

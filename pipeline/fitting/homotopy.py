@@ -86,7 +86,7 @@ class Schedule:
         Steps per level, and at the last one.
     tolerance : float
         Relative fall of the cost below which the last level has converged. The cost is a negative log posterior, of
-        some hundreds for a log of 37.5 s: a step that lowers it by a few hundredths moves no parameter by more than a
+        some hundreds for a log of 37.5 s. A step that lowers it by a few hundredths moves no parameter by more than a
         few tenths of its standard error.
     noise_inflation : float
         Factor on the noise level: above 1 where residuals are not independent, so that the prior weighs more.

@@ -27,6 +27,12 @@ from .regression import (
 
 FLOOR = 1e-2
 """Information that stands for none, in samples at full scale: keeps the determinant of an unvisited centre finite."""
+FEW = 20
+"""Visits below which a centre's weights rest on the prior or on chance."""
+CELLS = 24
+"""Cells of the state plane an axis, over the training range; a cell next to a visited one counts as visited."""
+ACTING = 0.1
+"""Share of its largest value above which an input acts."""
 
 
 @dataclass(frozen=True)
@@ -146,16 +152,6 @@ def conditioning(information: FloatArray) -> Conditioning:
         condition=float(np.sqrt(values[-1] / values[0])),
         silent=int(np.count_nonzero(~heard)),
     )
-
-
-FEW = 20
-"""Visits below which a centre's weights rest on the prior or on chance."""
-
-CELLS = 24
-"""Cells of the state plane an axis, over the training range; a cell next to a visited one counts as visited."""
-
-ACTING = 0.1
-"""Share of its largest value above which an input acts."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""A population of devices from what the logs of each show: mean and covariance by empirical Bayes, and odd members.
+"""A population of devices, each known from its logs: mean and covariance by empirical Bayes, and odd members.
 
 A log determines some directions of θ well and others hardly. So each member enters as a Gaussian in information form,
 and members are draws from a normal distribution whose mean and covariance expectation-maximisation estimates (Dempster,
@@ -53,8 +53,9 @@ class NormalPopulation:
 class Shrinkage:
     """Weight of the prior in members, and the spreads at which distances are cut.
 
-    Of twelve simulated joints each had logs that were exp(37) times as probable (mean of the exponent) under the others
-    as under the prior; with 1 and 20 members exp(31), with 0.1 and 60 exp(40), but five members would then be too sure.
+    The logs of twelve simulated joints were exp(37) times as probable (mean of the exponent) under the other joints as
+    under the prior. With 1 and 20 members it is exp(31), with 0.1 and 60 exp(40), but five members would then be too
+    sure.
     """
 
     spreads: float = 0.3
@@ -90,7 +91,7 @@ def estimate_population(
     start: NormalPopulation | None = None,
     rounds: int = ROUNDS,
 ) -> NormalPopulation:
-    """The population of which these are members.
+    """The population behind some members.
 
     Parameters
     ----------

@@ -14,6 +14,12 @@ from .homotopy import HomotopyFit
 
 SIGNIFICANCE = 0.16
 """Share of equal models that the test separates: one standard error, one-sided."""
+GROUPS = 10
+"""Groups of data whose estimates are compared."""
+ALONE = 0.03
+"""Share of the precision in some direction that the other groups must supply to be compared with one."""
+SINGULAR = 1e-10
+"""Smallest share of a precision that is more than rounding."""
 
 
 @dataclass(frozen=True)
@@ -69,22 +75,12 @@ def surely_smaller(errors: FloatArray, reference: FloatArray) -> bool:
     return bool(gain.mean() > stdtrit(count - 1.0, 1.0 - SIGNIFICANCE) * gain.std() / np.sqrt(count))
 
 
-GROUPS = 10
-"""Groups of data whose estimates are compared."""
-
-ALONE = 0.03
-"""Share of the precision in some direction that the other groups must supply to be compared with one."""
-
-SINGULAR = 1e-10
-"""Smallest share of a precision that is more than rounding."""
-
-
 def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     """Factor S of the Gauss-Newton posterior covariance S Sᵀ = (JᵀJ/(s² τ) + AᵀA)⁻¹, shape (P, P).
 
     Residuals of a free run are coloured, so N of them carry less than N samples' information: τ is their integrated
-    autocorrelation time in samples. S is the symmetric root of the scaled covariance, which changes as little as
-    the data do: with the eigenvectors alone, their signs and order would give other draws on another machine.
+    autocorrelation time in samples. S is the symmetric root of the scaled covariance, which changes as little as the
+    data do. With the eigenvectors alone, their signs and order would give other draws on another machine.
     """
     precision = prior.matrix.T @ prior.matrix
     if np.isfinite(fit.hessian).all():  # else the sensitivities exploded, and the prior is all that is known
@@ -137,7 +133,7 @@ def outcome_draws(
 ) -> FloatArray:
     """Outcomes of draws from the covariance S Sᵀ about `mean`, θ acting to first order, shape (count, n).
 
-    The slope along each column of S is that between the two points at one standard deviation: an outcome is simulated
+    The slope along each column of S is that between the two points at one standard deviation. An outcome is simulated
     and evaluated by a search, whose rounding a small step would multiply.
 
     Parameters

@@ -66,7 +66,7 @@ class DynamicModel(Protocol):
             Uniform time base [s].
         v : FloatArray, shape (N, n_inputs)
             Measured voltages [V], linear between samples. With `fine_voltages` also of shape (N, r, n_inputs): at r
-            evenly spaced times of each sample interval, the first of which is the sample itself.
+            evenly spaced times of each sample interval, from the sample itself on.
         q0, qdot0 : float
             Initial displacement [m] and velocity [m/s].
 
@@ -142,7 +142,7 @@ class HasDraws(DynamicModel, Protocol):
 
 @runtime_checkable
 class HasOutcomeDraws(Protocol):
-    """A model of which whatever follows from it has error bands, hidden states and friction included."""
+    """A model whose every prediction has error bands, hidden states and friction included."""
 
     def outcome_ensemble(self, outcome: Callable[[Any], FloatArray], count: int = 64) -> FloatArray:
         """Outcomes of draws from the posterior of its parameters, shape (count, n).

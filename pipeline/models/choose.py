@@ -38,6 +38,10 @@ POORER = 2.0
 slow passage of the last quarter may go wrong with equations that follow all others within 0.01 %."""
 
 Fit = Callable[[Training], StoredModel]
+LOST = 0.15
+"""Error of a free run over the range of its log beyond which a model has lost it; the least that counts as diverged."""
+STARTS = 60
+"""Restarts along a log from which errors by horizon are taken."""
 
 
 @dataclass(frozen=True)
@@ -175,7 +179,7 @@ def _rms(errors: FloatArray) -> float:
 
 
 def _errors(model: StoredModel, records: Sequence[Log], *, held_out: bool = True) -> FloatArray:
-    """Errors of q in free runs from the start, over the operating range; those behind what candidates are fitted to.
+    """Errors of q in free runs from the start, over the operating range, at the samples behind the fitted ones.
 
     NaN where masked; at most 1, as where the run diverged.
     """
@@ -187,13 +191,6 @@ def _errors(model: StoredModel, records: Sequence[Log], *, held_out: bool = True
             for r, error in zip(records, errors, strict=True)
         ]
     )
-
-
-LOST = 0.15
-"""Error of a free run over the range of its log beyond which a model has lost it; the least that counts as diverged."""
-
-STARTS = 60
-"""Restarts along a log from which errors by horizon are taken."""
 
 
 def main_model(models: Mapping[str, StoredModel], training: Training) -> tuple[str, str]:

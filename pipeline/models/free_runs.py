@@ -6,11 +6,11 @@ A measured displacement lies in a tube with nine tenths of probability. Its half
 
 s(t) being the standard deviation of runs drawn from the posterior of the parameters, s₀ the error on the training data.
 The draws give the shape: errors grow where the motion is sensitive, and fade where it settles. They include noise, and
-not what the equations lack. So κ comes from the training data: it is the quantile of |error|/√(s² + s₀²) there, times
-a factor of the model type, because a fit bends to its own data.
+not what the equations lack. So κ comes from the training data. It is the quantile of |error|/√(s² + s₀²) there, times a
+factor of the model type, because a fit bends to its own data.
 
 Split conformal prediction (Lei et al. 2018, doi:10.1080/01621459.2017.1307116) would take the quantile from a held-out
-quarter of the log. A quarter has a few snaps only: on fifty simulated joints its quantile had a correlation of 0.3 with
+quarter of the log. A quarter has a few snaps only. On fifty simulated joints its quantile had a correlation of 0.3 with
 that of another log, the quantile of the training data one of 0.7.
 
 Draws that end in another well are no part of s. Where they are more than `OPEN` of all, they have a tube of their own.

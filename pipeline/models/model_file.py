@@ -30,6 +30,7 @@ from ..device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParamete
 from ..errors import CorruptArtifactError, InputError
 from ..numerics.arrays import FloatArray, IntArray
 from ..store.trees import Columns
+from ..system.package import texts_below
 from ..units.units import DISPLACEMENT, INPUT, MASS
 
 LARGEST = 1e30
@@ -46,6 +47,20 @@ SHORTEST_LAG = 1e-4
 LONGEST_LAG = 10.0
 Lag = Annotated[float, Field(ge=SHORTEST_LAG, le=LONGEST_LAG)]
 """Time constant [s] of a lag; the steps of a simulation must follow it."""
+MOST_FACTORS = 4000
+_HIGHEST_POWER = 12
+"""Most factors of all terms of a polynomial; an export writes each of them."""
+ABSURD = 1e4
+"""Factor between a parameter of the set `nominal` and one that no joint has."""
+TEXT = "text"
+"""Stands where a unit would, for texts and for decisions."""
+_BESIDE = {
+    "settings_json": "settings of the fit, as JSON",
+    "choice_json": "how held-out training data chose, with intervals and the ablation, as JSON",
+    "headline": "name of the model that the settings put first, or that held-out training data chose",
+    "units": "SI unit of displacement q, inputs v, time t",
+}
+"""Entries beside the models."""
 
 
 @dataclass(frozen=True)
@@ -105,9 +120,6 @@ def _rising(values: FloatArray) -> FloatArray:
     return values
 
 
-MOST_FACTORS = 4000
-_HIGHEST_POWER = 12
-"""Most factors of all terms of a polynomial; an export writes each of them."""
 Exponents = Annotated[IntArray, Table("P X", 0, _HIGHEST_POWER, whole=True), AfterValidator(_short)]
 """Powers of X variables in P terms."""
 PositiveRow = Annotated[FloatArray, Table("X", 1.0 / LARGEST)]
@@ -115,8 +127,6 @@ Rising = Annotated[FloatArray, Table("M"), AfterValidator(_rising)]
 Span = Annotated[FloatArray, Table("2"), AfterValidator(_rising)]
 
 
-ABSURD = 1e4
-"""Factor between a parameter of the set `nominal` and one that no joint has."""
 _VALUES: TypeAdapter[dict[str, float]] = TypeAdapter(dict[str, Real])
 
 
@@ -175,7 +185,7 @@ def _facts(value: Any, levels: int = _DEEPEST) -> Any:
 Facts = Annotated[dict[str, Any], BeforeValidator(_facts)]
 
 
-STORED = ConfigDict(extra="forbid", arbitrary_types_allowed=True, allow_inf_nan=False, use_attribute_docstrings=True)
+STORED = ConfigDict(extra="forbid", arbitrary_types_allowed=True, allow_inf_nan=False)
 """Configuration of a class that declares a part of a file."""
 PartT = TypeVar("PartT")
 
@@ -262,16 +272,6 @@ class ModelFile(BaseModel):
         return tree_of(self)
 
 
-TEXT = "text"
-"""Stands where a unit would, for texts and for decisions."""
-
-_BESIDE = {
-    "settings_json": "settings of the fit, as JSON",
-    "choice_json": "how held-out training data chose, with intervals and the ablation, as JSON",
-    "headline": "name of the model that the settings put first, or that held-out training data chose",
-    "units": "SI unit of displacement q, inputs v, time t",
-}
-"""Entries beside the models."""
 _DIAGNOSTICS = {
     "ablation/*": ("1", "RMS error of free runs over the last quarter of each training log, over the range of q"),
     "acceleration_residual": ("1", "RMS of what the equation leaves of the acceleration, over its RMS"),
@@ -380,8 +380,8 @@ def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[Any]
         if place in QUANTITIES:  # of a joint's parameters
             return QUANTITIES[place].unit, QUANTITIES[place].meaning
         field = part.__pydantic_fields__[place]
-        help_of_part = part.__doc__ or ""
+        text = texts_below(part).get(place) or part.__doc__ or ""
         part = field.annotation
     stated = next((mark.symbol for mark in field.metadata if isinstance(mark, Unit)), None)
     unit = stated or ("1" if part in (int, float, FloatArray, IntArray) else TEXT)
-    return unit.format_map(units), " ".join((field.description or help_of_part).split()).rstrip(".")
+    return unit.format_map(units), " ".join(text.split()).rstrip(".")

@@ -23,15 +23,15 @@ from .model_file import read_part
 
 FITTED_SHARE = 0.75
 """Share of each training log that candidates are fitted to when they are judged on the rest."""
+LEAST_POINTS = 4
+"""Points that a measured curve needs within the range of the training data."""
+MAIN_MODEL = "headline"
+"""Entry of ``model.h5`` that names the model which the settings put first, or held-out data chose."""
 
 
 def fitted_samples(samples: int) -> int:
     """Number of fitted samples of a log."""
     return round(FITTED_SHARE * samples)
-
-
-LEAST_POINTS = 4
-"""Points that a measured curve needs within the range of the training data."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class KnownCurves:
         return {k: int(sign[0]) if np.count_nonzero(np.isfinite(sign)) == 1 else 0 for k, sign in signs.items()}
 
     def check(self, low: float, high: float) -> None:
-        """Refuse curves that have next to nothing to do with data from `low` to `high`.
+        """Refuse curves that hardly overlap with data from `low` to `high`.
 
         Raises
         ------
@@ -158,10 +158,6 @@ class ModelType:
     fit: Callable[[Training], StoredModel]
     file: type[StoredModel]
     equations: str = ""
-
-
-MAIN_MODEL = "headline"
-"""Entry of ``model.h5`` that names the model which the settings put first, or held-out data chose."""
 
 
 def model_type(name: str) -> ModelType:

@@ -176,7 +176,7 @@ class NarxModel(ModelFile):
             yield run[start - first :]
 
     def run(self, v: FloatArray, seen: FloatArray, qdot0: float) -> tuple[FloatArray, int]:
-        """Free run at the equation's own sample interval; before what was seen q followed a parabola of slope q̇0.
+        """Free run at the equation's own sample interval; before the seen samples q follows a parabola of slope q̇0.
 
         Its bend is the acceleration that the equation itself gives, so that increments, which are velocities half a
         sample earlier, start without that lag.
@@ -186,7 +186,7 @@ class NarxModel(ModelFile):
         v : FloatArray, shape (N, K)
             Inputs at the samples [V].
         seen : FloatArray, shape (M,)
-            Displacement [m] of the first M samples, at the last of which the run begins.
+            Displacement [m] of the first M samples; the run begins at the last of them.
         qdot0 : float
             Velocity [m/s] there.
 
@@ -210,7 +210,7 @@ class NarxModel(ModelFile):
         return q, int(_run(self.exponents, self.coefficients, self.scales, self.bounds, u, q, delta, begin))
 
     def _lagged(self, v: FloatArray) -> FloatArray:
-        """Inputs as they act at each step, shape (N, K·M); lags that reach beyond the record repeat its ends."""
+        """Inputs that act at each step, shape (N, K·M); lags beyond the record repeat its ends."""
         u = np.square(v) if self.inputs == "squared" else v
         rows = np.clip(np.arange(1, len(u) + 1)[:, None] - np.arange(self.structure[2]), 0, len(u) - 1)
         return np.hstack([column[rows] for column in u.T])

@@ -31,6 +31,11 @@ _turned = formula(trace(lambda q: {"of": [function("sin", q[0]), function("cos",
 
 Q, QDOT, FRICTION, SINE, COSINE, FIRST_INPUT = range(6)
 """Columns of an exponent table; one column per input follows, then one per lag."""
+MOST_STEPS = 20
+"""Runge-Kutta steps in a sample interval, unless a lag needs more. Stable up to rates of 55 over that interval, of
+which samples show nothing; beyond 0.1 s, steps of 5 ms would take minutes over the log of a slow device."""
+MOST_LAG_STEPS = 1000
+"""A fit takes no lag that needs a hundredth of them; a file may name any."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +71,7 @@ class PolynomialDynamics:
     squared : bool
         True if the inputs are v² (electrostatic), false if v.
     low, high : float
-        Displacement [m] outside of which a run counts as diverged.
+        Range of displacements [m]; outside a run counts as diverged.
     """
 
     exponents: IntArray
@@ -165,15 +170,6 @@ def _system(d: PolynomialDynamics, v: FloatArray, refined: int, parts: int) -> P
         parts=parts,
         scaled=np.zeros(d.exponents.shape[1]),
     )
-
-
-MOST_STEPS = 20
-"""Runge-Kutta steps in a sample interval, unless a lag needs more. Stable up to rates of 55 over that interval, of
-which samples show nothing; beyond 0.1 s, steps of 5 ms would take minutes over the log of a slow device."""
-
-
-MOST_LAG_STEPS = 1000
-"""A fit takes no lag that needs a hundredth of them; a file may name any."""
 
 
 def steps_between_samples(dynamics: PolynomialDynamics, interval: float, refined: int = 1) -> int:

@@ -243,8 +243,8 @@ def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> floa
     misfit = 0.0
     for i in range(at.b.size):
         variation += at.lam[i] * excess(at.t[i] + share * step.dt[i], delta)
-        e = at.y[i] + share * step.dy[i] - at.b[i]
-        misfit += e * e
+        error = at.y[i] + share * step.dy[i] - at.b[i]
+        misfit += error * error
     return variation + 0.5 * misfit
 
 
@@ -272,18 +272,21 @@ def advance(at: Iterate, step: NewtonStep, primal: float, dual: float, delta: fl
     variation = 0.0
     misfit = 0.0
     for i in range(b.size):
-        qi = q[i] + dual * (b[i] - y[i] - q[i] - dy[i])
-        pi = p[i] + dual * dp[i]
-        yi = y[i] + primal * dy[i]
-        ti = t[i] + primal * dt[i]
-        q[i], p[i], y[i], t[i] = qi, pi, yi, ti
-        square = ti * ti + delta * delta
+        q_new = q[i] + dual * (b[i] - y[i] - q[i] - dy[i])
+        p_new = p[i] + dual * dp[i]
+        y_new = y[i] + primal * dy[i]
+        t_new = t[i] + primal * dt[i]
+        q[i] = q_new
+        p[i] = p_new
+        y[i] = y_new
+        t[i] = t_new
+        square = t_new * t_new + delta * delta
         inverse = 1.0 / math.sqrt(square)
-        ds = ti * inverse - pi
-        dc = delta * inverse - math.sqrt(max(0.0, (1.0 - pi) * (1.0 + pi)))
-        variation += lam[i] * (square * inverse) * (ds * ds + dc * dc)
-        e = yi - b[i] + qi
-        misfit += e * e
+        between_sines = t_new * inverse - p_new
+        between_cosines = delta * inverse - math.sqrt(max(0.0, (1.0 - p_new) * (1.0 + p_new)))
+        variation += lam[i] * (square * inverse) * (between_sines * between_sines + between_cosines * between_cosines)
+        error = y_new - b[i] + q_new
+        misfit += error * error
     return 0.5 * (variation + misfit)
 
 
@@ -339,7 +342,7 @@ def _step(
 
 @compiled(inline="always")
 def _filter(at: Iterate, step: NewtonStep, delta: float, start: FloatArray, cov: FloatArray, mean: FloatArray) -> None:
-    """Kalman filter from the `start` of `difference_weights`; mu goes to `dt`, v to `dy`.
+    """Kalman filter from the `start` of `difference_weights`; mean and variance of the noise go to `dt` and `dy`.
 
     The covariance `cov` is overwritten; the state's `mean` is zero before.
     """
@@ -350,17 +353,17 @@ def _filter(at: Iterate, step: NewtonStep, delta: float, start: FloatArray, cov:
         for k in range(size):
             mean[k] += start[k, j] * (b[j] - y[j] - q[j])
     for i in range(size, b.size):
-        mu, v = driving_noise(t[i], p[i], 1.0 / lam[i], delta)
-        mean[size - 1] += mu
+        mean_noise, variance = driving_noise(t[i], p[i], 1.0 / lam[i], delta)
+        mean[size - 1] += mean_noise
         for k in range(size - 2, -1, -1):
             mean[k] += mean[k + 1]
-        inverse = advance_covariance(cov, v, gains[i, :size])
+        inverse = advance_covariance(cov, variance, gains[i, :size])
         innovation = b[i] - y[i] - q[i] - mean[0]
         for k in range(size):
             mean[k] += gains[i, k] * innovation
         gains[i, size] = innovation * inverse
-        dt[i] = mu
-        dy[i] = v
+        dt[i] = mean_noise
+        dy[i] = variance
 
 
 @compiled(inline="always")

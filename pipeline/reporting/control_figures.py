@@ -12,7 +12,7 @@ _LIKELY = (0.1, 0.9)
 
 
 def control_figures(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, Figure]:
-    """The figures of what a run holds of control, by name.
+    """The figures of a run's control, by name.
 
     Parameters
     ----------

@@ -32,11 +32,13 @@ _PARTS = {
 
 
 Rows = list[tuple[str, ...]]
+LONGEST_LIST = 12  # numbers that one cell shows
+_UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|1_per_m|m|s|kg|V|Hz|N))$")
 
 
 @dataclass(frozen=True)
 class SheetCell:
-    """Texts of a cell: the model's value, and what the data show without a model and the free run there (or empty)."""
+    """Texts of a cell: the model's value, and those of the data alone and of the free run (or empty)."""
 
     value: str
     seen: str
@@ -141,7 +143,8 @@ def calibrated_row(fitted: Calibrated) -> CalibratedRow:
 def datasheet_tables(document: dict[str, Any]) -> list[tuple[str, tuple[str, ...], Rows]]:
     """The datasheet for the terminal, as tables with title, heading and rows.
 
-    The facts of the page, what the logs show of them, what acts, and last the checks of the assessment.
+    The facts of the page, the evidence of the logs for them, the acting elements, and last the checks of the
+    assessment.
     """
     sheet = sheet_rows([DatasheetFact(**fact) for fact in document["facts"]])
 
@@ -184,7 +187,7 @@ def datasheet_tables(document: dict[str, Any]) -> list[tuple[str, tuple[str, ...
 
 
 def element_rows(elements: Sequence[Mapping[str, Any]]) -> Rows:
-    """Element, RMS force and share of the restoring force, of what acts; "absent" of what does not."""
+    """Element, RMS force and share of the restoring force; "absent" for an element that does not act."""
     return [
         (
             element["name"],
@@ -194,9 +197,6 @@ def element_rows(elements: Sequence[Mapping[str, Any]]) -> Rows:
         for element in elements
     ]
 
-
-LONGEST_LIST = 12
-_UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|1_per_m|m|s|kg|V|Hz|N))$")
 
 FactRows = list[tuple[str, str]]
 

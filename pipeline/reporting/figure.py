@@ -20,6 +20,30 @@ Role = str
 Dash = Literal["role", "solid", "dashed", "dotted"]
 MOST_POWERS = 6  # labels along a logarithmic axis
 MOST_PLAIN = 1e3  # ratio of its ends beyond which they are powers of ten
+# Class on the page, colour on paper, dash pattern (on, off in points). Order: models as they come.
+MODEL_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#999933", "#882255", "#56B4E9", "#8C6D31")
+MODEL_DASHES: tuple[tuple[float, ...], ...] = (
+    (),
+    (6, 2),
+    (2, 2),
+    (7, 2, 2, 2),
+    (4, 1),
+    (1, 1.5),
+    (9, 2, 2, 2, 2, 2),
+    (3, 4),
+)
+# Nearly black: matplotlib writes no colour for a black inside, which the page then could not replace.
+FIXED = {"measured": "#010101", "raw": "#8C8C8C", "v1": "#E69F00", "v2": "#7A4FA3", "reference": "#8C8C8C"}
+_SHAPES = {
+    "cell": '<rect class="{}" width="30" height="12"/>',
+    "band": '<rect class="{}" width="30" height="12"/>',
+    "dot": '<circle class="{}" cx="15" cy="6" r="4.3"/>',
+    "ring": '<circle class="{}" cx="15" cy="6" r="4.3"/>',
+    "cross": '<path class="{}" d="M11 2L19 10M11 10L19 2"/>',
+    "mark": '<path class="{}" d="M15 0V12"/>',
+    "snap": '<path class="{}" d="M15 0V12"/>',
+}
+_LINE = '<path class="{}" d="M0 6H30"/>'
 
 
 def log_label(value: float, *, powers: bool) -> str:
@@ -177,7 +201,7 @@ def axis_label(name: str, unit: str) -> str:
 
 
 def writable(text: str) -> str:
-    """The text without what a file in XML cannot hold."""
+    """The text without the characters that XML cannot hold."""
     return _UNWRITABLE.sub("\ufffd", text)
 
 
@@ -317,22 +341,6 @@ def _range(arrays: list[FloatArray]) -> tuple[float, float]:
     return low - pad, high + pad
 
 
-# Class on the page, colour on paper, dash pattern (on, off in points). Order: models as they come.
-MODEL_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#999933", "#882255", "#56B4E9", "#8C6D31")
-MODEL_DASHES: tuple[tuple[float, ...], ...] = (
-    (),
-    (6, 2),
-    (2, 2),
-    (7, 2, 2, 2),
-    (4, 1),
-    (1, 1.5),
-    (9, 2, 2, 2, 2, 2),
-    (3, 4),
-)
-# Nearly black: matplotlib writes no colour for a black inside, which the page then could not replace.
-FIXED = {"measured": "#010101", "raw": "#8C8C8C", "v1": "#E69F00", "v2": "#7A4FA3", "reference": "#8C8C8C"}
-
-
 def slot(role: str, models: Sequence[str]) -> str:
     """Name of the colour class of a role: ``measured``, ``raw``, ``v1`` … or ``m0`` to ``m7`` for models."""
     if role in FIXED:
@@ -384,12 +392,9 @@ def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:
         for number, label in enumerate(panel.cells.labels):
             if (panel.cells.index == number).any():
                 yield label, Style(f"cell{number}")
-    for band in panel.bands:
-        yield band.label, Style("band", slot(band.role, models))
-    for line in panel.lines:
-        yield line.label, Style(line_kind(line), slot(line.role, models), line.dash)
-    for points in panel.points:
-        yield points.label, Style(points.marker, slot(points.role, models))
+    yield from ((band.label, Style("band", slot(band.role, models))) for band in panel.bands)
+    yield from ((line.label, Style(line_kind(line), slot(line.role, models), line.dash)) for line in panel.lines)
+    yield from ((points.label, Style(points.marker, slot(points.role, models))) for points in panel.points)
 
 
 def _place(style: Style) -> tuple[int, int]:
@@ -397,18 +402,6 @@ def _place(style: Style) -> tuple[int, int]:
     model = int(style.slot[1:]) if style.slot[:1] == "m" and style.slot[1:].isdigit() else -1
     group = 0 if style.kind.startswith("cell") else 2 if style.kind in ("dot", "ring", "cross") else 1
     return group, model
-
-
-_SHAPES = {
-    "cell": '<rect class="{}" width="30" height="12"/>',
-    "band": '<rect class="{}" width="30" height="12"/>',
-    "dot": '<circle class="{}" cx="15" cy="6" r="4.3"/>',
-    "ring": '<circle class="{}" cx="15" cy="6" r="4.3"/>',
-    "cross": '<path class="{}" d="M11 2L19 10M11 10L19 2"/>',
-    "mark": '<path class="{}" d="M15 0V12"/>',
-    "snap": '<path class="{}" d="M15 0V12"/>',
-}
-_LINE = '<path class="{}" d="M0 6H30"/>'
 
 
 def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Markup]]:

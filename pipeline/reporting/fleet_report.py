@@ -22,6 +22,13 @@ FACTS = {column.key: column.fleet for column in FACT_COLUMNS if column.fleet}
 """Facts of the fleet's table and their headings."""
 WIDE = 20.0
 """Ratio of the largest to the least value beyond which an axis is logarithmic, and numbers have own decimals."""
+# A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
+OUTLIER = 3.5
+LEAST_VALUES = 6
+ERROR = "NRMSE of q"
+TRAINING = " (training)"
+LISTED = 200
+"""Rows of the page; `fleet-facts.parquet` and `fleet.parquet` have all prototypes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +123,7 @@ def _worst(scores: Sequence[Mapping[str, Any]], key: str) -> float:
 
 @dataclass(frozen=True)
 class FleetColumn:
-    """One column: a fact or a score of every member, in the unit that is shown (NaN: unknown), and what stands out.
+    """One column: a fact or a score of every member, in the shown unit (NaN: unknown), and the members that stand out.
 
     Scores of training logs are marked, and left out of distributions.
     """
@@ -177,15 +184,6 @@ def distribution(column: FleetColumn) -> Figure:
     )
 
 
-# A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
-OUTLIER = 3.5
-LEAST_VALUES = 6
-ERROR = "NRMSE of q"
-TRAINING = " (training)"
-LISTED = 200
-"""Rows of the page; `fleet-facts.parquet` and `fleet.parquet` have all prototypes."""
-
-
 def fleet_report(members: Iterable[Summary], page_name: str) -> str:
     """The page as HTML; the same members give the same bytes.
 
@@ -229,13 +227,13 @@ def _listed(members: Sequence[Summary], quantities: Sequence[FleetColumn]) -> li
 
 
 def _varies(q: FleetColumn) -> bool:
-    """True if a distribution can be drawn: as many values as an outlier needs, of which two differ."""
+    """True if a distribution can be drawn: enough values for an outlier, and two that differ."""
     finite = q.values[np.isfinite(q.values)]
     return finite.size >= LEAST_VALUES and bool(np.ptp(finite) > 0.0)
 
 
 def _validated(q: FleetColumn, members: Sequence[Summary]) -> FleetColumn:
-    """The same without errors on training logs, which must not stand beside those on others."""
+    """The scores without errors on training logs, which must not stand beside those on other logs."""
     return replace(q, values=np.where([member.training and q.scored for member in members], np.nan, q.values))
 
 

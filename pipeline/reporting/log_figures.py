@@ -20,6 +20,7 @@ from .tables import HEADINGS
 METHODS = {"tvregdiff": "TVRegDiff", "savitzky-golay": "Savitzky–Golay filter"}
 BASELINES_SHOWN = 2
 LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
+TUBE = "90 % tube"
 
 
 def log_figures(data: RunData, log: LogData, wells: Wells | NoWells) -> dict[str, Figure]:
@@ -59,7 +60,7 @@ def _unknown(log: LogData, t: FloatArray) -> BoolArray:
 
 
 def _hidden(data: RunData, log: LogData) -> tuple[str, ...]:
-    """Models that are a button away: what diverges leaves every frame, and of the baselines the best two are enough."""
+    """Models that are hidden at first: diverged ones, which leave every frame, and all baselines but the best two."""
     judged = "validation" if data.role("validation") else "train"
     errors: dict[str, list[float]] = {}
     for s in data.scores:
@@ -227,7 +228,7 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 
 
 def _limits(signals: Sequence[FloatArray]) -> tuple[float, float]:
-    """Least and largest of what is drawn as a line, with a margin at either end."""
+    """Least and largest value of all lines, with a margin at either end."""
     finite = [part[np.isfinite(part)] for part in signals]
     low = min((float(part.min()) for part in finite if part.size), default=-1.0)
     high = max((float(part.max()) for part in finite if part.size), default=1.0)
@@ -242,9 +243,6 @@ def _with_tubes(limits: tuple[float, float], tubes: Sequence[Band]) -> tuple[tup
     most = 0.5 * (high - low)
     shown = max(min(low, least), low - most), min(max(high, largest), high + most)
     return shown, least < shown[0] or largest > shown[1]
-
-
-TUBE = "90 % tube"
 
 
 def _tubes(predicted: Mapping[str, FloatArray], model: str) -> Iterator[Band]:

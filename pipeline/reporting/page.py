@@ -100,7 +100,7 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
 
 
 def _commands(text: str) -> Markup:
-    """Text with what stands between backticks as code."""
+    """Text whose parts between backticks are code."""
     code = Markup("<code>{}</code>")
     return Markup("").join(code.format(part) if i % 2 else part for i, part in enumerate(text.split("`")))
 
@@ -157,7 +157,7 @@ def _viewer_figure(figure: Figure, models: Sequence[str], store: Callable[[Float
 def _viewer_panel(
     panel: Panel, hidden: Collection[str], models: Sequence[str], store: Callable[[FloatArray], str]
 ) -> dict[str, Any]:
-    """A panel, all of whose lines have one time grid."""
+    """A panel whose lines share one time grid."""
     visible = [line for line in panel.lines if line.label not in hidden]
     largest = max((abs(float(v)) for line in visible for v in _ends(line.y)), default=0.0)
     unit, factor = axis_scale(panel.unit, largest)

@@ -34,6 +34,11 @@ _HIGHEST = 0.01
 PATH_REACH = 0.02
 PATH_DEGREE = 9
 """Displacement [m] to which figure 6b reaches, and the degree of its polynomials."""
+ZOOM = (24.0, 30.0)
+"""Segment of figure 13 [s]."""
+_OTHERS = ("v1", "analytical", "raw", "measured")
+"""Colours of the α that were not chosen."""
+PERCENT = 100.0
 
 
 def _role(state: str) -> Role:
@@ -227,12 +232,6 @@ def motion_figure(motions: "Motions") -> Figure:
     )
 
 
-ZOOM = (24.0, 30.0)
-"""Segment of figure 13 [s]."""
-_OTHERS = ("v1", "analytical", "raw", "measured")
-"""Colours of the α that were not chosen."""
-
-
 def basis_figure(q: FloatArray, bells: FloatArray, weights: FloatArray) -> Figure:
     """Figure 8b: the basis functions at q (n, M), and c(q) as their weighted sum; weights (M,) [N/m]."""
     functions = tuple(Line(f"{len(weights)} basis functions", "v1", q, bell) for bell in bells.T)
@@ -362,8 +361,6 @@ def curves_figure(curves: Mapping[str, Mapping[str, FloatArray]], q: FloatArray)
         ),
     )
 
-
-PERCENT = 100.0
 
 Columns = Mapping[str, FloatArray]
 

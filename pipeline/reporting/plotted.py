@@ -66,6 +66,15 @@ SMOOTHING = 0.8  # cells over which the edge between two classes of cells is smo
 _MARK_COLOURS = {"mark": ("#b0b7c0", "-"), "snap": ("#8a5a9e", (0, (5, 4)))}
 _DASHES: dict[str, tuple[float, ...]] = {"solid": (), "dashed": (3.0, 2.0), "dotted": (1.0, 1.6)}
 _MARKERS = {"dot": "o", "ring": "o", "cross": "x"}
+_STYLE: Any = {"svg.hashsalt": "debist", "pdf.fonttype": 42}  # outlines: journals refuse fonts of type 3
+_DOTS_PER_INCH = 200  # of figures as PNG
+_INLINE = re.compile(r' style="([^"]*)"')
+_MARKER = re.compile(r"<defs>\s*<path [^>]*>\s*</defs>")
+_STROKE = re.compile(r' stroke(?:-[a-z]+)?="[^"]*"')
+_HEAD = re.compile(r'<svg .*?(viewBox="[^"]*").*?>', re.DOTALL)
+_LEFT_OUT = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|<!--.*?-->| id=\"(?:figure|axes|patch|line2d|text|"
+                       r"matplotlib|xtick|ytick|FillBetween|LineCollection|PathCollection|QuadContourSet)[^\"]*\"",
+                       re.DOTALL)  # fmt: skip
 
 
 @cache
@@ -331,17 +340,8 @@ _METADATA: dict[Format, dict[str, Any]] = {
     "pdf": {"CreationDate": None, "Creator": "debist", "Producer": "debist"},
     "png": {"Software": "debist"},
 }
-_STYLE: Any = {"svg.hashsalt": "debist", "pdf.fonttype": 42}  # outlines: journals refuse fonts of type 3
-_DOTS_PER_INCH = 200
 WHOLE = Look(width=8.4, panel_height=2.6, legend=False)
 PART = Look(width=5.6, panel_height=2.5, legend=False, letters=False)
-_INLINE = re.compile(r' style="([^"]*)"')
-_MARKER = re.compile(r"<defs>\s*<path [^>]*>\s*</defs>")
-_STROKE = re.compile(r' stroke(?:-[a-z]+)?="[^"]*"')
-_HEAD = re.compile(r'<svg .*?(viewBox="[^"]*").*?>', re.DOTALL)
-_LEFT_OUT = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|<!--.*?-->| id=\"(?:figure|axes|patch|line2d|text|"
-                       r"matplotlib|xtick|ytick|FillBetween|LineCollection|PathCollection|QuadContourSet)[^\"]*\"",
-                       re.DOTALL)  # fmt: skip
 
 
 def _lay_out(canvas: Canvas) -> None:

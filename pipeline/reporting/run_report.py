@@ -1,7 +1,7 @@
 """The page of one run."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -14,7 +14,7 @@ from ..diagnostics.run_data import WHY, RunData, judged_log
 from ..scoring.wells import Wells
 from ..system.names import ROLE_WORDS, shell_word, with_true_names
 from ..system.worker_pool import in_processes
-from ..units.quantity import short
+from ..units.quantity import counted, short
 from .control_figures import control_figures
 from .datasheet_rows import (
     NOT_USED,
@@ -55,7 +55,19 @@ def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
 
 
 def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure], jobs: int = 1) -> str:
-    """The page as HTML, its figures drawn in `jobs` processes; the same data give the same bytes."""
+    """The page as HTML; the same data give the same bytes.
+
+    Parameters
+    ----------
+    data : RunData
+        The run.
+    sheet : Datasheet
+        Its datasheet.
+    figures : mapping of str to Figure
+        From `figures_of`.
+    jobs : int
+        Processes that draw the figures.
+    """
     models = data.model_names
     judged = judged_log(data)
     first = figures[f"{judged.key}-overlay"]
@@ -63,18 +75,8 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure], j
         f"{log.key}-{kind}": _without_q(figures[f"{log.key}-{kind}"]) for kind in SECTION_TITLES for log in data.logs
     }
     shown = {first.name, *(f"{log.key}-{kind}" for kind in LOG_FIGURES for log in data.logs)}
-    charts: dict[str, list[dict[str, Any]]] = {kind: [] for kind in ("residual", "study", "control", "")}
-    drawn = {name: figure for name, figure in figures.items() if name not in shown}
-    for name, made in zip(drawn, in_processes(partial(chart, models=models), list(drawn.values()), jobs), strict=True):
-        kind = name.partition("-")[0]
-        charts[kind if kind in charts else ""].append(made)
+    charts = _charts({name: figure for name, figure in figures.items() if name not in shown}, models, jobs)
     rows = sheet_rows(sheet.facts)
-    lengths = (
-        f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, "
-        f"{short(sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs), 4)} s"
-        for role in ("train", "validation")
-        if (logs := data.role(role))
-    )
     log_checks = [CheckRow(**row) for row in data.log_checks]
     check_header, check_rows = beside(log_checks)
     judged_by = {check.name for check in sheet.checks}
@@ -84,7 +86,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure], j
         ("uplot.min.js", "tables.js", "series.js", "viewer.js"),
         {
             "name": data.prototype.name,
-            "subtitle": " · ".join((*lengths, f"models {', '.join(models)}")),
+            "subtitle": " · ".join((*_lengths(data), f"models {', '.join(models)}")),
             "main_model": sheet.main_model,
             "assessment": assessment(sheet.checks),
             "data_grade": sheet.grades["data"],
@@ -138,8 +140,27 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure], j
     )
 
 
+def _charts(figures: Mapping[str, Figure], models: Sequence[str], jobs: int) -> dict[str, list[dict[str, Any]]]:
+    """The figures drawn in `jobs` processes, by the kind with which their names begin; "" for those of the device."""
+    charts: dict[str, list[dict[str, Any]]] = {kind: [] for kind in ("residual", "study", "control", "")}
+    drawn = in_processes(partial(chart, models=models), list(figures.values()), jobs)
+    for name, made in zip(figures, drawn, strict=True):
+        kind = name.partition("-")[0]
+        charts[kind if kind in charts else ""].append(made)
+    return charts
+
+
+def _lengths(data: RunData) -> Iterator[str]:
+    """Number and length of the training logs, then of the validation logs."""
+    for role in ("train", "validation"):
+        logs = data.role(role)
+        if logs:
+            seconds = sum(float(log.motion.t[-1] - log.motion.t[0]) for log in logs)
+            yield f"{counted(len(logs), f'{ROLE_WORDS[role]} log')}, {short(seconds, 4)} s"
+
+
 def assessment(checks: Sequence[Check]) -> str:
-    """The assessment in one sentence: the worst of what is wrong, or that nothing is."""
+    """The assessment in one sentence: the first of the worst findings, or that there are none."""
     for grade in ("poor", "fair"):
         if failing := [check for check in checks if check.grade == grade]:
             rest = len([check for check in checks if check.grade != "good"]) - 1

@@ -40,6 +40,12 @@ _OF_ROWS = {
     "sindy-default": "sindy-default is pysindy with its defaults: quadratic terms, the strong form, no hidden state, "
     "no choice by free runs; sindy is the attempt at a good model."
 }
+_CONVERGED = 0.05
+"""Largest error of the curve of a stream that has converged, over the range of the curve."""
+SERIES_COLUMNS = ("fact", "first run", "last run", "from all runs", "change")
+"""Headings of `series_rows`."""
+_WIDE = 10.0
+"""Standard errors by which the facts of one device hardly scatter: three simulated devices scatter by more."""
 
 
 def notes_of(columns: Iterable[Column]) -> list[str]:
@@ -53,7 +59,7 @@ def notes_on(models: Iterable[str]) -> list[str]:
 
 
 def _columns(table: str, rows: Sequence[ScoreRow] | None = None) -> tuple[Column, ...]:
-    """The columns of a table; with its rows, without those that not every device has and no row has a value of."""
+    """The columns of a table; given its rows, without optional columns that are empty."""
     columns = (column for column in SCORE_COLUMNS if column.cell and column.cell.table == table)
     return tuple(
         column
@@ -145,7 +151,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
 
 
 def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
-    """Errors by horizon and what a run notes of itself, each with its interval; `scores` as in `nrmse_table`."""
+    """Errors by horizon and the notes of each run, with their intervals; `scores` as in `nrmse_table`."""
     of_q = [row for row in scores if row["signal"] == "q"]
     columns = _columns("behaviour", of_q)
     return NrmseTable(
@@ -158,7 +164,7 @@ def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
 
 
 def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
-    """The model of the lowest NRMSE and those not significantly above it; one alone is the best.
+    """The model of the lowest NRMSE, and all models not significantly above it; one alone is the best.
 
     Models that diverged are no competitors. Empty where there is nothing to be apart from: fewer than two models, or
     one without a paired interval (`above_lowest_low`), as in a record of less than three blocks.
@@ -227,7 +233,7 @@ def disarmed(value: Any) -> Any:
 
 @dataclass(frozen=True)
 class MainTable:
-    """The table as text: where the errors were measured, headings, a line of cells for each model, what they mean.
+    """The table as text: the logs it is of, headings, a line of cells for each model, and an explanation.
 
     `best` is the model with the lowest error of q; empty where no model has one.
     """
@@ -320,10 +326,6 @@ def study_conclusion(
     )
 
 
-_CONVERGED = 0.05
-"""Largest error of the curve of a stream that has converged, over the range of the curve."""
-
-
 def _online_conclusion(columns: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
     """A row for each stream: its errors at the end, and the time after which its curve stayed within `_CONVERGED`."""
     rows = []
@@ -350,12 +352,6 @@ def _online_conclusion(columns: Mapping[str, Any]) -> tuple[dict[str, Any], str]
         error = f"{100.0 * best['curve error']:.2g} % off at the end"
         texts.append(f"{case}, λ = {best['forgetting']:g} follows the curve best: {error}")
     return {title: tuple(row[title] for row in rows) for title in rows[0]}, "; ".join(texts)
-
-
-SERIES_COLUMNS = ("fact", "first run", "last run", "from all runs", "change")
-"""Headings of `series_rows`."""
-_WIDE = 10.0
-"""Standard errors by which the facts of one device hardly scatter: three simulated devices scatter by more."""
 
 
 def series_rows(series: "Series") -> list[tuple[str, ...]]:

@@ -1,4 +1,4 @@
-"""The test bench around a joint: commands through converters to the membranes, and what laser and probes record."""
+"""The test bench around a joint: commands through converters to the membranes, and the records of laser and probes."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -12,6 +12,7 @@ from .parameters import RigParameters
 
 RATE = 30_000.0  # Hz, of the logs
 _POWER_FLOOR = 100.0  # V: below this the current limit, not the power limit, holds
+TIME_STEP = 0.5e-3  # s, of the joint's integration
 
 
 @dataclass(frozen=True)
@@ -175,9 +176,6 @@ def _quantise(x: FloatArray, step: float) -> FloatArray:
     return np.asarray(np.round(x / step) * step)
 
 
-TIME_STEP = 0.5e-3  # s, of the joint's integration
-
-
 @dataclass(frozen=True)
 class Bench:
     """Converters, laser and probes; pairs are (left, right).
@@ -219,7 +217,7 @@ class Readings:
 
 @dataclass(frozen=True)
 class BenchRecord(Readings):
-    """One log in SI units: what was measured, and the truth behind it; all of shape (N,)."""
+    """One log in SI units: the measurement and the truth behind it, all of shape (N,)."""
 
     true_q: FloatArray
     true_qdot: FloatArray

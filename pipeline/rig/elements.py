@@ -24,7 +24,7 @@ import math
 import numpy as np
 
 from ..numerics.arrays import FloatArray
-from ..numerics.compiled import compiled, inner
+from ..numerics.compiled import compiled, inner, shared
 from .parameters import (
     BOUC_WEN,
     DAHL,
@@ -91,7 +91,7 @@ def tip(x: FloatArray, p: RigParameters, pose: FloatArray, jacobian: FloatArray)
     jacobian[2, n - 1] = 1.0
 
 
-@compiled
+@shared
 def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, bias: FloatArray) -> None:
     """Fill the mass `matrix`, shape (n, n), and the velocity-dependent inertia forces `bias`, shape (n,).
 
@@ -112,9 +112,10 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
     l = p.length
     if p.beam == RITZ:
         squared = 0.0
-        row = np.zeros(n)
+        row = bias  # ∂u_y/∂x, until the forces take its place
         row[3] = l
         for j in range(3):
+            row[j] = 0.0
             for k in range(3):
                 b = (j + 2) * (k + 2) / (j + k + 3)
                 row[j] -= l * b * x[k]
@@ -123,27 +124,24 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
             matrix[j, 3] = matrix[3, j] = 0.0
         matrix[3, 3] = 0.0
         for j in range(n):
-            bias[j] = -p.mass * row[j] * l * squared
             for k in range(n):
                 matrix[j, k] += p.mass * row[j] * row[k]
+        for j in range(n):
+            bias[j] = -p.mass * row[j] * l * squared
         return
     link = l / n
     for i in range(n):
         bias[i] = 0.0
         for j in range(n):
-            lever = _lever(i, j, n, link, p)
+            # Σ of mass × lever of link i × lever of link j over the lumped masses: half links at each node, and the
+            # frame
+            beam = p.line_density * link * (n - max(i, j) - 0.5) * link * link
+            arm_i = link + (p.frame_offset if i == n - 1 else 0.0)
+            arm_j = link + (p.frame_offset if j == n - 1 else 0.0)
+            lever = beam + p.mass * arm_i * arm_j
             matrix[i, j] = lever * np.cos(x[i] - x[j])
             bias[i] += lever * np.sin(x[i] - x[j]) * v[j] ** 2
     matrix[n - 1, n - 1] += p.frame_inertia
-
-
-@inner
-def _lever(i: int, j: int, n: int, link: float, p: RigParameters) -> float:
-    """Σ of mass × lever of link i × lever of link j over the lumped masses: half links at each node, and the frame."""
-    beam = p.line_density * link * (n - max(i, j) - 0.5) * link * link
-    arm_i = link + (p.frame_offset if i == n - 1 else 0.0)
-    arm_j = link + (p.frame_offset if j == n - 1 else 0.0)
-    return float(beam + p.mass * arm_i * arm_j)
 
 
 @compiled
@@ -203,13 +201,13 @@ def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -
     return float(energy + weight * (np.cos(x[n - 1]) - 1.0))
 
 
-@inner
+@shared
 def hinge_angle(x: FloatArray, i: int) -> float:
     """Angle [rad] by which link i of a chain is turned against the one before."""
     return float(x[i] - x[i - 1] if i > 0 else x[i])
 
 
-@compiled
+@shared
 def yielding(
     x: FloatArray, start: FloatArray, layers: FloatArray, p: RigParameters, force: FloatArray, after: FloatArray
 ) -> None:
@@ -279,7 +277,7 @@ def stretch(side: int, pose: FloatArray, p: RigParameters, gradient: FloatArray)
     return float(length / p.free_length[side])
 
 
-@compiled
+@shared
 def rubber_stress(stretch_1: float, side: int, p: RigParameters) -> float:
     """∂U/∂λ1 per volume of the rubber alone [Pa] at `stretch_1` = λ1."""
     modulus: float = p.modulus[side]
@@ -299,7 +297,6 @@ def rubber_stress(stretch_1: float, side: int, p: RigParameters) -> float:
     return stress
 
 
-@compiled
 def rubber_energy(stretch_1: float, side: int, p: RigParameters) -> float:
     """Strain energy per volume [J/m³] of the rubber alone at `stretch_1` = λ1, zero at λ1 = 1."""
     modulus: float = p.modulus[side]
@@ -320,15 +317,15 @@ def rubber_energy(stretch_1: float, side: int, p: RigParameters) -> float:
 
 
 @inner
-def viscous_strain(stretch_1: float, p: RigParameters) -> tuple[float, float]:
+def viscous_strain(stretch_1: float, strain: int) -> tuple[float, float]:
     """The strain that the viscous branches see, and its derivative by λ1: λ3 = λ1^(−1/2), or ln λ1."""
-    if p.strain == THICKNESS:
+    if strain == THICKNESS:
         thickness = 1.0 / math.sqrt(stretch_1)
         return thickness, -0.5 * thickness / stretch_1
     return math.log(stretch_1), 1.0 / stretch_1
 
 
-@compiled
+@shared
 def slide(z: FloatArray, shift: float, speed: float, dt: float, p: RigParameters, after: FloatArray) -> float:
     """Friction force [N] against the motion after sliding by `shift` [m] at `speed` [m/s] within `dt` [s].
 

@@ -36,6 +36,10 @@ EXCITATIONS = ("pulses", "chirps", "both", "steps", "multisine", *SHARES, "alter
 prototypes; "alternating" is `switching_pulses`."""
 SHORT_PULSES = 0.45
 SHORT_PAUSES = 0.6
+TIME = "time"
+INPUTS = ("v1", "v2")
+"""Names of the channels in the files: time [s], and the commands to the left and right converter [V]."""
+ENDINGS = (".csv", ".mat")
 
 
 @dataclass(frozen=True)
@@ -45,8 +49,8 @@ class Burst:
     Attributes
     ----------
     shape : Shape
-        ``pulse`` holds both sides; the others swing between the sides: what is positive goes left, what is
-        negative goes right, since the electrostatic force does not depend on the sign of the voltage.
+        ``pulse`` holds both sides; the others swing between the sides. Positive values go left and negative ones right,
+        since the electrostatic force does not depend on the sign of the voltage.
     start, duration : float
         [s].
     left, right : float
@@ -119,9 +123,9 @@ def random_excitation(
 ) -> list[Burst]:
     """Draw an experiment up to `top` [V]: a rest, then bursts and pauses until `duration` [s].
 
-    The first burst is a full pulse on the left, which sends a joint resting on the left over to the right. Later
-    pulses mostly change sides, so that the joint is sent from well to well; about half of them use the full
-    voltage, the others stay between a half and the full one, where switching is no longer certain.
+    The first burst is a full pulse on the left, which sends a joint resting on the left over to the right. Later pulses
+    mostly change sides, so that the joint is sent from well to well. About half of them use the full voltage. The
+    others stay between a half and the full one, where switching is not certain.
 
     Parameters
     ----------
@@ -157,7 +161,7 @@ def _shares(excitation: str) -> list[float]:
 
 
 def draw_pause(rng: np.random.Generator, short: float = 0.4) -> float:
-    """Length [s] of a pause: short (so often), in which the joint does not come to rest, or long, in which it does."""
+    """Length [s] of a pause: a short one, in which the joint does not come to rest, or a long one, in which it does."""
     return float(rng.choice([rng.uniform(0.05, 0.3), rng.uniform(0.3, 1.6)], p=[short, 1.0 - short]))
 
 
@@ -214,12 +218,6 @@ def draw_burst(
             )
 
 
-TIME = "time"
-INPUTS = ("v1", "v2")
-"""Names of the channels in the files: time [s], and the commands to the left and right converter [V]."""
-ENDINGS = (".csv", ".mat")
-
-
 @dataclass(frozen=True)
 class Sequence:
     """Commands to the two converters: times (N,) [s] from 0 on, uniform, and voltages (N, 2) [V]."""
@@ -239,7 +237,7 @@ class Sequence:
 
 
 def save_sequence(path: Path, sequence: Sequence, about: Mapping[str, Any]) -> tuple[Path, ...]:
-    """Write a sequence as `path` (.csv or .mat) and what is known `about` it as JSON beside it.
+    """Write a sequence as `path` (.csv or .mat), and its description `about` as JSON beside it.
 
     A MAT file (v5) holds ``time``, ``v1``, ``v2`` as columns, ``excitation`` as the structure with time that
     Simulink's *From Workspace* block plays, and `about` as JSON text.

@@ -33,6 +33,16 @@ _MAX_TRIES = 20
 _BEAM_SHARE = 0.25  # of the beam's mass that moves with the frame, about
 
 _DRAWINGS = {"nominal": nominal, "table1": table1}
+INTERVAL = 1e-3
+"""Interval of the recording [s]."""
+_MORE = """\
+parameters = "nominal"  # the drawing, from which the simulated joint differs by workshop tolerances
+
+[compare]
+models = ["analytical", "sindy", "narx"]
+"""
+STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
+"""Resolution of the recorder [m, V]: a third of the instruments' noise."""
 
 
 class ExperimentFile(SettingsTable):
@@ -89,7 +99,7 @@ class Experiment(ExperimentFile):
 
 @dataclass(frozen=True)
 class SimulatedLog:
-    """One simulated log: its file's stem, what excited it, what was recorded."""
+    """One simulated log: its file's stem, its excitation, its record."""
 
     role: Role
     stem: str
@@ -101,7 +111,7 @@ def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed:
     """Draw a prototype from `seed`, run the experiments, write logs, ``NAME.toml`` and ``truth/``.
 
     A drawn prototype is drawn again until every log switches often enough and none reaches the laser's rail, as an
-    operator would choose the prototypes worth recording; all of it follows from `seed`.
+    operator would choose the prototypes worth recording. All of it follows from `seed`.
 
     Parameters
     ----------
@@ -183,7 +193,7 @@ def simulate_fleet(folder: Path, count: int, experiment: Experiment, *, seed: in
 def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameters, Bench, list[SimulatedLog]]:
     """A joint, its bench and its logs, drawn until they are worth recording; the drawing is taken as it is.
 
-    With the generator of an equal seed it is what `simulate_prototype` drew.
+    A generator of an equal seed draws the same as in `simulate_prototype`.
 
     Raises
     ------
@@ -263,7 +273,7 @@ def moving_mass(joint: RigParameters) -> float:
 
 
 def prototype_toml(name: str, mass: float, files: Mapping[str, list[str]], form: str, *, more: str = "") -> str:
-    """The prototype's settings: what a user would know of the device, not its truth; `more` goes to ``[plant]``.
+    """The prototype's settings: a user's knowledge of the device, not its truth; `more` goes to ``[plant]``.
 
     Parameters
     ----------
@@ -286,16 +296,6 @@ def prototype_toml(name: str, mass: float, files: Mapping[str, list[str]], form:
 
 
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
-INTERVAL = 1e-3
-"""Interval of the recording [s]."""
-_MORE = """\
-parameters = "nominal"  # the drawing, from which the simulated joint differs by workshop tolerances
-
-[compare]
-models = ["analytical", "sindy", "narx"]
-"""
-STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
-"""Resolution of the recorder [m, V]: a third of the instruments' noise."""
 
 
 def recorded() -> tuple[dict[str, Readings], str]:
@@ -312,7 +312,7 @@ def recorded() -> tuple[dict[str, Readings], str]:
 
 
 def write_demo_logs(run: Path, *, force: bool = False) -> Path:
-    """Write what a rig would leave of the demo beside the run folder, once; returns the prototype's settings file.
+    """Write the demo's raw logs and settings beside the run folder, once; returns the settings file.
 
     These are ``demo.toml``, ``train.mat``, ``validation.mat`` (1 kHz, 37.5 s, ControlDesk layout), and the truth as
     ``truth.json``.

@@ -1,4 +1,4 @@
-"""The full-order joint: where it rests, what energy it stores, how it moves."""
+"""The full-order joint: its rests, its stored energy, its motion."""
 
 from dataclasses import dataclass
 
@@ -6,7 +6,6 @@ import numpy as np
 
 from ..errors import InputError
 from ..numerics.arrays import FloatArray
-from ..numerics.compiled import compiled
 from .elements import elastic, rubber_energy, stretch, tip
 from .midpoint import march
 from .parameters import RITZ, RigParameters, coordinates
@@ -166,19 +165,13 @@ def membrane_capacitances(p: RigParameters, x: FloatArray) -> FloatArray:
     return np.asarray(np.asarray(p.capacitance) * stretches**p.capacitance_exponent)
 
 
-@compiled
 def _hermite(y: FloatArray, rate: FloatArray, n: int, stride: int, h: float) -> tuple[FloatArray, FloatArray]:
     """Cubic Hermite interpolant of `y`, `rate` and its slope at `n` samples, `stride` of them per step `h` [s]."""
-    out = np.empty(n)
-    slope = np.empty(n)
-    for i in range(n):
-        k = i // stride
-        s = (i - k * stride) / stride
-        rise = y[k + 1] - y[k]
-        a = h * rate[k]
-        b = h * rate[k + 1]
-        square = 3 * rise - 2 * a - b
-        cube = a + b - 2 * rise
-        out[i] = y[k] + s * (a + s * (square + s * cube))
-        slope[i] = (a + s * (2 * square + 3 * s * cube)) / h
-    return out, slope
+    k, part = np.divmod(np.arange(n), stride)
+    s = part / stride
+    rise = np.diff(y)[k]
+    a = h * rate[k]
+    b = h * rate[k + 1]
+    square = 3 * rise - 2 * a - b
+    cube = a + b - 2 * rise
+    return y[k] + s * (a + s * (square + s * cube)), (a + s * (2 * square + 3 * s * cube)) / h

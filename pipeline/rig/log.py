@@ -18,6 +18,11 @@ from ..units.units import PLAIN
 from .bench import Laser, Readings
 
 _RASTER = "HostService"
+_CLOCK = 12.345  # s, since the recorder was started
+_RIG = (("Laser_q", "mm"), ("HV1_meas", "kV"), ("HV2_meas", "kV"))
+_COUNT = 3  # faults of each kind in a log
+_GAP, _DROPOUT = (5e-3, 60e-3), (2e-3, 30e-3)  # s, shortest and longest
+_SATURATED_SHARE = 0.97  # of the largest |q|: where the range ends on request
 
 
 def write_mat5(path: Path, t: FloatArray, channels: dict[str, tuple[FloatArray, str]]) -> None:
@@ -52,8 +57,6 @@ def _struct_array(records: list[dict[str, Any]]) -> NDArray[np.void]:
 
 
 Channels = dict[str, tuple[FloatArray, str]]
-_CLOCK = 12.345  # s, since the recorder was started
-_RIG = (("Laser_q", "mm"), ("HV1_meas", "kV"), ("HV2_meas", "kV"))
 
 
 @dataclass(frozen=True)
@@ -164,9 +167,6 @@ LAYOUTS = {
 
 FaultKind = Literal["saturation", "dropouts", "nan", "gaps", "repeats"]
 """Kinds of faults, in the order in which they are put in."""
-_COUNT = 3
-_GAP, _DROPOUT = (5e-3, 60e-3), (2e-3, 30e-3)  # s, shortest and longest
-_SATURATED_SHARE = 0.97  # of the largest |q|: where the range ends on request
 
 
 @dataclass(frozen=True)

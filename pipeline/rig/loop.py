@@ -230,12 +230,12 @@ class Controller:
 
 
 def played(t: FloatArray, u: FloatArray) -> Controller:
-    """A controller that looks at nothing and gives `u`, shape (N, 2) [V], each row from its time `t` [s] on."""
+    """An open-loop controller that gives `u`, shape (N, 2) [V], each row from its time `t` [s] on."""
     rows = np.clip(np.searchsorted(t, np.arange(0.0, t[-1] + PERIOD, PERIOD) + 1e-9, side="right") - 1, 0, t.size - 1)
     commands = iter(u[rows].tolist())
 
     def step(_q: float, _target: float) -> tuple[float, float]:
-        """The next row, and nothing after the last."""
+        """The next row; zero volts after the last."""
         left, right = next(commands, (0.0, 0.0))
         return left, right
 
@@ -261,7 +261,7 @@ class Scenario:
     noise : float
         Factor on the laser's noise.
     gain : float
-        Factor on the voltages that the converters give, against what they are commanded.
+        Factor from the commands of the converters to their voltages.
     mass : float
         Factor on the moving mass.
     barrier : float
@@ -304,7 +304,7 @@ class Scenario:
 
 @dataclass(frozen=True)
 class ClosedLoop(Readings):
-    """A closed-loop run, all of shape (N,) and SI: what a log holds, and what no instrument shows.
+    """A closed-loop run, all of shape (N,) and SI: the logged signals, and those that no instrument shows.
 
     `q`, `v1`, `v2` are readings, `target` what the controller got, `command1` and `command2` what it returned
     within the converters' range. `commands_not_finite` counts its answers that are not finite: NaN acts as 0 V, an

@@ -1,7 +1,7 @@
 """Time steps of the full-order joint by the implicit midpoint rule.
 
-The joint is stiff (slow modes near 20 rad/s, beam losses at −5·10⁴ 1/s), so the step is implicit; the midpoint rule
-is of second order, A-stable, and neither adds nor removes energy in a linear conservative system. With
+The joint is stiff (slow modes near 20 rad/s, beam losses at −5·10⁴ 1/s), so the step is implicit. The midpoint rule is
+of second order, A-stable, and neither adds nor removes energy in a linear conservative system. With
 ``x_m = x0 + h v_m/2`` a step solves
 
     ``M(x_m)·2(v_m − v0)/h + bias(x_m, v_m) = force(x_m, v_m)``
@@ -112,7 +112,7 @@ def _membrane_load(dt: float, state: _State, p: RigParameters, work: _Work) -> N
         rate = 0.0
         for c in range(3):
             rate += work.gradient[c] * work.speed[c]
-        strain, slope = viscous_strain(l1, p)
+        strain, slope = viscous_strain(l1, p.strain)
         pull = soft * rubber_stress(l1, side, p) + p.kelvin_voigt * slope * slope * rate
         for b in range(p.branch_time.size):
             e = (state.branches[side, b] + strain - state.strain[side]) / (1.0 + dt / p.branch_time[b])
@@ -281,7 +281,7 @@ def advance(h: float, renew: bool, state: _State, p: RigParameters, work: _Work)
     """
     n = state.x.size
     for side in range(2):
-        state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p)[0]
+        state.strain[side] = viscous_strain(stretch(side, work.pose, p, work.gradient), p.strain)[0]
     copy_into(work.middle, state.v)
     if not _newton(h, renew, state, p, work):
         return False

@@ -17,6 +17,18 @@ STRAINS = ("thickness", "hencky")
 THICKNESS, HENCKY = range(len(STRAINS))
 FRICTIONS = ("maxwell-slip", "lugre", "bouc-wen", "dahl")
 MAXWELL_SLIP, LUGRE, BOUC_WEN, DAHL = range(len(FRICTIONS))
+_POWERS = {
+    **dict.fromkeys(("length", "frame_offset", "arm", "drop", "anchor_x", "anchor_y", "free_length", "modulus",
+                     "branch_modulus", "friction_arm"), 1.0),
+    **dict.fromkeys(("branch_time", "softening_time"), 0.5), "kelvin_voigt": 1.5,
+    **dict.fromkeys(("line_density", "slip_stiffness"), 2.0),
+    **dict.fromkeys(("mass", "axial", "volume", "slip_force"), 3.0),
+    **dict.fromkeys(("line_inertia", "hinge_stiffness", "capacitance"), 4.0), "hinge_loss": 4.5,
+    **dict.fromkeys(("frame_inertia", "bending"), 5.0), "bending_loss": 5.5,
+    **dict.fromkeys(("curvature", "plastic_yield"), -1.0),
+}  # fmt: skip
+"""Powers of the size: lengths by the first, times by the half, masses by the third, so that gravity stays."""
+_LAWS = {"beam": BEAMS, "rubber": RUBBERS, "strain": STRAINS, "friction": FRICTIONS}
 
 
 class RigParameters(NamedTuple):
@@ -129,19 +141,6 @@ def table1() -> RigParameters:
     return drawing(TABLE1)
 
 
-_POWERS = {
-    **dict.fromkeys(("length", "frame_offset", "arm", "drop", "anchor_x", "anchor_y", "free_length", "modulus",
-                     "branch_modulus", "friction_arm"), 1.0),
-    **dict.fromkeys(("branch_time", "softening_time"), 0.5), "kelvin_voigt": 1.5,
-    **dict.fromkeys(("line_density", "slip_stiffness"), 2.0),
-    **dict.fromkeys(("mass", "axial", "volume", "slip_force"), 3.0),
-    **dict.fromkeys(("line_inertia", "hinge_stiffness", "capacitance"), 4.0), "hinge_loss": 4.5,
-    **dict.fromkeys(("frame_inertia", "bending"), 5.0), "bending_loss": 5.5,
-    **dict.fromkeys(("curvature", "plastic_yield"), -1.0),
-}  # fmt: skip
-"""Powers of the size: lengths by the first, times by the half, masses by the third, so that gravity stays."""
-
-
 def sized(p: RigParameters, size: float) -> RigParameters:
     """A joint `size` times as long that moves alike, slower by the root of it, under the same voltages.
 
@@ -153,9 +152,6 @@ def sized(p: RigParameters, size: float) -> RigParameters:
 def coordinates(p: RigParameters) -> int:
     """Number of the beam's generalised coordinates."""
     return 4 if p.beam == RITZ else p.hinge_stiffness.size
-
-
-_LAWS = {"beam": BEAMS, "rubber": RUBBERS, "strain": STRAINS, "friction": FRICTIONS}
 
 
 def as_json(p: RigParameters) -> dict[str, object]:

@@ -1,4 +1,4 @@
-"""What logs of any format state by names: the unit of a channel, a sample rate, a scale."""
+"""Attributes of logs of any format: the unit of a channel, a sample rate, a scale."""
 
 import math
 import re
@@ -29,8 +29,9 @@ _RATIO = re.compile(
 _START = re.compile(r"(?i)(.*[./])?([tx]_?0|x_?(org|origin|zero)|((wf|x)_?)?(start|begin)(_?(time|offset))?)")
 
 _SAMPLING = "(samp(l(e|ing))?|scan|acquisition|abtast|measuring)[_ ]?"
-OF_SAMPLING = "d[eio]?[ '’]([^ '’]*chantillonnage|acquisition|muestreo|campionamento|amostragem)"
-"""French, Spanish, Italian and Portuguese for "of sampling"."""
+OF_SAMPLING = (
+    "d[eio]?[ '’]([^ '’]*chantillonnage|acquisition|muestreo|campionamento|amostragem)"  # in Romance languages
+)
 _RATE = re.compile(
     rf"(?i)(.*[./])?(f_?s(amp(l(e|ing))?)?|s_?r|sps|((daq|data|log(ging)?|mess|record(ing)?|update)[_ ]?|s)?rate|"
     rf"samples?([_ ]?per[_ ]?|/)s(ec(ond)?)?|{_SAMPLING}(rate|freq(uency)?|frequenz)|"
@@ -47,6 +48,9 @@ _PERIOD = re.compile(r"(?i)(.*[./])?period(e|endauer)?")
 """… or what happens that often …"""
 _WITH_UNIT = re.compile(r"(?i)(?P<name>.*?)[_ ]+[\[(]?(?P<unit>k?hz|[mu]?s)[\])]?")
 """… and a unit behind such a name."""
+GROUP_OF = re.compile(r"(^|[./])[^./]*$")
+"""Last part of a name, behind its group."""
+_PER_SECOND = re.compile(r"(?i)(s|sa|samples)(/| per )s(ec(ond)?)?$|sps$")  # other names of Hz
 
 
 def stated_rate(name: str, number: float) -> float | None:
@@ -73,10 +77,6 @@ def _rate(name: str, number: float, rates: re.Pattern[str], steps: re.Pattern[st
 def note_on_rate(name: str, number: float, rate: float) -> str:
     """Note on a number that states a sample rate [Hz], which a log without a time channel needs."""
     return f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:.9g}"
-
-
-GROUP_OF = re.compile(r"(^|[./])[^./]*$")
-"""Last part of a name, behind its group."""
 
 
 def rates_beside(channel: str, rates: Mapping[str, float]) -> Mapping[str, float]:
@@ -171,11 +171,8 @@ def _number(value: Any, *, quantity: bool = False) -> float | None:
         return None
 
 
-_PER_SECOND = re.compile(r"(?i)(s|sa|samples)(/| per )s(ec(ond)?)?$|sps$")
-
-
 def number_with_unit(text: str, unit: str) -> float:
-    """A number, in Hz or s where it has a unit, of its own or of its name; 0 for anything else."""
+    """A number, in Hz or s if it or its name has a unit; 0 for anything else."""
     bare = _PER_SECOND.sub("Hz", text.strip().replace(",", "."))
     for written in (f"{bare} {time_unit(unit) or unit}", bare):
         with suppress(InputError):

@@ -72,11 +72,9 @@ class Suggestion:
 
 
 def suggested_unit(name: str, unit: str) -> str:
-    """The log's unit, or what stands behind the name (``q_mm``, ``q [mm]``), in pint's notation; "" if neither does."""
-    bare = unit.strip("[]() ")
-    if not bare:
-        match = _NAME_SUFFIX.search(name)
-        bare = _spelt(match["unit"]) if match else ""
+    """The log's unit, or the one behind the name (``q_mm``, ``q [mm]``), in pint's notation; "" without any."""
+    match = _NAME_SUFFIX.search(name)
+    bare = unit.strip("[]() ") or (_spelt(match["unit"]) if match else "")
     return time_unit(bare) or _PINT_NAMES.get(bare.lower(), bare)
 
 
@@ -154,7 +152,7 @@ def suggest(
 
 
 def _times(channels: Sequence[tuple[str, str]], units: Mapping[str, str], rising: Sequence[str]) -> tuple[str, ...]:
-    """Columns that might be a time: by their names and units, where such rise; else a single one that rises."""
+    """Columns that might be a time: rising ones with such names and units, else the only one that rises."""
     called = [
         name
         for name, unit in channels
@@ -211,7 +209,7 @@ def _after(clock: str, channel: str) -> bool:
 def _on_side(
     names: Sequence[str], side: re.Pattern[str], other: re.Pattern[str], words: Mapping[str, str]
 ) -> tuple[str, ...]:
-    """The inputs of one side, by their names, else by what is written beside them."""
+    """The inputs of one side, by their names, else by the texts beside them."""
 
     def of(texts: Mapping[str, str]) -> tuple[str, ...]:
         """The inputs whose text names this side only."""

@@ -53,6 +53,10 @@ _OF_LIBRARIES = (OSError, ValueError, KeyError, IndexError, TypeError, OverflowE
 
 _OF_A_CHANNEL = (UnreadableChannelError, KeyError, TypeError, NotImplementedError)
 """Raised where a library does not know a kind of channel; all else may be damage, for which a log is refused."""
+_VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
+_HDF5 = b"\x89HDF\r\n\x1a\n"
+_COMTRADE = re.compile(rb"[^\n]*\n *\d+, *\d+A, *\d+D")
+START = 1024  # bytes that tell the format
 
 
 def read_log(send: Send, request: dict[str, Any]) -> None:
@@ -196,10 +200,6 @@ class _Spool:
                 ) from error
 
 
-_VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
-_HDF5 = b"\x89HDF\r\n\x1a\n"
-
-
 @dataclass(frozen=True)
 class Format:
     """One format.
@@ -228,8 +228,6 @@ FORMATS = (
     Format("matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
 )
 """Tried in this order; what none of them takes is read as CSV."""
-_COMTRADE = re.compile(rb"[^\n]*\n *\d+, *\d+A, *\d+D")
-START = 1024  # bytes that tell the format
 
 
 def _is_hdf5(start: bytes) -> bool:

@@ -41,6 +41,16 @@ _CANDIDATES = (
     (",", ","),
 )  # fmt: skip
 """Delimiters and decimal marks; of two that fit alike the first is taken. A comma may be both between quotes only."""
+SAMPLE_BYTES = 1 << 16
+_KEY = re.compile(r"[^\W\d]{2}\D*")
+"""A word before a value that an instrument states for each channel, and no damaged number."""
+_STATISTIC = re.compile(r"(?i)(min|max|mean|avg|average|median|std|stdev|stddev|rms|sum|total|count)(imum|\.|:)*:?")
+"""Word before the statistics that a program writes below each column."""
+_STATEMENT = re.compile(r"[:=]")  # in a remark, as of ``key: value``
+_SENTENCE = re.compile(r"[^\W\d_]{2,}\s+[^\W\d_]{2,}")
+_LABVIEW = "LabVIEW Measurement"  # the first line of such a file
+_END_OF_HEADER = "***End_of_Header***"
+_LEADING_ZERO = re.compile(r"0\d+")  # the decimals of a number that a comma cut
 
 
 @dataclass(frozen=True)
@@ -78,7 +88,7 @@ class SampleTable:
 
 
 def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
-    """The lines of a file's first bytes; the last only if that is the `whole` file.
+    """The lines of a file's first bytes; the last one only if these bytes are the `whole` file.
 
     Raises
     ------
@@ -134,9 +144,8 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     """The sample as a table, None if it is none.
 
     The width is the most frequent one. A column holds numbers if most of its cells do, of those that are not empty in
-    the second half. Data begin with the first row of two numbers or more in which those columns hold nothing else. Of a
-    column that is empty in the second half, every cell from there on must be a number. Numbers above a row of texts are
-    part of the preamble. A later row that does not fit is no preamble but an error, which the parser reports.
+    the second half. Of a column that is empty in the second half, every cell of the data must be a number. A later row
+    that does not fit is no preamble but an error, which the parser reports.
     """
     rows = [split_row(line, delimiter) for line in lines]
     width = Counter(len(row) for row in rows if any(row)).most_common(1)[0][0] if any(map(any, rows)) else 0
@@ -146,24 +155,11 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     fitting = [i for i in range(begin, len(rows)) if fits[i]]
     if width < 2 or not fitting:
         return None
-    later = fitting[len(fitting) // 2 :]
-    likely = [_mostly_values([rows[i][j] for i in later], decimal) for j in range(width)]
-    clocks = [not wanted or any(is_stamp(rows[i][j]) for i in later) for j, wanted in enumerate(likely)]
-    keys = likely[1] and not any(rows[i][0] for i in later)  # of an instrument, in the first column of its preamble
-    begins = next((i for i in fitting if _filled(rows[i], likely, decimal) >= 2), 0)
-    keys = keys and not any(len(row) == width and any(row) and _NOTES.fullmatch(row[0]) for row in rows[:begins][-2:])
-    data = [fit and not (keys and row[0]) and _in_place(row, clocks) for row, fit in zip(rows, fits, strict=True)]
-    filled = [_filled(row, likely, decimal) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
-    only_text = {
-        i for i, j in pairwise(fitting) if not filled[j] and any(rows[j]) and not any(map(NUMBER.match, rows[j]))
-    }
-    only_text |= {i for i, row in enumerate(rows[1:]) if len(row) == 1 and row[0].endswith(":")}  # a key
-    blank = {i for i in fitting if all(cell.lower() in MISSING for cell in rows[i])}  # or a line below the heading
-    first = next((i for i in fitting if filled[i] >= 2 and i not in only_text | blank), None)
+    later = [rows[i] for i in fitting[len(fitting) // 2 :]]
+    likely = [_mostly_values([row[j] for row in later], decimal) for j in range(width)]
+    first = _first_row(rows, fits, fitting, later, likely, decimal)
     if first is None:
         return None
-    while first > begin and filled[first - 1] and first - 1 not in blank and _same_kinds(rows[first - 1], rows[first]):
-        first -= 1  # as of a channel that begins later, beside the time
     body = [rows[i][:width] for i in fitting if i >= first]
     columns = [[cell for cell in column if cell] for column in zip(*body, strict=True)]
     numeric = tuple(
@@ -178,6 +174,46 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
         numeric=numeric,
         ragged=any(len(rows[i]) > width for i in fitting if i >= first),
     )
+
+
+def _first_row(
+    rows: list[list[str]],
+    fits: Sequence[bool],
+    fitting: Sequence[int],
+    later: Sequence[Sequence[str]],
+    likely: Sequence[bool],
+    decimal: str,
+) -> int | None:
+    """First row of data: two numbers or more, and nothing else in the columns that are `likely` numbers; or None.
+
+    Numbers above a row of texts are part of the preamble, and so are blank rows. Rows just above the data belong to
+    them even with a single number, as of a channel that begins later, beside the time.
+    """
+    clocks = [not wanted or any(is_stamp(row[j]) for row in later) for j, wanted in enumerate(likely)]
+    keys = likely[1] and not any(row[0] for row in later)  # of an instrument, in the first column of its preamble
+    begins = next((i for i in fitting if _filled(rows[i], likely, decimal) >= 2), 0)
+    notes = (row[0] for row in rows[:begins][-2:] if len(row) == len(likely) and any(row))
+    keys = keys and not any(map(_NOTES.fullmatch, notes))
+    filled = [
+        _filled(row, likely, decimal) if fit and not (keys and row[0]) and _in_place(row, clocks) else 0
+        for row, fit in zip(rows, fits, strict=True)
+    ]
+    preamble = {
+        i for i, j in pairwise(fitting) if not filled[j] and any(rows[j]) and not any(map(NUMBER.match, rows[j]))
+    }
+    preamble |= {i for i, row in enumerate(rows[1:]) if len(row) == 1 and row[0].endswith(":")}  # above a key
+    blank = {i for i in fitting if all(cell.lower() in MISSING for cell in rows[i])}  # or a line below the heading
+    first = next((i for i in fitting if filled[i] >= 2 and i not in preamble | blank), None)
+    if first is None:
+        return None
+    while (
+        first > fitting[0]
+        and filled[first - 1]
+        and first - 1 not in blank
+        and _same_kinds(rows[first - 1], rows[first])
+    ):
+        first -= 1
+    return first
 
 
 def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:
@@ -196,7 +232,7 @@ def _fits(row: Sequence[str], width: int, decimal: str) -> bool:
 
 
 def _filled(row: Sequence[str], likely: Sequence[bool], decimal: str) -> int:
-    """Number of numeric columns that hold a number in this row, 0 where one of them holds something else."""
+    """Number of numeric columns that hold a number in this row; 0 if one of them holds anything else."""
     cells = [cell for cell, wanted in zip(row, likely, strict=False) if wanted and cell]
     return len(cells) if all(is_value(cell, decimal) for cell in cells) else 0
 
@@ -205,15 +241,6 @@ def _mostly_values(cells: Sequence[str], decimal: str) -> bool:
     """True if most of the cells that are not empty are numbers, and at least one is."""
     values = [is_value(cell, decimal) for cell in cells if cell]
     return 2 * sum(values) > len(values)
-
-
-SAMPLE_BYTES = 1 << 16
-_KEY = re.compile(r"[^\W\d]{2}\D*")
-"""A word before a value that an instrument states for each channel, and no damaged number."""
-_STATISTIC = re.compile(r"(?i)(min|max|mean|avg|average|median|std|stdev|stddev|rms|sum|total|count)(imum|\.|:)*:?")
-"""Word before the statistics that a program writes below each column."""
-_STATEMENT = re.compile(r"[:=]")
-_SENTENCE = re.compile(r"[^\W\d_]{2,}\s+[^\W\d_]{2,}")
 
 
 @dataclass(frozen=True)
@@ -284,7 +311,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     start : bytes
         The first `SAMPLE_BYTES` bytes of the file.
     whole : bool
-        True if that is the whole file.
+        True if these bytes are the whole file.
     options : CsvOptions
         Settings of the user.
 
@@ -336,7 +363,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
 def _header_rows(
     table: SampleTable, above: list[Sequence[str]], comments: Sequence[bool], row: int | None
 ) -> tuple[int | None, int | None]:
-    """The rows of names and of units, the first of which may be set."""
+    """The rows of names and of units; the settings may give the row of names."""
     width = len(table.numeric)
     names, units = rows_by_key(above)
     if row is None and names is not None and not _firsts(table)[0]:
@@ -348,10 +375,6 @@ def _header_rows(
     else:
         below = row + 1 if row + 1 < table.first else None
     return row, units if below is None else below
-
-
-_LABVIEW = "LabVIEW Measurement"
-_END_OF_HEADER = "***End_of_Header***"
 
 
 def _as_labview(lines: Sequence[str], options: CsvOptions) -> CsvOptions:
@@ -392,7 +415,7 @@ def _first_text(table: SampleTable, column: int) -> str:
 
 
 def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], list[bool]]:
-    """The rows above the data without marks of comments, and which had one."""
+    """The rows above the data without marks of comments, and for each whether it had one."""
     width, lines = len(table.numeric), lines[: table.first]
     rows: list[Sequence[str]] = []
     for line in lines:
@@ -406,7 +429,7 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
 
 
 def _check_marks(table: SampleTable, header: Sequence[str]) -> None:
-    """Refuse marks of which no number shows that they stand before decimals, where they may separate thousands.
+    """Refuse marks that may separate thousands, because no number shows that decimals follow them.
 
     They may where other numbers of a column have none, where they are commas, and where the semicolon separates.
     """
@@ -419,11 +442,8 @@ def _check_marks(table: SampleTable, header: Sequence[str]) -> None:
             raise UnreadableLogError(unclear_mark(marked, line + 1, header[column], table.decimal))
 
 
-_LEADING_ZERO = re.compile(r"0\d+")
-
-
 def _check_commas(table: SampleTable, above: Sequence[Sequence[str]]) -> None:
-    """Refuse commas that separate cells and stand before decimals: more cells than names, of which some are as 007."""
+    """Refuse commas both between cells and before decimals: more cells than names, some with leading zeros as 007."""
     width = len(table.numeric)
     names = next(([cell for cell in row if cell] for row in reversed(above) if any(row)), [])
     if table.delimiter != "," or not 1 < len(names) < width <= 2 * len(names) or any(map(NUMBER.match, names)):

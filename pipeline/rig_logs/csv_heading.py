@@ -1,4 +1,4 @@
-"""Names and units above a table of numbers: the rows of names and of units among what stands there, units in names."""
+"""Names and units above a table of numbers: the rows that hold them, and units within names."""
 
 import re
 from collections import Counter
@@ -38,6 +38,15 @@ _UNITS = frozenset(_KNOWN.split())
 """Spellings by which a row of units is known."""
 
 Row = Sequence[str]
+_DISPLAY = re.compile(r"(?i)(vertical|horizontal|probe|trigger|time|x)\b")
+"""Label before a scale or an offset of an oscilloscope's display."""
+_HORIZONTAL = "Horizontal Units"  # key of the unit of time in files of oscilloscopes
+_UNITS_KEY = re.compile(r"(?i)(y_unit_label|(vertical |[vy]_?)units?)")
+_NAMES_KEY = re.compile(r"(?i)((trace|channel|signal) ?)?names?")
+_OF_CHANNELS = re.compile(
+    r"(?i)name|((var(iable)?|signal|tag|channel|sensor|parameter|point|kanal|messstelle)[_ ]?(name|id)?)|topic"
+)
+_OF_VALUES = re.compile(r"(?i)((var|variable|tag|signal|point)[_ ]?)?(value|wert|messwert|reading)s?")
 
 
 def bare_line(line: str) -> str:
@@ -61,9 +70,9 @@ def heading_rows(
     """Indices of the rows above the data that hold the names and the units; None where there is none.
 
     Empty rows may stand between them and the data, and cells without content at the ends of either. The names are in
-    the row that labels the most columns. Of several such rows those with a time come first, and the first of these is
-    taken; the last is taken of comments, and where two cells above units may be a key and its value. A row of one cell
-    more than the data, as for comments, names the first of them; above units of two more.
+    the row that labels the most columns. Among several such rows those with a time come first, and the first of these
+    is taken. The last one is taken among comments, and where two cells above units may be a key and its value. A row of
+    one cell more than the data, as for comments, names the first of them; above units of two more.
 
     Parameters
     ----------
@@ -138,7 +147,7 @@ def stated_frequencies(lines: Sequence[str], delimiter: str) -> dict[str, float]
 def _numbers_called(
     rate_of: Callable[[str, float], float | None], lines: Sequence[str], delimiter: str
 ) -> dict[str, tuple[str, float, float]]:
-    """Names, numbers and rates [Hz] by those names, of keys of which a function knows the rate."""
+    """Names, numbers and rates [Hz] of the keys whose rate a function knows."""
     rates: dict[str, tuple[str, float, float]] = {}
     rows = [split_row(bare_line(line), delimiter) for line in lines]
     over = {cell for row in rows if row and row[0] == "X_Dimension" for cell in row[1:] if cell}
@@ -158,10 +167,6 @@ def _numbers_called(
             for own_name, each in zip(unique_names([name] * len(stated)), stated, strict=True):
                 rates[own_name] = (own_name, *each)
     return rates
-
-
-_DISPLAY = re.compile(r"(?i)(vertical|horizontal|probe|trigger|time|x)\b")
-"""Label before a scale or an offset of an oscilloscope's display."""
 
 
 def stated_scales(lines: Sequence[str], delimiter: str) -> list[str]:
@@ -204,11 +209,6 @@ def _unit_behind(heading: str, by_strokes: bool) -> re.Match[str] | None:
     return match if match and match["unit"].lower() in _UNITS - {"1"} else None
 
 
-_HORIZONTAL = "Horizontal Units"
-_UNITS_KEY = re.compile(r"(?i)(y_unit_label|(vertical |[vy]_?)units?)")
-_NAMES_KEY = re.compile(r"(?i)((trace|channel|signal) ?)?names?")
-
-
 def rows_by_key(above: list[Row]) -> tuple[int | None, int | None]:
     """The rows of names and of units that begin with an instrument's key, None where there are none.
 
@@ -221,12 +221,6 @@ def rows_by_key(above: list[Row]) -> tuple[int | None, int | None]:
         time = above[keys[_HORIZONTAL]] if _HORIZONTAL in keys else ()
         above[units] = [time[1] if len(time) > 1 else "", *above[units][1:]]
     return names, units
-
-
-_OF_CHANNELS = re.compile(
-    r"(?i)name|((var(iable)?|signal|tag|channel|sensor|parameter|point|kanal|messstelle)[_ ]?(name|id)?)|topic"
-)
-_OF_VALUES = re.compile(r"(?i)((var|variable|tag|signal|point)[_ ]?)?(value|wert|messwert|reading)s?")
 
 
 def check_long_table(header: Row, numeric: Sequence[bool], rows: Sequence[Row]) -> None:

@@ -28,6 +28,40 @@ _BOMS = (
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
 _NO_TEXT = "this is no text and no format that is known here; export the log as CSV, MAT, MDF4, HDF5 or Parquet"
+_GROUPED = re.compile(
+    r"[-+]?\d{1,3}(?P<mark>[.,'’ \u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<fraction>(?!(?P=mark))[.,]\d+)?"
+)
+_BEGINS_AS_NUMBER = re.compile(r"[-+(]?\s*(?!1[.]#)[.,]?\d")
+COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
+_ROW_END = re.compile(r"\r\n|\r|\n")
+_DIGITS = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
+NUMBER = re.compile(rf"[+-]?{_DIGITS}$")
+SECONDS = re.compile(rf"(NaN|[+-]?{_DIGITS}) sec(?=[,;\t|])")
+"""A time at the beginning of a row, as MATLAB's `writetimetable` writes it."""
+MISSING = frozenset(
+    {"", "nan", "-nan", "nan(ind)", "-nan(ind)", "na", "n/a", "null", "none", "-", "--", "---", "."}
+    | {"#n/a", "#nv", "#value!", "#wert!", "#div/0!", "#ref!", "#num!", "#name?", "#null!"}
+    | {"1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind"}
+    | {"inf", "+inf", "-inf", "infinity", "-infinity"}
+)
+SWITCH = frozenset({"true", "false"})
+STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(\.\d{1,9})?(?P<zone>Z|[+-]\d\d:?\d\d)?")
+"""Date and time of day by ISO 8601."""
+_DATE = r"(?:19|20)\d\d(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])"
+CLOCKS = (
+    r"^\[?(?:(?:[^:]*?(?:[T ,]|\d[_-]))|\d{3}:)??"
+    r"(?:(?P<h>\d{1,2}):(?P<m>\d{1,2}):(?P<s>\d{1,2}(?:[.,:]\d{1,9}| \d{3})?)"
+    r"|(?P<mm>\d{1,3}):(?P<ss>\d{1,2}[.,]\d{1,9}))"
+    r"(?:[ \x{a0}\x{202f}]?(?P<half>[AaPp][.]? ?[Mm][.]?))?"
+    r"(?: ?[+-]\d\d:?\d\d| [A-Z]{1,5}|Z| \d{4}| \d{1,4}[./-]\d\d?[./-]\d{2,4})*\]?$",
+    rf"^{_DATE}[T _-]?(?P<h>[01]\d|2[0-3])(?P<m>[0-5]\d)(?P<s>[0-5]\d(?:[.,]?\d{{1,9}})?)(?:Z|[+-]\d\d:?\d\d)?$",
+)
+"""Time of day with colons, whatever date stands before it, or minutes and seconds with a fraction, zones and years
+behind it; date and time in one number. As Arrow's expressions."""
+_DIGITS_OF_STAMP = 14
+"""Fewest digits of date and time in one number."""
+_SAMPLED = 1 << 14
+"""Cells whose kind is remembered: each of the sample is looked at for every delimiter and decimal mark."""
 
 
 def text_encoding(start: bytes) -> str:
@@ -168,40 +202,6 @@ def bytes_written(content: bytes | mmap.mmap) -> int:
     return end
 
 
-_GROUPED = re.compile(
-    r"[-+]?\d{1,3}(?P<mark>[.,'’ \u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<fraction>(?!(?P=mark))[.,]\d+)?"
-)
-_BEGINS_AS_NUMBER = re.compile(r"[-+(]?\s*(?!1[.]#)[.,]?\d")
-COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
-_ROW_END = re.compile(r"\r\n|\r|\n")
-_DIGITS = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
-NUMBER = re.compile(rf"[+-]?{_DIGITS}$")
-SECONDS = re.compile(rf"(NaN|[+-]?{_DIGITS}) sec(?=[,;\t|])")
-"""A time at the beginning of a row, as MATLAB's `writetimetable` writes it."""
-MISSING = frozenset(
-    {"", "nan", "-nan", "nan(ind)", "-nan(ind)", "na", "n/a", "null", "none", "-", "--", "---", "."}
-    | {"#n/a", "#nv", "#value!", "#wert!", "#div/0!", "#ref!", "#num!", "#name?", "#null!"}
-    | {"1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind"}
-    | {"inf", "+inf", "-inf", "infinity", "-infinity"}
-)
-SWITCH = frozenset({"true", "false"})
-STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(\.\d{1,9})?(?P<zone>Z|[+-]\d\d:?\d\d)?")
-"""Date and time of day by ISO 8601."""
-_DATE = r"(?:19|20)\d\d(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])"
-CLOCKS = (
-    r"^\[?(?:(?:[^:]*?(?:[T ,]|\d[_-]))|\d{3}:)??"
-    r"(?:(?P<h>\d{1,2}):(?P<m>\d{1,2}):(?P<s>\d{1,2}(?:[.,:]\d{1,9}| \d{3})?)"
-    r"|(?P<mm>\d{1,3}):(?P<ss>\d{1,2}[.,]\d{1,9}))"
-    r"(?:[ \x{a0}\x{202f}]?(?P<half>[AaPp][.]? ?[Mm][.]?))?"
-    r"(?: ?[+-]\d\d:?\d\d| [A-Z]{1,5}|Z| \d{4}| \d{1,4}[./-]\d\d?[./-]\d{2,4})*\]?$",
-    rf"^{_DATE}[T _-]?(?P<h>[01]\d|2[0-3])(?P<m>[0-5]\d)(?P<s>[0-5]\d(?:[.,]?\d{{1,9}})?)(?:Z|[+-]\d\d:?\d\d)?$",
-)
-"""Time of day with colons, whatever date stands before it, or minutes and seconds with a fraction, zones and years
-behind it; date and time in one number. As Arrow's expressions."""
-_DIGITS_OF_STAMP = 14
-"""Fewest digits of date and time in one number."""
-_SAMPLED = 1 << 14
-"""Cells whose kind is remembered: each of the sample is looked at for every delimiter and decimal mark."""
 _CLOCKS = [re.compile(re.sub(r"\\x{(\w+)}", lambda code: chr(int(code[1], 16)), form)) for form in CLOCKS]
 
 
@@ -220,7 +220,7 @@ def is_stamp(cell: str) -> bool:
 
 
 def plain_number(cell: str, decimal: str) -> str:
-    """A number with a decimal point; other cells as they are, but for such a point."""
+    """A cell with its decimal mark as a point; where that is another mark, points become x, as no number has them."""
     return cell if decimal == "." else cell.replace(".", "x").replace(decimal, ".")
 
 
@@ -306,8 +306,8 @@ class Clock:
     first : str
         The first cell that is not empty.
     origins : dict of float to float
-        First time [ns] of the columns of one log, by the time [ns] after which they begin anew; the first to be read
-        sets it, so that what lies between two clocks stays.
+        First time [ns] of the columns of one log, by the time [ns] after which they begin anew. The first column to be
+        read sets it, so that the time between two clocks is kept.
 
     Attributes
     ----------

@@ -31,18 +31,6 @@ _WORDS: dict[Purpose, re.Pattern[str]] = {
     "test": re.compile(rf"test{_OF_DATA}|tests|testing|prüf\w*|pruef\w*|check|holdout|unseen", re.IGNORECASE),
     "train": re.compile(r"train\w*|ident|identif\w*|fit|lern\w*", re.IGNORECASE),
 }
-
-
-def purpose_of(word: str) -> Purpose:
-    """Purpose of data that a word names, "" for any other word."""
-    return next((purpose for purpose, pattern in _WORDS.items() if pattern.fullmatch(word)), "")
-
-
-def purposes(name: str) -> set[Purpose]:
-    """Purposes of data that the words of a name state."""
-    return {purpose_of(word) for word in _BETWEEN_WORDS.split(name)} - {""}
-
-
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
 _WAYS_OUT = {
     "time": "; without one, leave this line out and see sample_rate",
@@ -59,7 +47,17 @@ _ALIKE = 0.8
 """Smaller over larger magnitude of an input's two signs from which it takes both alike."""
 _VELOCITY = re.compile(r"dot$|(?<!le)vel|speed|geschw|_dt$", re.IGNORECASE)
 _RATE = re.compile(r"(?<!/s)/s$|^rpm$", re.IGNORECASE)
-_BETWEEN = re.compile(r"[_\-. ]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
+_BETWEEN = re.compile(r"[_\-. ]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")  # words of a file's name
+
+
+def purpose_of(word: str) -> Purpose:
+    """Purpose of data that a word names, "" for any other word."""
+    return next((purpose for purpose, pattern in _WORDS.items() if pattern.fullmatch(word)), "")
+
+
+def purposes(name: str) -> set[Purpose]:
+    """Purposes of data that the words of a name state."""
+    return {purpose_of(word) for word in _BETWEEN_WORDS.split(name)} - {""}
 
 
 def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = None, folder: str = "this file") -> str:
@@ -77,9 +75,9 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     Returns
     -------
     str
-        TOML. Every channel is listed in comments. A role with one candidate is filled in and marked as a
-        suggestion; one with several, and every unit that the log does not state, holds `FILL_IN`, which no
-        log and no unit registry knows.
+        TOML. Every channel is listed in comments. A role with one candidate is filled in and marked as a suggestion. A
+        role with several, and every unit that the log does not state, holds `FILL_IN`, which no log and no unit
+        registry knows.
 
     Raises
     ------
@@ -117,8 +115,8 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
         if suggestion.role == "time" and not suggestion.candidates and (first.rates or not _left_over(first)):
             rate = "states its sample rate" if first.rates else "has none"
             lines.append(f"# time is left out: the log {rate}; see sample_rate")
-            continue
-        lines += _role_lines(suggestion, by_name, first)
+        else:
+            lines += _role_lines(suggestion, by_name, first)
     lines += _velocity_lines(first)
     # What a log holds is quoted where TOML reads it; in comments its control characters are written out, as here.
     return "\n".join(map(_plain_line, [*lines, "", *_plant_lines(first), *_ingest_lines(first)])) + "\n"
@@ -387,7 +385,7 @@ def _plain_line(line: str) -> str:
 
 
 def _prototype_name(log: Path) -> str:
-    """A name that the settings allow: the log's without what it is for, or its folder's where nothing else is left."""
+    """A name that the settings allow: the log's without its purpose, or its folder's if that leaves nothing."""
     stem = log.stem
     if purposes(stem):
         stem = "_".join(part for part in _BETWEEN.split(stem) if part and not purpose_of(part.strip("0123456789")))

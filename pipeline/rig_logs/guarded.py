@@ -71,7 +71,7 @@ class Recording:
     rates : mapping of str to float
         Sample rates [Hz] that single numbers beside the channels state, by their names; information only.
     frequencies : mapping of str to float
-        Frequencies [Hz] of which nothing says whether they are those of the samples or of a motion, by their names.
+        Frequencies [Hz] by their names, either of the samples or of a motion: the log does not state which.
     descriptions : mapping of str to str
         Text of the log beside a channel, by its name.
     heading : str
@@ -143,8 +143,8 @@ def read_recording(
 
     Notes
     -----
-    Cost: the start of the process (elsewhere than on Linux each time), most of it numpy's import; the parse, and one
-    write of 8 bytes a sample; the arrays are views of a mapped temporary file, so the system can page them out.
+    Cost: the start of the process (elsewhere than on Linux each time), most of it numpy's import; the parse; and one
+    write of 8 bytes a sample. The arrays are views of a mapped temporary file, so the system can page them out.
     """
     limits = limits or Limits()
     _check_is_file(path)
@@ -222,7 +222,7 @@ def _recording(path: Path, answer: dict[str, Any], data: IO[bytes]) -> Recording
     columns: dict[str, FloatArray] = {}
 
     def found(places: list[list[int]]) -> FloatArray:
-        """The column of which the child says that it lies there."""
+        """The column at the places that the child answered."""
         key = str(places)  # channels on one time base get the same object
         if key not in columns:
             try:

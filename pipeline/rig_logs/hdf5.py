@@ -37,6 +37,9 @@ _FILTERS = {
 NUMBERS = "fiubmM"
 """Kinds of types that are read; time stamps and durations as seconds."""
 _KINDS = {"c": "complex: save its real part", "O": "text or lists", "S": "text", "U": "text", "V": "no numbers"}
+_NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
+_LARGEST_RATIO = 2000.0  # of declared to stored bytes; deflate reaches about 1000
+_SMALL_BYTES = 1 << 20  # which are read whatever they declare
 
 
 def unit_of(attributes: Mapping[str, Any], column: int, columns: int) -> tuple[str, str]:
@@ -100,9 +103,6 @@ def written_chunks(dataset: Any, axis: int) -> NDArray[np.bool_] | None:
     return written
 
 
-_NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
-
-
 def scales_of_axis(dataset: Any, axis: int) -> list[str]:
     """Names of the dimension scales of an axis that hold numbers; a bare dimension of netCDF does not."""
     try:
@@ -114,10 +114,6 @@ def scales_of_axis(dataset: Any, axis: int) -> list[str]:
         for scale in scales
         if scale.name and not bytes(scale.attrs.get("NAME", b"")).startswith(_NO_VARIABLE)
     ]
-
-
-_LARGEST_RATIO = 2000.0
-_SMALL_BYTES = 1 << 20
 
 
 def open_hdf5(path: Path) -> Any:

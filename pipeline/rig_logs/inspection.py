@@ -8,14 +8,15 @@ import numpy as np
 
 from ..errors import DataRefusedError, InputError
 from ..numerics.arrays import FloatArray
-from ..signals.columns import CHUNK, Signal, code_remarks, codes_in, masked, sparse
-from ..signals.findings import MOST_REPEATED, Clock, counted, remarks_on
-from ..signals.outliers import NONE, Dropouts, dropout_remarks, dropouts
+from ..signals.columns import CHUNK, Signal, codes_in, masked, sparse
+from ..signals.findings import MOST_REPEATED
+from ..signals.outliers import NONE, Dropouts, dropouts
+from ..signals.remarks import Clock, channel_remarks, code_remarks, dropout_remarks
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import SignalQuality, examine_signal
 from ..signals.timebase import TimeQuality, examine
 from ..system.names import shell_word
-from ..units.quantity import stamped
+from ..units.quantity import counted, stamped
 from ..units.units import SECONDS
 from .attributes import note_on_rate, stated_rate
 from .channel_roles import Suggestion, is_called, suggest, suggested_unit
@@ -143,11 +144,13 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         alike = [seen.span for other, _, seen, _ in examined if other.unit == channel.unit and other is not channel]
         driven = channel.name in (*driving["v1"], *driving["v2"])
         own = codes.get(channel.name, {})
-        usual = remarks_on(quality, own_clock, driven=driven, alike=max(alike, default=np.nan))
-        remarks = (*code_remarks(own), *usual)
+        remarks = (
+            *code_remarks(own),
+            *channel_remarks(quality, own_clock, driven=driven, alike=max(alike, default=np.nan)),
+        )
         time = column if channel.time is None else channel.time
         if position is not None and time is not None and channel.name in driving["q"]:
-            lost, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)
+            lost, quality = _without_dropouts(Signal(time, channel.samples), quality, bases[position].step)
             remarks += tuple(dropout_remarks(lost, unit=channel.unit))
         remarks = () if own_time and channel.time is None else remarks
         channels.append(
@@ -159,7 +162,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
                 quality=quality,
                 remarks=remarks,
                 codes=tuple(own),
-                every=sparse((channel.samples, channel.samples))[1],
+                every=sparse(Signal(channel.samples, channel.samples))[1],
                 description=recording.descriptions.get(channel.name, ""),
             )
         )
@@ -201,14 +204,14 @@ def _without_dropouts(signal: Signal, quality: SignalQuality, step: float) -> tu
     lost = NONE if quality.levels else dropouts(signal, (), quality, step)
     if not lost.spans.size:
         return lost, quality
-    samples = signal[1].copy()
+    samples = signal.samples.copy()
     for first, end in lost.spans:
         samples[first:end] = np.nan
-    return lost, replace(quality, band=examine_signal(signal[0], samples, step).band)
+    return lost, replace(quality, band=examine_signal(signal.time, samples, step).band)
 
 
 def _without_codes(recording: Recording) -> tuple[Recording, dict[str, dict[float, int]]]:
-    """A recording with NaN in place of codes for no value, and which channel has how many of which."""
+    """A recording with NaN in place of codes for no value, and the count of each code by channel."""
     codes = {channel.name: codes_in(channel.samples) for channel in recording.channels}
     bases = {id(channel.time): channel.time for channel in recording.channels if channel.time is not None}
     times = {key: masked(base, codes_in(base, of_time=True)) for key, base in bases.items()}

@@ -37,6 +37,16 @@ from .source import (
 
 Reader = Callable[[int, int], NDArray[Any]]
 """First and end sample → samples."""
+TABLES = ("table", "timetable")
+_MOST_ELEMENTS = 1000
+_WAYS_OUT = {
+    "iddata": "save its vectors (NAME.u, NAME.y) and its sample time (NAME.Ts)",
+    "timeseries": "save its vectors (NAME.Time, NAME.Data)",
+    "complex array": "save its real part, real(NAME)",
+    "sparse array": "save full(NAME)",
+    "cell": "save what it holds as variables of their own, as NAME1 = NAME{1}",
+}
+"""Advice for variables that are not read, by their class."""
 
 
 @dataclass(frozen=True)
@@ -237,9 +247,6 @@ def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[M
     return channels
 
 
-TABLES = ("table", "timetable")
-
-
 def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], list[str]]:
     """The columns of the table `name` in a MAT file, and the names of those that hold no numbers.
 
@@ -280,18 +287,6 @@ def _column(name: str, values: Any, unit: str, time: str | None) -> MatChannel:
     samples = values / np.timedelta64(1, "s") if values.dtype.kind == "m" else values
     data = MatArray(samples.shape, samples.dtype.name, lambda first, last: samples[first:last])
     return _channel(name, data, unit, time)
-
-
-_MOST_ELEMENTS = 1000
-
-_WAYS_OUT = {
-    "iddata": "save its vectors (NAME.u, NAME.y) and its sample time (NAME.Ts)",
-    "timeseries": "save its vectors (NAME.Time, NAME.Data)",
-    "complex array": "save its real part, real(NAME)",
-    "sparse array": "save full(NAME)",
-    "cell": "save what it holds as variables of their own, as NAME1 = NAME{1}",
-}
-"""Advice for variables that are not read, by their class."""
 
 
 class MatSource(Source):
@@ -382,8 +377,8 @@ class MatSource(Source):
             of_all = members.get("TimeUnit") if several and is_called("time", field) else units
             by_name = units.get(0, field) if isinstance(units, MatStruct) else of_all
             unit = text_of(info.get(0, "Units") if isinstance(info, MatStruct) else by_name)
-            for entry, data in self._plain(f"{place}.{field}", member, second):
-                channels.append((replace(entry, unit=entry.unit or unit.strip()), data))
+            plain_channels = self._plain(f"{place}.{field}", member, second)
+            channels += [(replace(entry, unit=entry.unit or unit.strip()), data) for entry, data in plain_channels]
         return channels
 
     def _note_scalar(self, name: str, value: MatArray, second: float) -> None:

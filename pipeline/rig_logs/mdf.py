@@ -27,6 +27,19 @@ from .source import (
 )
 
 _FORMULA = "the result of a conversion formula, which is not worked out; export the channel with its physical values"
+_MASTERS = {2: "an angle", 3: "a distance", 4: "an index"}
+"""Quantities that a group of version 4 may have in place of time."""
+_TEXTS = {"4": (7, 8, 9, 10, 11), "3": (11, 12, 132, 133)}
+"""Conversions to texts and dates."""
+_KINDS = {
+    "4": {0: "uint", 1: "uint", 2: "int", 3: "int", 4: "float", 5: "float"},
+    "3": {
+        **dict.fromkeys((0, 9, 13), "uint"),
+        **dict.fromkeys((1, 10, 14), "int"),
+        **dict.fromkeys((2, 3, 11, 12, 15, 16), "float"),
+    },
+}
+"""Types of stored numbers by version; others are texts, byte arrays, dates and structures."""
 
 
 def _has_formula(conversion: Any) -> bool:
@@ -157,12 +170,6 @@ class MdfSource(Source):
         return unit if kind else "s"
 
 
-_MASTERS = {2: "an angle", 3: "a distance", 4: "an index"}
-"""Quantities that a group of version 4 may have in place of time."""
-_TEXTS = {"4": (7, 8, 9, 10, 11), "3": (11, 12, 132, 133)}
-"""Conversions to texts and dates."""
-
-
 def _why_unread(channel: Any, clock: Any, version: str) -> str:
     """Reason why a channel over this clock has no numeric physical value; "" where it has."""
     if channel.data_type not in _KINDS[version]:
@@ -190,17 +197,6 @@ def _words(block: Any) -> str:
     if isinstance(text, bytes):
         text = text.decode("latin-1")
     return " ".join(re.sub(r"<[^>]*>", " ", str(text)).strip("\0").split())
-
-
-_KINDS = {
-    "4": {0: "uint", 1: "uint", 2: "int", 3: "int", 4: "float", 5: "float"},
-    "3": {
-        **dict.fromkeys((0, 9, 13), "uint"),
-        **dict.fromkeys((1, 10, 14), "int"),
-        **dict.fromkeys((2, 3, 11, 12, 15, 16), "float"),
-    },
-}
-"""Types of stored numbers by version; others are texts, byte arrays, dates and structures."""
 
 
 open_log = MdfSource

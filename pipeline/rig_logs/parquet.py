@@ -33,6 +33,7 @@ from .source import (
 )
 
 _BUFFER = 1 << 20
+_MOST_DIGITS = 75  # of decimals whose differences Arrow holds
 
 
 class ParquetSource(Source):
@@ -111,8 +112,8 @@ def _numbers(name: str, column: Any, counted: Counted) -> NDArray[Any]:
     if not _is_time(kind) and not pa.types.is_integer(kind):
         return doubles(column.cast(pa.float64()))
     if pa.types.is_time(kind):
-        ticks = column.cast(pa.int32() if pa.types.is_time32(kind) else pa.int64())
-        column = ticks.cast(pa.int64()).cast(pa.duration(kind.unit))
+        ticks = pa.int32() if pa.types.is_time32(kind) else pa.int64()
+        column = column.cast(ticks).cast(pa.int64()).cast(pa.duration(kind.unit))
     samples = np.full(len(column), np.nan)
     samples[column.is_valid().to_numpy()] = counted(name, column.drop_null().to_numpy())
     return samples
@@ -127,9 +128,6 @@ def _since_first(name: str, column: Any, counted: Counted) -> Any:
         return column
     wide = column.cast(pa.decimal256(_MOST_DIGITS, column.type.scale))
     return pc.subtract(wide, pa.scalar(origin, wide.type))
-
-
-_MOST_DIGITS = 75  # of decimals whose differences Arrow holds
 
 
 def _leaves(name: str, field: Any, path: tuple[str, ...]) -> Iterator[tuple[str, tuple[str, ...], Any]]:

@@ -19,6 +19,17 @@ from numpy.typing import NDArray
 from .attributes import note_on_rate, stated_rate
 
 MEGABYTE = 1 << 20
+PART = 1 << 17
+"""Rows at a time."""
+MOST_COLUMNS = 1000
+"""Columns of a matrix that are channels, or rows of one that is wider than high."""
+_MOST_NAMED = 3
+EXACT = 1 << 53
+"""Up to which float64 holds every whole number."""
+_MOST_LISTED = 30
+_NUMBERED = re.compile(r"column \d+")
+"""Names of columns without a header."""
+_PLACE_OF = re.compile(r"[./][^./]*$")  # the last part of a path or of a dotted name
 
 
 @dataclass(frozen=True)
@@ -115,7 +126,7 @@ class Source(ABC):
     rates : dict of str to float
         The sample rates [Hz] that single numbers state, by their names.
     frequencies : dict of str to float
-        Frequencies [Hz] of which nothing says whether they are those of the samples or of a motion, by their names.
+        Frequencies [Hz] by their names, either of the samples or of a motion: the log does not state which.
     counted : Counted
         Origins of its clocks.
     starts : dict of str to (float, float)
@@ -179,15 +190,6 @@ class View(Source):
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of the log."""
         return self._log.parts(names)
-
-
-PART = 1 << 17
-"""Rows at a time."""
-MOST_COLUMNS = 1000
-"""Columns of a matrix that are channels, or rows of one that is wider than high."""
-_MOST_NAMED = 3
-EXACT = 1 << 53
-"""Up to which float64 holds every whole number."""
 
 
 class Counted(dict[str, Any]):
@@ -294,11 +296,6 @@ def unique_names(names: list[str]) -> list[str]:
     return unique
 
 
-_MOST_LISTED = 30
-_NUMBERED = re.compile(r"column \d+")
-"""Names of columns without a header."""
-
-
 def missing_channel(name: str, listed: Sequence[str]) -> str:
     """One line that states what is there instead of the channel `name`."""
     if not listed:
@@ -331,9 +328,6 @@ def read_start(path: Path, size: int) -> bytes:
     """The first `size` bytes of a file."""
     with path.open("rb") as file:
         return file.read(size)
-
-
-_PLACE_OF = re.compile(r"[./][^./]*$")
 
 
 class StartTimes(View):

@@ -41,7 +41,7 @@ class Simulator(Protocol):
 def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     """Mean over folds and its interval by the corrected resampled t-test.
 
-    Folds share most of their training data, so their errors are no independent draws: the variance of the mean is taken
+    Folds share most of their training data, so their errors are no independent draws. The variance of the mean is taken
     as (1/k + 1/(k − 1)) s² instead of s²/k (Nadeau & Bengio 2003, doi:10.1023/A:1024068626366).
 
     Parameters
@@ -95,7 +95,7 @@ def free_run_error(measured: FloatArray, calculated: FloatArray, span: float) ->
 
 
 def simplest_within_one_standard_error(errors: Mapping[Choice, FloatArray], terms: Mapping[Choice, int]) -> Choice:
-    """Of the choices whose mean error is within one standard error of the lowest, the one with the fewest terms.
+    """The choice with the fewest terms among those whose mean error is within one standard error of the lowest.
 
     Breiman et al., Classification and Regression Trees (1984), section 3.4.3. Equal numbers of terms are decided by the
     mean error.

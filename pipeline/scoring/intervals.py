@@ -31,7 +31,7 @@ class Interval:
 
 
 def interval_of(draws: FloatArray) -> Interval:
-    """The percentile interval of resamples, shape (R,), of which NaN count for nothing."""
+    """The percentile interval of resamples, shape (R,), without those that are NaN."""
     low, high = np.nanquantile(draws, _TAILS)
     return Interval(float(low), float(high))
 

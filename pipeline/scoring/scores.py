@@ -13,6 +13,9 @@ from .intervals import BLOCK, SEED, Interval, block_of, mean_interval, rms_inter
 from .wells import NoWells, Wells, in_same_well, switch_accuracy
 
 Status = Literal["ok", "diverged"]
+MOST_STARTS = 400
+SHORTEST_HORIZON = 2.0
+"""In sample intervals: a shorter one but for one step would be rounded to another time than that of its name."""
 
 
 @dataclass(frozen=True)
@@ -129,11 +132,6 @@ def _agreement_interval(same: FloatArray, block: int, rng: np.random.Generator) 
     least = share_interval(round(float(np.nanmean(same)) * blocks), blocks) if band else None
     return Interval(min(band.low, least.low), max(band.high, least.high)) if band and least else band
 
-
-MOST_STARTS = 400
-
-SHORTEST_HORIZON = 2.0
-"""In sample intervals: a shorter one but for one step would be rounded to another time than that of its name."""
 
 Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray, IntArray, IntArray], Iterable[FloatArray]]
 """``(t, v, seen, speed, starts, ahead) -> predictions``: see `pipeline.models.base.Predicts`."""

@@ -129,11 +129,11 @@ def find_wells(
     """Two clusters of rest positions at zero voltage, with nothing in between.
 
     The rest position is the median of q over the last 0.4 s of each rest, so a ring-down that has not died away
-    averages out. The largest gap between sorted rest positions must be at least half of their range and reach across
-    a tenth of the range of q; the barrier is its middle. Rests in which q still swings by more than a quarter of its
+    averages out. The largest gap between sorted rest positions must be at least half of their range and reach across a
+    tenth of the range of q; the barrier is its middle. Rests in which q still swings by more than a quarter of its
     range within 0.4 s count only where the others show no two wells. Those in which it swings by more than half never
     count. Where these show no two wells either, rests in which q swings by less than a twentieth of its range decide
-    alone: a slow joint on its way over the barrier swings little in 0.4 s, but more than that.
+    alone. A slow joint on its way over the barrier swings little in 0.4 s, but more than that.
 
     Parameters
     ----------
@@ -222,9 +222,9 @@ def switch_accuracy(
 ) -> tuple[int, int]:
     """Compare the wells in which both rest after each voltage pulse.
 
-    A pulse counts if it is followed by at least 0.3 s without voltage at whose end (up to 0.4 s) the measurement stays
-    on one side of the barrier; the simulation is correct if it stays on that side too. Pauses inside a chirp are
-    shorter, so a chirp counts as one pulse. After a divergence everything is wrong.
+    A pulse counts if it is followed by at least 0.3 s without voltage, and the measurement stays on one side of the
+    barrier at their end (up to 0.4 s). The simulation is correct if it stays on that side too. Pauses inside a chirp
+    are shorter, so a chirp counts as one pulse. After a divergence everything is wrong.
 
     Parameters
     ----------

@@ -3,7 +3,7 @@
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +20,19 @@ BLOCK = 2 * CHUNK // BLOCKS
 """Blocks spread over a long column, and rows of each, from which a median is taken."""
 
 Entry = TypeVar("Entry", bound=np.generic)
-Signal = tuple[FloatArray, FloatArray]
-"""Time stamps [s] and samples, in the order of the log."""
+_NINES = [10.0**digits - 1.0 for digits in range(3, 7)]
+_WHOLE = [2.0**bits for bits in (15, 16, 31, 32)]
+_CODES = [*_NINES[1:], *(-code for code in (*_NINES, *_WHOLE)), *(end - 1.0 for end in _WHOLE)]
+"""Codes that recorders write: nines, positive ones from 9999 on, and the ends of whole numbers of 16 and 32 bits."""
+_HUGE = 0.999e20
+"""No measurement is that large: 9.9E37 of instruments, 9.97E36 of netCDF, 1.8E308."""
+
+
+class Signal(NamedTuple):
+    """Time stamps [s] and samples, in the order of the log, shape (N,) each."""
+
+    time: FloatArray
+    samples: FloatArray
 
 
 def chunks(size: int, overlap: int = 0) -> Iterator[slice]:
@@ -131,14 +142,15 @@ def select(samples: FloatArray, taken: BoolArray) -> FloatArray:
 
 def sparse(signal: Signal) -> tuple[Signal, int]:
     """A column without its blanks where it has a sample every few rows, and how many rows those are; 1 for others."""
-    taken = finite(signal[1])
+    time, samples = signal
+    taken = finite(samples)
     if taken.all():
         return signal, 1
     spacing = np.diff(np.flatnonzero(taken))
     usual = int(np.median(spacing)) if spacing.size else 1
     if usual < 2 or np.mean(spacing == usual) < 0.5:
         return signal, 1
-    return (select(signal[0], taken), select(signal[1], taken)), usual
+    return Signal(select(time, taken), select(samples, taken)), usual
 
 
 def equal(first: FloatArray, second: FloatArray) -> bool:
@@ -192,10 +204,10 @@ def missing(q: Signal, beside: Mapping[str, Signal]) -> dict[str, Missing]:
     """
     begin, end, _, _ = _extent("q", q)
     absent = {}
-    for name, signal in beside.items():
-        first, last, count, bad = _extent(name, signal)
+    for name, (time, samples) in beside.items():
+        first, last, count, bad = _extent(name, Signal(time, samples))
         absent[name] = Missing(
-            n=signal[1].size,
+            n=samples.size,
             not_finite=count,
             first=bad,
             before=max(0.0, first - begin),
@@ -216,14 +228,6 @@ def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
     gone = select(time, ~usable)
     located = gone[np.isfinite(gone)]
     return float(timed.min()), float(timed.max()), gone.size, float(located[0]) if located.size else np.nan
-
-
-_NINES = [10.0**digits - 1.0 for digits in range(3, 7)]
-_WHOLE = [2.0**bits for bits in (15, 16, 31, 32)]
-_CODES = [*_NINES[1:], *(-code for code in (*_NINES, *_WHOLE)), *(end - 1.0 for end in _WHOLE)]
-"""Codes that recorders write: nines, positive ones from 9999 on, and the ends of whole numbers of 16 and 32 bits."""
-_HUGE = 0.999e20
-"""No measurement is that large: 9.9E37 of instruments, 9.97E36 of netCDF, 1.8E308."""
 
 
 def masked(samples: FloatArray, codes: Iterable[float]) -> FloatArray:
@@ -287,11 +291,3 @@ def _is_any(part: FloatArray, codes: Iterable[float]) -> BoolArray:
     for code in codes:
         is_code |= np.abs(part) >= _HUGE if abs(code) >= _HUGE else np.abs(part - code) <= ROUNDING * abs(code)
     return is_code
-
-
-def code_remarks(counts: dict[float, int]) -> list[str]:
-    """Remarks on the codes in a column."""
-    return [
-        f"{n} sample{'s' * (n > 1)} of {code:.6g} stand{'s' * (n == 1)} for no value: masked (`missing` in [channels])"
-        for code, n in counts.items()
-    ]

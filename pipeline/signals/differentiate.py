@@ -28,6 +28,11 @@ _ROUNDS = 25
 _LONGEST_SECANT = 4.0
 _SEARCH_TOLERANCE = 1e-3
 """Of a minimisation within the search, whose scale need not be known better than by a twentieth."""
+PAPER_EPSILON = 1e-6
+"""Rounding of the variation's corner beside a given α, for q in mm [(mm/s^order)²], degrees or mV."""
+_WINDOW = 14.0
+"""Window of the Savitzky-Golay filter in memory lengths of the smoother with the same noise and increments."""
+_DEGREE = 5  # of the polynomials in a window
 
 
 @dataclass(frozen=True)
@@ -93,7 +98,7 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
     each round weights the terms by the increments of the round before, and the weights enter the equation above. nu =
     1, Cauchy's density.
 
-    With gamma = M this would be the scale of greatest likelihood of the increments themselves; but those of a smoothed
+    With gamma = M this would be the scale of greatest likelihood of the increments themselves. But those of a smoothed
     signal are smaller than the truth's, and the scale would shrink with them. Solving and re-estimating alternate,
     accelerated by secants in log s, until s changes by less than a twentieth.
 
@@ -223,12 +228,6 @@ def jump_weights(t: FloatArray, delta: float, order: int) -> FloatArray:
 
 
 Method = Literal["tvregdiff", "savitzky-golay"]
-
-PAPER_EPSILON = 1e-6
-"""Rounding of the variation's corner beside a given α, for q in mm [(mm/s^order)²], degrees or mV."""
-_WINDOW = 14.0
-"""Window of the Savitzky-Golay filter in memory lengths of the smoother with the same noise and increments."""
-_DEGREE = 5
 
 
 @dataclass(frozen=True)

@@ -1,23 +1,22 @@
-"""Findings: what was measured of a log or a model, as a code with numbers; what speaks against one log, and remarks.
+"""Findings: measurements on a log or a model, as a code with numbers, and what speaks against one log.
 
 The bounds are five times and more what the worst of twelve measured and simulated logs shows: jitter of 0.06 steps,
 displacement at its extremes in 0.4 % of the samples, masked rows 1 %, no hum above the noise. Else they are where half
 of a log is no measurement.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Literal
 
 import numpy as np
 
-from ..numerics.arrays import FloatArray
 from ..settings.prototype import Gate
-from ..units.quantity import moment, percent, quantity, scale, short, significant, stamped
+from ..units.quantity import moment, percent, quantity, scale, short, significant
 from .columns import Missing
-from .noise import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
-from .signal_quality import BOTH_SIGNS, SignalQuality, examine_signal
+from .noise import LOST_PER_PERIOD, advised_interval
+from .signal_quality import SignalQuality
 from .timebase import TimeQuality
 
 Severity = Literal["unseen", "good", "fair", "poor"]
@@ -185,28 +184,20 @@ def coarse_inputs(steps: Mapping[str, float], interval: float) -> list[Finding]:
     ]
 
 
-def rate_remarks(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[str]:
-    """Remarks on the sample interval: shorter than that of the log, so that rows are interpolated, or too long for the
-    motion in a log that could show it.
+def unshown(time: TimeQuality, q: SignalQuality, interval: float, frequency: float, least: float) -> bool:
+    """True if a frequency has few samples a period, and would have more in a finer record of the log.
+
+    Parameters
+    ----------
+    time, q : TimeQuality, SignalQuality
+        Of the displacement.
+    interval : float
+        Interval of the record [s].
+    frequency : float
+        The frequency [Hz]; NaN is never unshown.
+    least : float
+        Samples a period that are enough.
     """
-    if time.step > UNTOLD_STEP * sample_interval:
-        made_up = 100.0 * (1.0 - sample_interval / time.step)
-        return [
-            f"the log has a sample every {time.step:.4g} s, so {made_up:.0f} % of the rows at [ingest] "
-            f"sample_interval = {sample_interval:g} are interpolated: the noise looks smaller and fits take longer; "
-            f"set sample_interval = {time.step:.4g}"
-        ]
-    if not _unshown(time, q, sample_interval, q.band.most, LEAST_PER_PERIOD):
-        return []
-    return [
-        f"q: moves up to {q.band.most:.3g} Hz (99 % of its power), of which [ingest] sample_interval = "
-        f"{sample_interval:g} s leaves little: set sample_interval = {advised_interval(q.band.most, time.step):g}"
-    ]
-
-
-def _unshown(time: TimeQuality, q: SignalQuality, interval: float, frequency: float, least: float) -> bool:
-    """True if a frequency has fewer samples a period than `least`, and would have more in a finer record of the log."""
-    # The first is never true of NaN.
     return frequency * interval * least > 1.0 and not q.idle and interval > UNTOLD_STEP * time.step
 
 
@@ -215,7 +206,7 @@ def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -
 
     A log is too coarse where its unit of time is wrong, and too fine where decimation leaves little of its motion.
     """
-    if _unshown(time, q, sample_interval, q.band.half, LOST_PER_PERIOD):
+    if unshown(time, q, sample_interval, q.band.half, LOST_PER_PERIOD):
         numbers = {
             "half": Number(q.band.half, "Hz"),
             "interval": Number(sample_interval, "s"),
@@ -256,115 +247,3 @@ def scale_suspicion(span: float, plausible: tuple[float, float] | None) -> float
     while max(low * factor / span, span / (high * factor)) > 1.0 and max(factor, 1.0 / factor) < 1e9:
         factor *= prefix
     return factor
-
-
-def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
-    """Remarks on an input that is cut off at its largest or smallest value, exactly or beneath noise.
-
-    A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests about
-    zero is not at a rail there: its steps may hide the noise, and an amplifier that is off makes none.
-
-    Parameters
-    ----------
-    time : FloatArray, shape (N,)
-        Time stamps [s].
-    samples : FloatArray, shape (N,)
-        The input.
-    step : float
-        Nominal step [s].
-    unit : str
-        SI unit of the input.
-    """
-    quality = examine_signal(time, samples, step)
-    if quality.constant or quality.stepped or quality.levels or quality.ramped:
-        return []
-    remarks = []
-    for low, high in quality.rails:
-        level = 0.5 * (low + high)
-        if abs(level) <= BOTH_SIGNS * max(abs(quality.smallest), abs(quality.largest)):
-            continue
-        there = (samples >= low) & (samples <= high)
-        cut = "but for its noise, " if high > low else ""
-        remarks.append(
-            f"{100.0 * np.mean(there):.2g} % of the samples stay at {level:.6g} {unit}, {cut}the first at "
-            f"{time[np.argmax(there)]:.6g} s, which they reach at a slope: a saturated probe? What was applied there "
-            "is not known: widen the probe's range, unless this is a command that is limited there"
-        )
-    return remarks
-
-
-_FROZEN_SECONDS = 0.05
-_FROZEN_SAMPLES = 20
-_SHOWS = 1e-4
-"""Share of the range of a signal that a hum is worth a remark from."""
-_MUCH = 10.0
-"""Times the range of an idle channel by which another one of its unit moves, if the idle one is not driven."""
-
-Clock = Literal["s", "samples", ""]
-"""Units of places in a log: seconds, numbers of samples, or a time of which the log states no unit."""
-
-
-def remarks_on(
-    quality: SignalQuality, clock: Clock = "s", *, driven: bool = False, alike: float = np.nan
-) -> tuple[str, ...]:
-    """Remarks on a channel for the user.
-
-    Parameters
-    ----------
-    quality : SignalQuality
-        Of the channel.
-    clock : {"s", "samples", ""}
-        Unit of its places.
-    driven : bool
-        True if it may be an input: one that is held, or stays at a limit, was commanded so.
-    alike : float
-        Largest range of another channel of its unit; NaN where there is none.
-    """
-    remarks = []
-    if quality.not_finite:
-        remarks.append(f"{counted(quality.not_finite, 'sample')} not finite{_first(quality.not_finite_at, clock)}")
-    if quality.constant:
-        return (*remarks, "constant")
-    if quality.levels:
-        values = [f"{value:.6g}" for value in quality.levels]
-        return (*remarks, f"takes {len(values)} values only: {', '.join(values[:-1])} and {values[-1]}")
-    if quality.idle:
-        undriven = not driven or alike > _MUCH * quality.span
-        remarks.append("nothing but noise: no excitation" if undriven else "white noise, or nothing but noise")
-    if not (driven and (quality.stepped or quality.ramped)):
-        remarks += _stays(quality, clock)
-    if quality.spikes:
-        remarks.append(f"{counted(quality.spikes, 'single-sample spike')}{_first(quality.spikes_at, clock)}")
-    remarks += [
-        f"{line.frequency:g} Hz hum {line.above_floor_db:.0f} dB over the spectrum beside it, "
-        f"amplitude {line.amplitude:.3g}"
-        for line in quality.hum
-        if line.stands_out and line.amplitude > _SHOWS * quality.span and clock == "s"
-    ]
-    return tuple(remarks)
-
-
-def _stays(quality: SignalQuality, clock: Clock) -> Iterator[str]:
-    """Remarks on times in which a signal stands still."""
-    for rail, share, value in (
-        ("upper", quality.high_rail, quality.usual[1]),
-        ("lower", quality.low_rail, quality.usual[0]),
-    ):
-        if share > 0.0:
-            yield f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?"
-    long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
-    if clock == "s" and long and not (quality.stepped or quality.rests):
-        yield f"unchanged for {quality.longest_frozen:.3g} s from {stamped(quality.frozen_at)} s on"
-
-
-def counted(number: int, thing: str) -> str:
-    """A number of things."""
-    return f"{number} {thing}{'' if number == 1 else 's'}"
-
-
-def _first(places: tuple[float, ...], clock: Clock) -> str:
-    """Place of the first event, as text; empty where the time itself is not known there."""
-    if not places or not np.isfinite(places[0]):
-        return ""
-    shown = {"s": f"{stamped(places[0])} s", "samples": f"sample {places[0]:.6g}", "": f"{places[0]:.6g}"}
-    return f", the first at {shown[clock]}"

@@ -58,8 +58,8 @@ class Log:
     valid : BoolArray, shape (N,)
         False in gaps of q and where it is masked; true everywhere if left out.
     fine : FloatArray, shape (N, r, K), optional
-        Inputs at r evenly spaced times of each sample interval, the first of which is the sample itself, where they
-        are known so finely.
+        Inputs at r evenly spaced times of each sample interval, from the sample itself on, where they are known so
+        finely.
     past : FloatArray, shape (P, K) or (P, r, K), optional
         Inputs of the log before this part of it, as fine as `drive`.
     velocity : FloatArray, shape (N,), optional
@@ -189,7 +189,7 @@ class Log:
         """The log from the first valid sample whose velocity is known on, with zeros where it is not valid.
 
         That is the first valid one, or `EDGE` samples later for a log that begins in motion: its inputs from before are
-        kept as its past. A log whose first samples go where no others do is taken from the first one on all the same: a
+        kept as its past. A log whose first samples go where no others do is taken from the first one on all the same. A
         model that has never been there would lose a run that starts there.
         """
         begins_in_motion = self.begins_in_motion

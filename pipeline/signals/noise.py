@@ -1,6 +1,7 @@
 """The noise of a record and its spectrum: how fast it moves, and how strongly mains hum shows in it."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -24,6 +25,24 @@ _BALANCED = 0.25
 """Least share of the time that a signal of two values spends at either, so that it switches and does not flicker."""
 _RESOLUTION = 1e-12
 """Share of the range of a record, or of its largest difference, below which a difference is only rounding."""
+_FEWEST = 100
+"""Changes that show how far apart they are."""
+_SELDOM = 0.05
+"""Share of the changes that may follow each other sooner, as beside a repaired gap."""
+LEAST_PER_PERIOD = 5.0
+"""Samples in a period of what moves, below which a record hardly shows it."""
+ADVISED_PER_PERIOD = 8.0
+"""The same for an advised interval."""
+LOST_PER_PERIOD = 10.0 / 3.0
+"""The same, below which decimation takes most of it: the kernel lets a third of its power pass."""
+_NEARLY_ALL = 0.99
+_WINDOW = 1 << 14
+MAINS = (50.0, 60.0)
+"""Mains frequencies [Hz] at which hum is looked for."""
+_HUM_WINDOW = 4.0
+_HUM_BAND = 8.0
+_STANDS_OUT = 10.0
+"""Decibels over the spectrum beside it above which a line is reported."""
 
 
 def white_noise(samples: FloatArray) -> float:
@@ -132,12 +151,6 @@ def _excerpt(samples: FloatArray, most: int = CHUNK) -> FloatArray:
     return np.asarray(first[np.isfinite(first)])
 
 
-_FEWEST = 100
-"""Changes that show how far apart they are."""
-_SELDOM = 0.05
-"""Share of the changes that may follow each other sooner, as beside a repaired gap."""
-
-
 def held_samples(samples: FloatArray, resolution: float | None) -> int:
     """Samples between changes of a signal by more than a step of its converter; 1 where there are few changes.
 
@@ -150,16 +163,6 @@ def held_samples(samples: FloatArray, resolution: float | None) -> int:
     """
     changes = np.flatnonzero(np.abs(np.diff(_excerpt(samples, 16 * CHUNK))) > 1.5 * (resolution or 0.0))
     return 1 if changes.size < _FEWEST else int(np.quantile(np.diff(changes), _SELDOM))
-
-
-LEAST_PER_PERIOD = 5.0
-"""Samples in a period of what moves, below which a record hardly shows it."""
-ADVISED_PER_PERIOD = 8.0
-"""The same for an advised interval."""
-LOST_PER_PERIOD = 10.0 / 3.0
-"""The same, below which decimation takes most of it: the kernel lets a third of its power pass."""
-_NEARLY_ALL = 0.99
-_WINDOW = 1 << 14
 
 
 class Bandwidth(NamedTuple):
@@ -202,14 +205,6 @@ def advised_interval(most: float, step: float) -> float:
     return float(f"{max(1.0 / (ADVISED_PER_PERIOD * most), step):.4g}")
 
 
-MAINS = (50.0, 60.0)
-"""Mains frequencies [Hz] at which hum is looked for."""
-_HUM_WINDOW = 4.0
-_HUM_BAND = 8.0
-_STANDS_OUT = 10.0
-"""Decibels over the spectrum beside it above which a line is reported."""
-
-
 @dataclass(frozen=True)
 class Hum:
     """A mains line in a spectrum.
@@ -234,7 +229,7 @@ class Hum:
         return self.above_floor_db > _STANDS_OUT
 
 
-def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
+def hum(samples: FloatArray, step: float, frequencies: Sequence[float] = MAINS) -> tuple[Hum, ...]:
     """Mains hum from an averaged spectrum (Hann windows of 4 s, half overlapping).
 
     Parameters
@@ -243,21 +238,28 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
         Finite samples, taken as uniform.
     step : float
         Sampling step [s].
-    frequency : float
-        Mains frequency [Hz]; the grid's drift of ±0.2 Hz is allowed for.
+    frequencies : sequence of float
+        Mains frequencies [Hz]; the grid's drift of ±0.2 Hz is allowed for.
 
     Returns
     -------
-    Hum or None
-        None where the line or the floor beside it lies beyond the Nyquist frequency, or the record is shorter
-        than two windows.
+    tuple of Hum
+        Without those whose line, or the floor beside it, lies beyond the Nyquist frequency; none where the record is
+        shorter than two windows.
     """
     size = round(_HUM_WINDOW / step)
-    if frequency + _HUM_BAND > 0.5 / step or samples.size < 2 * size:
-        return None
+    shown = [frequency for frequency in frequencies if frequency + _HUM_BAND <= 0.5 / step]
+    if not shown or samples.size < 2 * size:
+        return ()
     power = _spectrum(samples, size)
-    offset = np.abs(np.fft.rfftfreq(size, step) - frequency)
-    line = offset <= 0.2 + 2.0 * (1.0 / (size * step))  # and the width of two bins
+    bins = np.asarray(np.fft.rfftfreq(size, step), dtype=np.float64)
+    return tuple(line for frequency in shown if (line := _line(power, bins, frequency)) is not None)
+
+
+def _line(power: FloatArray, bins: FloatArray, frequency: float) -> Hum | None:
+    """The line at a frequency of a spectrum over its `bins` [Hz]; None where there is nothing beside it."""
+    offset = np.abs(bins - frequency)
+    line = offset <= 0.2 + 2.0 * bins[1]  # and the width of two bins
     # The mean of the logarithms' exponential is taken low by a few other lines; the median is not.
     floor = float(np.median(power[(offset <= _HUM_BAND) & ~line])) * int(line.sum())
     total = float(power[line].sum())
@@ -273,11 +275,15 @@ def mains_at_another_rate(samples: FloatArray, step: float) -> tuple[Hum, float]
     """
     steps = np.diff(samples[: BLOCKS * CHUNK])
     quiet = np.where(np.abs(steps) <= 2.0 * REACH * noise_level(samples), steps, 0.0)
-    in_place = (hum(quiet, step, frequency) for frequency in MAINS)
-    if any(line is not None and line.stands_out for line in in_place):
+    if any(line.stands_out for line in hum(quiet, step)):
         return None
-    elsewhere = ((hum(quiet, step, frequency / factor), factor) for factor in (2.0, 0.5) for frequency in MAINS)
-    return next(((line, factor) for line, factor in elsewhere if line is not None and line.stands_out), None)
+    elsewhere = (
+        (line, factor)
+        for factor in (2.0, 0.5)
+        for line in hum(quiet, step, [frequency / factor for frequency in MAINS])
+        if line.stands_out
+    )
+    return next(elsewhere, None)
 
 
 def aliased(frequency: float, step: float) -> float:

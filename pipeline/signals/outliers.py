@@ -1,18 +1,18 @@
 """Samples that are no measurements. They are masked.
 
 A device with inertia does not jump: it passes through the values between, and its velocity changes over many samples.
-So a jump shows a fault of the sensor or of the recorder: a burst at one level, a value that was held, rows that were
-lost, or the level of a sensor without a target. But a jump that answers a step of an input is one of the device.
+So a jump shows a fault of the sensor or of the recorder. It is a burst at one level, a held value, lost rows, or the
+level of a sensor without a target. But a jump that answers a step of an input is one of the device.
 """
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from .columns import BLOCK, Signal, chunks, column, finite, select
-from .findings import counted
 from .noise import CHANCE, REACH, SELDOM, noise_level
 from .signal_quality import (
     BESIDE_SPIKE,
@@ -37,6 +37,7 @@ potentiometers slip by 2 %. Between them lies the width of the level of a lost t
 """
 _LONGEST = 0.25
 """Duration [s] of the longest burst; what is longer and far outside is a lost target, what is not may be a place."""
+_NO_ROWS = np.empty((0, 2), dtype=np.int64)
 
 
 def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArray, step: float) -> bool:
@@ -56,8 +57,9 @@ def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArra
     from scipy.special import bdtrc
 
     anywhere = stamps[:: max(1, stamps.size // BLOCK)]
-    for signal in inputs:
-        least = 2.0 * REACH * noise_level(select(signal[1], finite(signal[1])))
+    for time, samples in inputs:
+        signal = Signal(time, samples)
+        least = 2.0 * REACH * noise_level(select(samples, finite(samples)))
         count = int(np.count_nonzero(_changed(signal, times, step, least)))
         if count and bdtrc(count - 1, times.size, float(np.mean(_changed(signal, anywhere, step, least)))) < CHANCE:
             return True
@@ -66,10 +68,11 @@ def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArra
 
 def _changed(signal: Signal, times: FloatArray, step: float, least: float) -> BoolArray:
     """Mask of the times [s] at which an input differs by more than `least` from its value shortly before."""
-    before = np.searchsorted(signal[0], times - max(GAP_STEPS * step, _ANSWER))
-    now = np.searchsorted(signal[0], times + step)
-    last = signal[1].size - 1
-    return np.asarray(np.abs(signal[1][np.minimum(now, last)] - signal[1][np.minimum(before, last)]) > least)
+    before = np.searchsorted(signal.time, times - max(GAP_STEPS * step, _ANSWER))
+    now = np.searchsorted(signal.time, times + step)
+    last = signal.samples.size - 1
+    changes = signal.samples[np.minimum(now, last)] - signal.samples[np.minimum(before, last)]
+    return np.asarray(np.abs(changes) > least)
 
 
 @dataclass(frozen=True)
@@ -101,7 +104,6 @@ class Dropouts:
         return both[np.argsort(both[:, 0])]
 
 
-_NO_ROWS = np.empty((0, 2), dtype=np.int64)
 NONE = Dropouts(bursts=_NO_ROWS, held=_NO_ROWS, levels=(), cuts=np.empty((0, 2)), first=(np.nan, np.nan))
 
 
@@ -167,7 +169,7 @@ def _jumps(samples: FloatArray, least: float) -> IntArray:
 
 
 def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> IntArray:
-    """Rows of what lies between a jump to a level and one back; `flat` is what noise may reach there."""
+    """Rows between a jump to a level and one back; `flat` is the largest change by noise there."""
     bursts = []
     last = -1
     for before, end in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
@@ -193,34 +195,13 @@ def _held(samples: FloatArray, jumps: IntArray, longest: int) -> IntArray:
     return np.array(spans, dtype=np.int64).reshape(-1, 2)
 
 
-def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list[str]:
-    """Remarks on them: what, how many, since when. Levels are printed in `unit`, which is `factor` × SI."""
-    remarks = []
-    if len(lost.bursts):
-        levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in lost.levels[:2])
-        more = f" and {len(lost.levels) - 2} more levels" if len(lost.levels) > 2 else ""
-        bursts = f"{counted(len(lost.bursts), 'burst')} of {int(np.diff(lost.bursts).sum())} samples"
-        remarks.append(f"{bursts} at {levels}{more}, which no motion reaches, the first at {lost.first[0]:.6g} s")
-    if len(lost.held):
-        remarks.append(
-            f"{counted(len(lost.held), 'segment')} of {int(np.diff(lost.held).sum())} samples in which the last value "
-            f"was held, the first at {lost.first[1]:.6g} s"
-        )
-    if count := len(lost.cuts):
-        remarks.append(
-            f"{counted(count, 'jump')} from one sample to the next, the first at {lost.cuts[0, 1]:.6g} s: rows "
-            "are missing though time goes on (a buffer was lost?)"
-        )
-    return remarks
-
-
 def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:
     """An input with its single samples far off neighbours that agree on the line between these; how many, and the
     stamp [s] of the first.
 
-    Nothing is changed where a step [s] is longer than an amplifier needs to go there and back, where such samples are
-    frequent, and in a command without noise: there pulses may be as short. A controller that differentiates kicks for
-    one of its periods, and the device follows.
+    Nothing is changed where a step [s] is longer than an amplifier needs to go there and back, or where such samples
+    are frequent. Nor is a command without noise, whose pulses may be as short. A controller that differentiates kicks
+    for one of its periods, and the device follows.
     """
     time, samples = signal
     usable = finite(samples)
@@ -229,7 +210,7 @@ def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:
     count, first = single_spikes(values, noise)
     if not 0 < count <= SELDOM * values.size:
         return signal, 0, np.nan
-    return (time, bridged(samples, noise)), count, float(select(time, usable)[first[0]])
+    return Signal(time, bridged(samples, noise)), count, float(select(time, usable)[first[0]])
 
 
 def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float) -> tuple[float, float]:
@@ -252,21 +233,22 @@ def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, ste
 
     Notes
     -----
-    Cost: two passes over q, and where there is such a level two more, in chunks; the memory is that of a chunk and of
+    Cost: two passes over q, and two more where there is such a level, in chunks. The memory is that of a chunk and of
     the places where the level is entered and left.
     """
+    stamps, samples = q
     smallest, largest = quality.usual
     span = largest - smallest
     width = min(max(2.0 * REACH * quality.noise, _LEAST * span), _MUCH * span)
     ends = []
     for sign, bottom, other in ((-1.0, -smallest - width, -largest), (1.0, largest - width, smallest)):
-        bound = _gap(q[1], (bottom, bottom + 2.0 * width), other, sign)
+        bound = _gap(samples, (bottom, bottom + 2.0 * width), other, sign)
         if bound < np.inf:
-            runs = runs_between(q[1], bound, np.inf) if sign > 0.0 else runs_between(q[1], -np.inf, -bound)
+            runs = runs_between(samples, bound, np.inf) if sign > 0.0 else runs_between(samples, -np.inf, -bound)
             edges = np.unique(runs)
-            times = q[0][edges[(edges > 0) & (edges < q[1].size)]]
-            most = 2 * np.diff(runs).sum() >= q[1].size
-            bound = np.inf if most or answer_inputs(times[np.isfinite(times)], inputs, q[0], step) else bound
+            times = stamps[edges[(edges > 0) & (edges < samples.size)]]
+            most = 2 * np.diff(runs).sum() >= samples.size
+            bound = np.inf if most or answer_inputs(times[np.isfinite(times)], inputs, stamps, step) else bound
         ends.append(sign * bound)
     return ends[0], ends[1]
 
@@ -291,9 +273,19 @@ def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, sign:
     jumps = 2 * runs  # one sample of each jump may lie between
     for rows in chunks(samples.size):
         part = sign * samples[rows]
-        top = np.sort(np.concatenate((top, part[part < bottom])))[-jumps - 1 :]
+        top = np.concatenate((top, part[part < bottom]))
+        if top.size > jumps:
+            top = np.partition(top, -jumps - 1)[-jumps - 1 :]
     apart = top.size > jumps and bottom - top[0] >= 0.5 * (top[0] - smallest)
     return float(0.5 * (bottom + top[0])) if apart else np.inf
+
+
+class LeftOut(NamedTuple):
+    """Numbers of samples at the rails, without a target, and of spikes."""
+
+    rails: int
+    lost: int
+    spikes: int
 
 
 @dataclass(frozen=True)
@@ -304,8 +296,8 @@ class Trusted:
     ----------
     samples : FloatArray, shape (N,)
         NaN where left out.
-    left_out : (int, int, int)
-        Samples left out at the rails, without a target, and as spikes.
+    left_out : LeftOut
+        What they are.
     quality : SignalQuality
         Of the samples that the sensor and the recorder did not lose; its counts are those of all.
     dropouts : Dropouts
@@ -313,7 +305,7 @@ class Trusted:
     """
 
     samples: FloatArray
-    left_out: tuple[int, int, int]
+    left_out: LeftOut
     quality: SignalQuality
     dropouts: Dropouts
 
@@ -349,7 +341,7 @@ def trusted(
     time, samples = q
     bounds = lost_bounds(q, inputs, quality, step) if lost and not quality.constant else (-np.inf, np.inf)
     measured = _within(samples, bounds)
-    dropouts_of_q = dropouts((time, measured), inputs, quality, step) if lost and inert else NONE
+    dropouts_of_q = dropouts(Signal(time, measured), inputs, quality, step) if lost and inert else NONE
     measured = _without(measured, dropouts_of_q.spans)
     if measured is not samples:  # their values do not describe the motion
         as_measured = {key: getattr(quality, key) for key in ("n", "not_finite", "lost", "not_finite_at")}
@@ -375,7 +367,7 @@ def trusted(
     masked = column(samples.size, parts(), np.float64) if at or noise or measured is not samples else samples
     return Trusted(
         samples=masked,
-        left_out=(int(counts[0]), int(counts[1]), int(counts[2])),
+        left_out=LeftOut(*counts.tolist()),
         quality=quality,
         dropouts=dropouts_of_q,
     )

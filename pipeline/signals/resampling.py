@@ -43,6 +43,10 @@ REACH = 2.0
 """Half width of the kernel in output intervals."""
 
 _COEFFICIENTS = (1.1192, -12.2297, 52.0192, -112.3366, 126.2552, -60.1179)
+LEAST_RATIO = 1.5
+"""Fewest raw samples per output interval for decimation; fewer are interpolated."""
+_BLOCK = 1 << 15  # samples that are decimated at once
+_STEEPEST = 1.5  # times the steps beside it, the largest slope at a sample
 
 
 def filtered_samples(values: FloatArray, ratio: int) -> FloatArray:
@@ -122,12 +126,6 @@ def _sharpening() -> tuple[float, float]:
     weights = kernel(fine)
     m2, m4 = (float(np.sum(weights * fine**power) / np.sum(weights)) for power in (2, 4))
     return -m2 / 2.0, m2 / 24.0 + (m2 / 2.0) ** 2 - m4 / 24.0
-
-
-LEAST_RATIO = 1.5
-"""Fewest raw samples per output interval for decimation; fewer are interpolated."""
-
-_BLOCK = 1 << 15
 
 
 def uniform_grid(start: float, stop: float, interval: float) -> FloatArray:
@@ -344,9 +342,6 @@ def _shares(around: FloatArray, before: int, count: int, at_end: bool) -> FloatA
     return np.diff(bounds)[:count]
 
 
-_STEEPEST = 1.5
-
-
 def interpolated(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smooth: bool) -> Iterator[FloatArray]:
     """The same as `interpolate` of columns of any length, piece after piece.
 
@@ -396,8 +391,8 @@ def _slopes(time: FloatArray, samples: FloatArray) -> FloatArray:
     """Slopes of three-point parabolas, none so steep that it leads far out of its neighbours over the longer step.
 
     Of two stamps that nearly coincide, the noise between them is a slope without a bound. A slope d overshoots over a
-    step h by 4/27 of d h at most, so at 1.5 times the changes beside it by less than a quarter of these; on even steps
-    the limit is never reached.
+    step h by 4/27 of d h at most. So at 1.5 times the changes beside it, it overshoots by less than a quarter of these.
+    On even steps the limit is never reached.
     """
     steps = np.diff(time)
     changes = np.abs(np.diff(samples))

@@ -95,8 +95,10 @@ def _resolutions(stamps: FloatArray, limit: float) -> dict[bool, tuple[FloatArra
         near = np.where((steps >= 0.0) & (steps <= limit), steps, np.nan)
         single = np.where(near > 0.0, near, np.nan)
         middle = np.nanmedian(np.where(np.isnan(single).all(axis=1, keepdims=True), 0.0, single), axis=1, keepdims=True)
-        for lossy, own in ((False, near), (True, np.where(single <= ONE_LOST * middle + rounding, single, np.nan))):
-            seen[lossy].append(_lattice(own, rounding))
+        own = np.where(single <= ONE_LOST * middle + rounding, single, np.nan)
+        every = _lattice(near, rounding)
+        seen[False].append(every)
+        seen[True].append(every if np.array_equal(own, near, equal_nan=True) else _lattice(own, rounding))
     resolutions = {}
     for lossy, parts in seen.items():
         step, missed, odd = (np.concatenate(each) for each in zip(*parts, strict=True))

@@ -7,7 +7,7 @@ a triangle. All this is seen in units of what the level shows by itself: half a 
 reach.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +18,6 @@ from ..numerics.metrics import NORMAL_MEDIAN
 from .columns import BLOCKS, CHUNK, chunks, column, finite, select
 from .noise import (
     CHANCE,
-    MAINS,
     REACH,
     Bandwidth,
     Hum,
@@ -36,6 +35,14 @@ _APPROACH = 15.0
 """Widths of the level over which an approach is looked at."""
 IN_A_ROW = 3
 """Samples that make a stay."""
+OF_BESIDE = 4.0
+"""Times what is beside it that a jump or a spike is at least; a motion of eight samples a period has up to 2."""
+BESIDE_SPIKE = 32
+"""Samples on either side whose noise a spike is compared with: an amplifier may be noisier while it is on."""
+MOST_LEVELS = 8
+"""Different values up to which they are listed one by one."""
+BOTH_SIGNS = 0.1
+"""Share of an input's largest magnitude beyond which it takes a sign."""
 
 
 @dataclass(frozen=True)
@@ -197,16 +204,6 @@ def _passed(values: FloatArray, usual: tuple[float, float], end: int, beyond: fl
     return count >= IN_A_ROW
 
 
-OF_BESIDE = 4.0
-"""Times what is beside it that a jump or a spike is at least; a motion of eight samples a period has up to 2."""
-BESIDE_SPIKE = 32
-"""Samples on either side whose noise a spike is compared with: an amplifier may be noisier while it is on."""
-MOST_LEVELS = 8
-"""Different values up to which they are listed one by one."""
-BOTH_SIGNS = 0.1
-"""Share of an input's largest magnitude beyond which it takes a sign."""
-
-
 @dataclass(frozen=True)
 class SignalQuality:
     """Quality of one signal, in its own unit; times in s.
@@ -288,7 +285,7 @@ class SignalQuality:
     @property
     def ramped(self) -> bool:
         """True if it comes to both ends of its range at a slope, beneath its noise, as a command with ramps does."""
-        return len(self.rails) == 2 and all(high > low for low, high in self.rails)
+        return is_ramped(self.rails)
 
 
 def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> SignalQuality:
@@ -297,7 +294,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     Parameters
     ----------
     time : FloatArray, shape (N,)
-        Time stamps [s], only used to locate what is found.
+        Time stamps [s], only used to locate events.
     samples : FloatArray, shape (N,)
         The signal; NaN and infinities allowed.
     step : float
@@ -320,31 +317,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     located = tuple(select(time, ~usable)[:LOCATED].tolist())
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
-        return SignalQuality(
-            n=samples.size,
-            not_finite=missing,
-            lost=lost,
-            not_finite_at=located,
-            smallest=np.nan,
-            largest=np.nan,
-            mean=np.nan,
-            usual=(np.nan, np.nan),
-            noise=np.nan,
-            idle=False,
-            low_rail=0.0,
-            high_rail=0.0,
-            rails=(),
-            stepped=False,
-            levels=(),
-            longest_frozen=0.0,
-            frozen_samples=0,
-            frozen_at=np.nan,
-            rests=False,
-            spikes=0,
-            spikes_at=(),
-            hum=(),
-            band=Bandwidth(np.nan, np.nan),
-        )
+        return _nothing_finite(samples.size, located)
     smallest, largest = span(values)
     noise = noise_level(values)
     frozen, start = _longest_run(values)
@@ -367,19 +340,53 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         high_rail=high.share if high else 0.0,
         rails=tuple((end.low, end.high) for end in (low, high) if end),
         stepped=is_stepped(values),
-        levels=_levels(values),
+        levels=few_levels(values),
         longest_frozen=ended - began,
         frozen_samples=frozen,
         frozen_at=began,
         rests=_rests(values, start, start + frozen),
         spikes=spikes,
         spikes_at=tuple(stamps[first_spikes].tolist()),
-        hum=tuple(line for f in MAINS if (line := hum(values, step, f)) is not None),
+        hum=hum(values, step),
         band=bandwidth(bridged(values, noise) if spikes else values, step, noise),
     )
 
 
-def _levels(values: FloatArray) -> tuple[float, ...]:
+def _nothing_finite(count: int, located: tuple[float, ...]) -> SignalQuality:
+    """Quality of a signal of so many samples, none of which is finite."""
+    return SignalQuality(
+        n=count,
+        not_finite=count,
+        lost=count,
+        not_finite_at=located,
+        smallest=np.nan,
+        largest=np.nan,
+        mean=np.nan,
+        usual=(np.nan, np.nan),
+        noise=np.nan,
+        idle=False,
+        low_rail=0.0,
+        high_rail=0.0,
+        rails=(),
+        stepped=False,
+        levels=(),
+        longest_frozen=0.0,
+        frozen_samples=0,
+        frozen_at=np.nan,
+        rests=False,
+        spikes=0,
+        spikes_at=(),
+        hum=(),
+        band=Bandwidth(np.nan, np.nan),
+    )
+
+
+def is_ramped(rails: Sequence[tuple[float, float]]) -> bool:
+    """True if a signal comes to both ends of its range, `rails` as in `SignalQuality`, at a slope beneath its noise."""
+    return len(rails) == 2 and all(high > low for low, high in rails)
+
+
+def few_levels(values: FloatArray) -> tuple[float, ...]:
     """The different values, none where there are more than `MOST_LEVELS`."""
     levels: set[float] = set()
     for rows in chunks(values.size):
@@ -443,8 +450,8 @@ def bridged(values: FloatArray, noise: float) -> FloatArray:
 def spikes_in(part: FloatArray, noise: float) -> BoolArray:
     """Single samples far off the line between neighbours that agree with each other, shape (N − 2,).
 
-    Two samples further on either side lie on that line too; beside a turning point, of which a slow log has few
-    samples, they bend away from it. And it is far beyond the noise of the samples around it.
+    Two samples further on either side lie on that line too; beside a turning point, where a slow log has few samples,
+    they bend away from it. And it is far beyond the noise of the samples around it.
     """
     with np.errstate(invalid="ignore"):  # infinite samples
         off = np.abs(part[1:-1] - 0.5 * (part[:-2] + part[2:]))

@@ -1,1 +1,1 @@
-"""The run folder, and the only code that touches artifacts: schemas, files, manifest, hashes, lock, what is stale."""
+"""The run folder, and the only code that touches artifacts: schemas, files, manifest, hashes, lock, recipes."""

@@ -27,11 +27,16 @@ _LONGEST_PATH = 259
 _ADDED = 40
 """Characters of a path on Windows, and those that a temporary name adds."""
 _NO_FOLDER_SYNC = (errno.EINVAL, errno.ENOTSUP, errno.EBADF)
+LOCK = ".lock"
+_NOTE = "-holder.json"
+HOLDER = LOCK + _NOTE
+_NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP)  # of file systems without locks
+_LONGEST_HOST = 100  # characters of a holder's note that messages repeat
 
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Within, `path` and what lies in it is read or looked up.
+    """Context in which `path` and its contents are read or looked up.
 
     Raises
     ------
@@ -50,7 +55,7 @@ def reading(path: Path) -> Iterator[None]:
 
 @contextmanager
 def writing(path: Path) -> Iterator[None]:
-    """Within, `path` or what lies in it is written.
+    """Context in which `path` or its contents are written.
 
     Raises
     ------
@@ -198,13 +203,6 @@ def sweep(folder: Path, mark: str = TEMPORARY_MARK) -> None:
                 if name.startswith(".") and name.endswith(mark):
                     path = Path(place) / name
                     shutil.rmtree(path) if name in folders and not path.is_symlink() else path.unlink()
-
-
-LOCK = ".lock"
-_NOTE = "-holder.json"
-HOLDER = LOCK + _NOTE
-_NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP)
-_LONGEST_HOST = 100
 
 
 @contextmanager

@@ -37,7 +37,7 @@ def logs(prototype: Prototype) -> list[tuple[Role, str, str]]:
 
 
 def raw_logs(prototype: Prototype, prototype_file: Path) -> list[tuple[str, Path, tuple[float, float]]]:
-    """Path and span [s] of every log in the order of `logs`, and what it is called first."""
+    """Name in messages, path and span [s] of every log, in the order of `logs`."""
     return [
         (label, source(log, prototype_file), log.span if isinstance(log, LogPart) else (-math.inf, math.inf))
         for _, label, log in _logs(prototype)
@@ -108,7 +108,7 @@ def control(title: str) -> str:
 
 
 def remade(name: str) -> str:
-    """What a lost artifact that no stage of `debist run` makes is made by; empty for those of the stages."""
+    """Advice on a lost artifact that no stage of `debist run` makes; empty for those of the stages."""
     folder = name.partition("/")[0]
     title = PurePosixPath(name).stem
     if folder == STUDIES and title not in STUDY_COLUMNS:

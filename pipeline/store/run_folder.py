@@ -250,7 +250,7 @@ class RunFolder:
     def _look_up(
         self, path: Path, size: int, sha256: str, read: _Read[T], stated: Callable[[Manifest], object]
     ) -> tuple[T | None, str | None]:
-        """Result of `read` for a file of which a manifest holds what is `stated`, or the problem with the file.
+        """Result of `read` for a file with a record `stated` in the manifest, or the problem with the file.
 
         While a commit awaits its completion the file is at its staging place, from which it may just be moved.
 

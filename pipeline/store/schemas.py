@@ -109,11 +109,9 @@ def misfit(name: str, table: Mapping[str, np.ndarray[Any, Any]]) -> str | None:
     if unknown := sorted(table.keys() - columns.keys() - _EARLIER):
         return f"holds a column {unknown[0]!r} that no {schema.kind} has"
     for column in columns.values():
-        if column.key not in table:
-            if column.key not in _OPTIONAL:
-                return f"lacks the column {column.key}"
-            continue
-        if not _fits(table[column.key], column.dtype):
+        if column.key not in table and column.key not in _OPTIONAL:
+            return f"lacks the column {column.key}"
+        if column.key in table and not _fits(table[column.key], column.dtype):
             return f"{column.key} does not hold {column.dtype}"
     if "t" in table and schema is not STUDIES["online"]:
         time = table["t"]

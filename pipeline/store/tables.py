@@ -148,7 +148,7 @@ def parse_table(content: Any, path: Path) -> Table:
 
 
 def _check_size(metadata: Any, size: int) -> None:
-    """Make sure that what a file of `size` bytes declares is what it can hold; ValueError if not.
+    """Raise a ValueError if a file of `size` bytes declares more than it can hold.
 
     Rows of nulls take next to no bytes, nor do rows that all name one text of a dictionary.
     """

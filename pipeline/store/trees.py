@@ -104,9 +104,9 @@ def parse_tree(content: bytes, path: Path, group: str = "/") -> Tree:
     except _UNREADABLE as error:
         if memory_failure(error):
             raise MemoryError from error
-        reason = " ".join(str(error).split())
         raise CorruptArtifactError(
-            f"{path}: damaged or incomplete ({reason}); `debist run` sets it aside and rebuilds it"
+            f"{path}: damaged or incomplete ({' '.join(str(error).split())}); `debist run` sets it aside and "
+            "rebuilds it"
         ) from error
 
 

@@ -199,7 +199,7 @@ def process_context() -> Any:
 
 @contextmanager
 def apart() -> Iterator[None]:
-    """Within, processes are started that share neither main module, current folder nor number of threads with this one.
+    """Context for processes that share neither main module, current folder nor number of threads with this one.
 
     `multiprocessing` has each import the main module, which need not have the guard that this takes.
     """

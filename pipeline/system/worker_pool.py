@@ -13,6 +13,10 @@ from .isolation import apart, begin, end, process_context
 
 OnProgress = Callable[[str, float], None]
 """Called with the present step and the share, 0 to 1, that is done."""
+_GONE = (
+    "a process ended before its work was done, as where memory runs out; what is written is whole, and the same "
+    "command with --jobs 1 goes on"
+)
 
 
 def silent(what: str, share: float) -> None:
@@ -131,12 +135,6 @@ class _Ended(NamedTuple):
         for text in self.texts:
             warnings.warn(text, stacklevel=2)
         return self.value
-
-
-_GONE = (
-    "a process ended before its work was done, as where memory runs out; what is written is whole, and the same "
-    "command with --jobs 1 goes on"
-)
 
 
 def _serve(channel: Connection) -> None:

@@ -193,3 +193,8 @@ def prefixed(value: float | None, prefix: str, digits: int, none: str = "–") -
 def stamped(stamp: float) -> str:
     """A time stamp [s] without its unit, to the nanosecond; to the millisecond where the clock has run for long."""
     return f"{stamp:.3f}" if abs(stamp) >= _LONG_AGO else f"{round(stamp, 9) + 0.0:.6g}"
+
+
+def counted(number: int, thing: str) -> str:
+    """A number of things."""
+    return f"{number} {thing}{'' if number == 1 else 's'}"

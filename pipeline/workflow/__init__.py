@@ -1,1 +1,1 @@
-"""Runs from settings and logs: stages, what is redone and why, batches, and uses of a run."""
+"""Runs from settings and logs: stages, reasons to redo them, batches, and uses of a run."""

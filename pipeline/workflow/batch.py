@@ -225,8 +225,8 @@ def run_batch(
 
     Notes
     -----
-    Cost: that of the runs, and once 2 s of processor time for the imports where processes are forked (Linux),
-    elsewhere as much for each; for a prototype that is up to date some milliseconds and the hashing of its files.
+    Cost: that of the runs, and 2 s of processor time for the imports: once where processes are forked (Linux),
+    elsewhere for each. A prototype that is up to date costs some milliseconds and the hashing of its files.
     """
     claim_room(ROOM)
     with writing(output):

@@ -25,7 +25,7 @@ FIRST_TIME = "first time"
 
 @dataclass(frozen=True)
 class Task:
-    """One step of a stage: what it reads, what it writes, and what decides the result.
+    """One step of a stage: its inputs, its outputs, and the settings that decide the result.
 
     Attributes
     ----------
@@ -84,12 +84,25 @@ class Observer(Protocol):
 
 
 class Unheard:
-    """An observer that reports nothing."""
+    """An observer that reports nothing; the notes of the artifacts hold the warnings."""
 
-    def warned(self, *_: Any, **__: Any) -> None:
-        """Say nothing: the notes of the artifacts hold the warnings."""
+    def planned(self, stages: Sequence[str]) -> None:
+        """Ignore the tasks to come."""
 
-    planned = started = progressed = finished = skipped = warned
+    def started(self, task: Task, reasons: list[str]) -> None:
+        """Ignore the beginning of a task."""
+
+    def progressed(self, task: Task, what: str, share: float) -> None:
+        """Ignore the share done."""
+
+    def finished(self, task: Task, seconds: float) -> None:
+        """Ignore the end of a task."""
+
+    def skipped(self, task: Task) -> None:
+        """Ignore a task that is up to date."""
+
+    def warned(self, what: str, warning: str) -> None:
+        """Ignore a warning."""
 
 
 @dataclass(frozen=True)
@@ -289,7 +302,7 @@ class _InOrder:
 
 @dataclass
 class _Step:
-    """A task under way: its raw files before they are read, what its outputs are made from, its beginning [s]."""
+    """A task under way: its raw files before they are read, the sources of its outputs, its beginning [s]."""
 
     task: Task
     sources: dict[Path, Seen]

@@ -200,5 +200,4 @@ def _sources(prototype: Prototype, home: Path) -> Iterator[tuple[str, Path]]:
     """Every raw log, table of measured curves and prior: an artifact that was made of it, and its file."""
     for (role, log, _), (_, path, _) in zip(layout.logs(prototype), layout.raw_logs(prototype, home), strict=True):
         yield layout.signals(role, log), path
-    for _, artifact, name in named_files(prototype):
-        yield artifact, layout.source(name, home)
+    yield from ((artifact, layout.source(name, home)) for _, artifact, name in named_files(prototype))

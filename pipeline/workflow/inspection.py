@@ -1,4 +1,4 @@
-"""Inspection: contents of a raw log, what it excites once its channels are named, and what to add."""
+"""Inspection: contents of a raw log, its excitation once its channels are named, and experiments to add."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -21,7 +21,8 @@ from ..rig_logs.source import CsvOptions
 from ..scoring.wells import NoWells, Wells
 from ..settings.prototype import Prototype, load_prototype
 from ..signals.findings import Finding
-from ..signals.uniform_record import Resampling, survey
+from ..signals.survey import survey
+from ..signals.uniform_record import Resampling
 from ..store.run_folder import RunFolder
 from ..system.names import shell_word
 from ..units.quantity import scale

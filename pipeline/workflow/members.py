@@ -1,4 +1,4 @@
-"""Prototypes of a batch, by name: settings files, folders, and tables of which each row becomes a settings file."""
+"""Prototypes of a batch, by name: settings files, folders, and tables whose rows become settings files."""
 
 import copy
 import csv
@@ -38,6 +38,15 @@ _PATHS = (
     ("compare", "curves"),
 )
 """Keys with paths that are relative to the settings file."""
+FLEET_TABLE = "fleet.parquet"
+FLEET_CSV = "fleet.csv"
+FLEET_FACTS = "fleet-facts.parquet"
+FLEET_REPORT = "fleet.html"
+FLEET_FILES = (FLEET_TABLE, FLEET_CSV, FLEET_FACTS, FLEET_REPORT)
+SETTINGS = "settings"
+"""Folder for settings files that a batch writes."""
+FAILED = "failed"
+"""Folder for what prototypes printed that failed."""
 
 
 def table_settings(table: Path, base: Path | None, folder: Path) -> list[Path]:
@@ -229,17 +238,6 @@ def _anchored_log(log: Any, folder: Path) -> Any:
         return str(folder / log)
     named = isinstance(log, dict) and isinstance(log.get("file"), str)
     return {**log, "file": str(folder / log["file"])} if named else log
-
-
-FLEET_TABLE = "fleet.parquet"
-FLEET_CSV = "fleet.csv"
-FLEET_FACTS = "fleet-facts.parquet"
-FLEET_REPORT = "fleet.html"
-FLEET_FILES = (FLEET_TABLE, FLEET_CSV, FLEET_FACTS, FLEET_REPORT)
-SETTINGS = "settings"
-"""Folder for settings files that a batch writes."""
-FAILED = "failed"
-"""Folder for what prototypes printed that failed."""
 
 
 class Shard(NamedTuple):

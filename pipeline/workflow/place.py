@@ -122,9 +122,8 @@ def refuse_training_as_validation(prototype: Prototype, prototype_file: Path) ->
         for log, path, span in raw[trained:]:
             size = path.stat().st_size
             for other, place, its_span, its_size in sizes:
-                if size != its_size or max(span[0], its_span[0]) >= min(span[1], its_span[1]):
-                    continue
-                if path.samefile(place) or file_sha256(path) == file_sha256(place):
+                overlap = size == its_size and max(span[0], its_span[0]) < min(span[1], its_span[1])
+                if overlap and (path.samefile(place) or file_sha256(path) == file_sha256(place)):
                     whole = math.isinf(span[0]) and math.isinf(span[1]) and span == its_span
                     raise InputError(
                         f"{prototype_file}: logs.validation: {log!r} has {'the content' if whole else 'samples'} of "
@@ -145,7 +144,7 @@ class Place:
 
 
 def place_of(given: Path, output: Path | None = None) -> Place:
-    """The settings file and the run folder that belong together, of which one is given.
+    """The settings file and the run folder that belong together, found from either.
 
     Raises
     ------

@@ -185,13 +185,12 @@ def run_prototype(
     """
     place = given if isinstance(given, Place) else place_of(given, output)
     prototype = place.prototype
-    prototype_file = place.prototype_file
-    before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
+    before_any_work(place, reading_tasks(prototype, place.prototype_file), replace=replace)
     stages = [only] if only else [name for name in STAGE_NAMES if with_report or name != "report"]
     with run_lock(place.root):
-        run = RunFolder.create(place.root, prototype.model_dump(mode="json"), prototype_file)
+        run = RunFolder.create(place.root, prototype.model_dump(mode="json"), place.prototype_file)
         _strike_lost(run, observer)
-        planned = Planned(run, prototype, prototype_file, jobs=jobs)
+        planned = Planned(run, prototype, place.prototype_file, jobs=jobs)
         observer.planned([task.stage for task in tasks_of(of_stages(plan(planned), stages))])
         return _bring_up_to_date(run, of_stages(plan(planned), stages), stages, observer, jobs)
 
@@ -295,13 +294,12 @@ def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
         As `run_prototype` before any work.
     """
     prototype = place.prototype
-    prototype_file = place.prototype_file
-    before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
+    before_any_work(place, reading_tasks(prototype, place.prototype_file), replace=replace)
     if (place.root / MANIFEST).is_file():
-        return in_snapshot(place.root, lambda run: status(run, plan(Planned(run, prototype, prototype_file))))
+        return in_snapshot(place.root, lambda run: status(run, plan(Planned(run, prototype, place.prototype_file))))
     with TemporaryDirectory(prefix="debist-plan-") as empty:
-        run = RunFolder.create(Path(empty) / "run", prototype.model_dump(mode="json"), prototype_file)
-        return status(run, plan(Planned(run, prototype, prototype_file)))
+        run = RunFolder.create(Path(empty) / "run", prototype.model_dump(mode="json"), place.prototype_file)
+        return status(run, plan(Planned(run, prototype, place.prototype_file)))
 
 
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:

@@ -1,4 +1,4 @@
-"""What a run holds as fits, exports and control take it: its logs, its models, and what control made of them."""
+"""Contents of a run for fits, exports and control: its logs, its models, and the documents of control."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -143,7 +143,7 @@ def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tu
     identified = identified_models(run, prototype)
     compared = compared_models(run, prototype)
     wanted = identified[0] if name is None else name
-    if name is not None and name == _beside(run):
+    if name is not None and name == joint_beside(run):
         return name, layout.MODELS
     if wanted in compared:
         return wanted, layout.baseline(wanted)
@@ -157,12 +157,7 @@ def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tu
     return wanted, layout.MODELS
 
 
-def controlled_model(run: RunFolder, prototype: Prototype) -> tuple[str, str]:
-    """Name of the model on which control is designed, the joint beside the main model if there is one; its artifact."""
-    return model_artifact(run, prototype, _beside(run))
-
-
-def _beside(run: RunFolder) -> str | None:
+def joint_beside(run: RunFolder) -> str | None:
     """Name of the joint that "auto" fitted and did not choose."""
     made = run.manifest.artifacts.get(layout.MODELS)
     return made.notes.get(EQUATIONS) if made else None

@@ -21,7 +21,6 @@ from ..settings.prototype import Prototype
 from ..signals.columns import (
     Signal,
     chunks,
-    code_remarks,
     codes_in,
     column,
     equal,
@@ -35,11 +34,15 @@ from ..signals.columns import (
 )
 from ..signals.findings import Number, refusal
 from ..signals.log import RawLog
+from ..signals.remarks import code_remarks
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import span
 from ..signals.timebase import nominal_step, unwrapped
 from ..units.quantity import quantity
 from ..units.units import DISPLACEMENT, INPUT, SECONDS, TIME, VELOCITY, SiUnit, to_si
+
+_RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
+_UNIT_IN_NAME = re.compile(r"[\[(](?P<unit>[^\[\]()]+)[\])]$")
 
 
 def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | None) -> RawLog:
@@ -75,15 +78,12 @@ def with_displacement(log: RawLog, plant: Device, parameters: JointParameters | 
     velocity = log.velocity
     if velocity is not None:
         measured = np.isfinite(time) & np.isfinite(phi)
-        at = np.interp(velocity[0], time[measured], phi[measured])
-        velocity = velocity[0], velocity[1] * displacement_of_rotation(at, parameters)[1]
+        at = np.interp(velocity.time, time[measured], phi[measured])
+        velocity = Signal(velocity.time, velocity.samples * displacement_of_rotation(at, parameters)[1])
 
     # Part by part, so that a long log does not lie in memory.
     displacement = (displacement_of_rotation(phi[rows], parameters)[0] for rows in chunks(phi.size))
-    return replace(log, q=(time, column(phi.size, displacement, np.float64)), velocity=velocity)
-
-
-_RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
+    return replace(log, q=Signal(time, column(phi.size, displacement, np.float64)), velocity=velocity)
 
 
 def read_si(
@@ -129,16 +129,16 @@ def read_si(
 def on_uniform_clocks(log: RawLog) -> RawLog:
     """The log with the uniform clock in place of stamps that are those of one, rounded; which is noted."""
     signals = {"q": log.q, **log.beside}
-    clocks = {id(time): uniform_clock(time) for time, _ in signals.values()}
+    stamps = {id(time): time for time, _ in signals.values()}  # signals may share theirs
+    clocks = {key: uniform_clock(time) for key, time in stamps.items()}
     notes = list(log.notes)
     for key, clock in clocks.items():
         if clock is not None:
             names = ", ".join(name for name, (time, _) in signals.items() if id(time) == key)
             of = "" if len(clocks) == 1 else f" of {names}"
             notes.append(f"the time stamps{of} are {clock.described}")
-    made = (
-        (time if (clock := clocks[id(time)]) is None else clock.time, samples) for time, samples in signals.values()
-    )
+    uniform = {key: clock.time for key, clock in clocks.items() if clock is not None}
+    made = (Signal(uniform.get(id(time), time), samples) for time, samples in signals.values())
     return _raw_log(made, len(log.inputs), notes)
 
 
@@ -161,12 +161,12 @@ def part_of_log(log: RawLog, span: tuple[float, float], path: Path) -> RawLog:
     signals = [log.q, *log.beside.values()]
     rows = {id(time): _within(time, span) for time, _ in signals}
     bases = {id(time): time[rows[id(time)]] for time, _ in signals}
-    if not bases[id(log.q[0])].size:
+    if not bases[id(log.q.time)].size:
         raise InputError(
             f"{path}: has no sample from {span[0]:.6g} to {span[1]:.6g} s: its time runs from "
-            f"{np.nanmin(log.q[0]):.6g} to {np.nanmax(log.q[0]):.6g} s; correct start and stop in [logs]"
+            f"{np.nanmin(log.q.time):.6g} to {np.nanmax(log.q.time):.6g} s; correct start and stop in [logs]"
         )
-    cut = ((bases[id(time)], samples[rows[id(time)]]) for time, samples in signals)
+    cut = (Signal(bases[id(time)], samples[rows[id(time)]]) for time, samples in signals)
     return _raw_log(cut, len(log.inputs), log.notes)
 
 
@@ -225,9 +225,9 @@ def _si_log(recording: Recording, prototype: Prototype, plant: Device, clocks: M
                 f"{base.size}; they are not of one recording, or the log was cut"
             )
     held_or_read = (
-        _held(recording.path, channel, bases[0], (base, samples))
+        _held(recording.path, channel, bases[0], Signal(base, samples))
         if channel.on_change
-        else _without_blanks((base, samples), name, notes, alone=base is not bases[0])
+        else _without_blanks(Signal(base, samples), name, notes, alone=base is not bases[0])
         for (name, (channel, _)), base, samples in zip(signals.items(), bases, columns, strict=True)
     )
     return _raw_log(held_or_read, len(plant.inputs), notes)
@@ -235,9 +235,9 @@ def _si_log(recording: Recording, prototype: Prototype, plant: Device, clocks: M
 
 def _without_blanks(signal: Signal, name: str, notes: list[str], *, alone: bool) -> Signal:
     """A slow channel of a fast table by its own samples; where its time is `alone`, without rows of blanks."""
-    filled = finite(signal[0]) | finite(signal[1]) if alone else np.empty(0, np.bool_)
+    filled = finite(signal.time) | finite(signal.samples) if alone else np.empty(0, np.bool_)
     if not filled.all():
-        signal = select(signal[0], filled), select(signal[1], filled)
+        signal = Signal(select(signal.time, filled), select(signal.samples, filled))
     own, every = sparse(signal)
     if every > 1:
         notes.append(f"{name} has a sample every {every} rows and blanks between: interpolated")
@@ -246,13 +246,13 @@ def _without_blanks(signal: Signal, name: str, notes: list[str], *, alone: bool)
 
 def _held(path: Path, channel: Channel, time: FloatArray, seen: Signal) -> Signal:
     """An input that was recorded when it changed, at the stamps of q."""
-    at = seen[0][np.isfinite(seen[0]) & np.isfinite(seen[1])]
+    at = seen.time[np.isfinite(seen.time) & np.isfinite(seen.samples)]
     if np.any(np.diff(at) < 0.0):
         raise InputError(
             f"{path}: the time of channel {channel.channel!r} steps back, so what held when is not known; "
             "repair the log"
         )
-    return time, held(time, *seen)
+    return Signal(time, held(time, *seen))
 
 
 def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
@@ -444,9 +444,6 @@ def _rate_of_column(column: RecordedChannel, wanted: float) -> dict[str, float]:
     steps = (float(numbers[-1] - numbers[0]) / (numbers.size - 1), nominal_step(numbers))  # with gaps, or coarse stamps
     rates = [1.0 / (step * factor) for factor in factors for step in steps]
     return {column.name: next((rate for rate in rates if abs(rate / wanted - 1.0) <= _RATES_AGREE), 1.0 / steps[0])}
-
-
-_UNIT_IN_NAME = re.compile(r"[\[(](?P<unit>[^\[\]()]+)[\])]$")
 
 
 def _check_unit(path: Path, channel: str, stated: str, unit: str, resolved: SiUnit) -> None:

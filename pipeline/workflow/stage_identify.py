@@ -23,6 +23,7 @@ from .run_contents import load_logs, sources
 from .steps.identify import CHOICE, IDENTIFIED, identified, training
 
 ALGORITHM = "63"
+BASELINE_ALGORITHM = "16"
 
 
 def tasks(prototype: Prototype, parameters: JointParameters | None, jobs: int) -> list[Task]:
@@ -76,9 +77,6 @@ def _identify(
     }
     columns = columns_of(plant, {name: type(model) for name, model in models.items()})
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}
-
-
-BASELINE_ALGORITHM = "16"
 
 
 def baseline_task(prototype: Prototype, parameters: JointParameters | None, name: str) -> Task:

@@ -25,6 +25,7 @@ from .si_log import part_of_log, read_si
 from .steps.ingest import corrected_log, examined, record_columns
 
 ALGORITHM = "20"
+DIFFERENTIATE_ALGORITHM = "7"
 
 
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
@@ -126,9 +127,6 @@ def _pieces(
         yield record_columns(piece, names)
         done += piece.t.size
         on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", done / resampling.report.rows)
-
-
-DIFFERENTIATE_ALGORITHM = "7"
 
 
 def differentiate_tasks(prototype: Prototype) -> list[Task]:

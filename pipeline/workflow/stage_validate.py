@@ -34,6 +34,7 @@ from .run_contents import identified_models, load_motion, sources
 from .steps.score import ComparedRun, rows_of_log, validated
 
 ALGORITHM = "29"
+SCORES_ALGORITHM = "12"
 
 
 def task(prototype: Prototype, parameters: JointParameters | None, stage: str, model: str, source: str) -> Task:
@@ -100,9 +101,6 @@ def _predict(
         schema = schemas.schema_of(schemas.PREDICTIONS, plant, phi=rotation is not None, tubes=tubes is not None)
         written[artifact] = run.write_table(artifact, schema, columns, notes)
     return written
-
-
-SCORES_ALGORITHM = "12"
 
 
 def scores_task(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> Task:

@@ -44,8 +44,9 @@ def _hybrid() -> None:
     from ..models.hybrid.log_reading import DrivingVoltages, Instruments
     from ..models.hybrid.parameters import constants, nominal_deviations, static_slope_ratio
     from ..models.hybrid.runs import Driving, Followed, JointCoefficients, Stepping, run_joints
-    from ..models.hybrid.sensitivity import Driven, sensitivities
+    from ..models.hybrid.sensitivity import sensitivities
     from ..models.hybrid.statics import static_curves, substeps
+    from ..models.hybrid.variational import Driven
 
     k = constants(NOMINAL, nominal_deviations(), static_slope_ratio(NOMINAL))
     basis = np.array([-0.01, 0.01, 0.01])

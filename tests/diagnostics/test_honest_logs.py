@@ -11,7 +11,8 @@ from pipeline.diagnostics.copies import shared_recordings, sketch
 from pipeline.diagnostics.log_facts import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
-from pipeline.signals.findings import Finding, remarks_on, saturation
+from pipeline.signals.findings import Finding
+from pipeline.signals.remarks import channel_remarks, saturation_remarks
 from pipeline.signals.signal_quality import examine_signal
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
@@ -102,17 +103,17 @@ def test_a_rest_at_an_end_of_the_motion_is_neither_a_rail_nor_frozen(noise: floa
         q = np.round((REST + np.random.default_rng(seed).normal(0.0, noise, T.size)) / step) * step
         quality = examine_signal(T, q, 1 / 2000.0)
         assert (quality.low_rail, quality.high_rail, quality.spikes) == (0.0, 0.0, 0)
-        assert not [text for text in remarks_on(quality) if "unchanged" in text or "saturated" in text]
+        assert not [text for text in channel_remarks(quality) if "unchanged" in text or "saturated" in text]
     held = q + 1e-6 * np.sin(T)
     held[30_000:30_400] = held[30_000]
-    assert any("unchanged" in text for text in remarks_on(examine_signal(T, held, 1 / 2000.0)))
+    assert any("unchanged" in text for text in channel_remarks(examine_signal(T, held, 1 / 2000.0)))
 
 
 def test_an_amplifier_that_is_off_is_at_no_rail() -> None:
     """Its monitor has an offset, and steps that hide its noise; what it drives has ripple."""
     on = np.sin(0.7 * T) > 0.2
     v = np.round((-3.7 + on * (2000.0 + 15.0 * np.sin(628.3 * T + T**2))) / 0.07) * 0.07
-    assert saturation(T, v, 1 / 2000.0, "V") == []
+    assert [*saturation_remarks(T, v, "V")] == []
     noisy = v + np.random.default_rng(1).normal(0.0, 1.0, T.size)
     clipped = np.minimum(noisy + on * 300.0 * np.sin(3.0 * T), 2200.0)
-    assert len(saturation(T, clipped, 1 / 2000.0, "V")) == 1
+    assert len([*saturation_remarks(T, clipped, "V")]) == 1

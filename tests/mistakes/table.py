@@ -16,6 +16,7 @@ from pipeline.diagnostics.sentences import sentences
 from pipeline.errors import DebistError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.prototype import parse_prototype
+from pipeline.signals.columns import Signal
 from pipeline.signals.log import RawLog
 from pipeline.workflow.stage_check import log_signals
 from pipeline.workflow.steps.ingest import examined, record_columns
@@ -68,7 +69,8 @@ def told(logs: Sequence[Log], plant: dict | None = None, **tables: dict) -> list
         prototype = parse_prototype(document, "P.toml")
         seen = []
         for number, one in enumerate(logs, start=1):
-            signals = RawLog((one.t, one.q), tuple((one.t, np.ascontiguousarray(column)) for column in one.v.T))
+            inputs = tuple(Signal(one.t, np.ascontiguousarray(column)) for column in one.v.T)
+            signals = RawLog(Signal(one.t, one.q), inputs)
             (fine, _), noticed = examined(signals, prototype, f"log {number}")
             said += noticed["warnings"]
             notes = {**noticed, "raw_step": fine.report.raw_step}

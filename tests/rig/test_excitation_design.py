@@ -22,9 +22,9 @@ from pipeline.rig.excitation import (
 )
 from pipeline.rig.fleet import Experiment, simulate_prototype
 from pipeline.settings.file import read_options
-from pipeline.workflow.studies.excitation import (
+from pipeline.workflow.studies.excitation import DesignFile
+from pipeline.workflow.studies.excitation_design import (
     Design,
-    DesignFile,
     Requirements,
     assess,
     design_excitation,

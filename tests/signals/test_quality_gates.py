@@ -7,7 +7,8 @@ import pytest
 
 from pipeline.device.device import JOINT
 from pipeline.fitting.excitation import excitation_findings
-from pipeline.signals.findings import log_findings, rate_findings, rate_remarks
+from pipeline.signals.findings import log_findings, rate_findings
+from pipeline.signals.remarks import rate_remarks
 from pipeline.signals.signal_quality import examine_signal
 from pipeline.signals.timebase import examine
 
@@ -95,7 +96,7 @@ def test_what_moves_faster_than_the_sample_interval_shows(frequency, said, refus
     noise = np.random.default_rng(1).normal(0.0, 0.01, time.size)
     fast = examine_signal(time, np.sin(2.0 * np.pi * frequency * time) + noise, step)
     assert fast.band.most == pytest.approx(frequency, abs=2.0 / min(16384 * step, 20.0))
-    found, warnings = rate_findings(examine(time), fast, 0.01), rate_remarks(examine(time), fast, 0.01)
+    found, warnings = rate_findings(examine(time), fast, 0.01), [*rate_remarks(examine(time), fast, 0.01)]
     assert (len(warnings), len(found)) == (said, refused)
     advised = [float(text.split("sample_interval = ")[-1]) for text in warnings]
     for interval in [*advised, *(finding.numbers["advised"].value for finding in found)]:
@@ -105,10 +106,10 @@ def test_what_moves_faster_than_the_sample_interval_shows(frequency, said, refus
 def test_a_log_that_could_show_no_more_and_noise_alone_are_not_blamed():
     time = 0.01 * np.arange(2000)
     coarse = examine_signal(time, np.sin(2.0 * np.pi * 40.0 * time), 0.01)
-    assert not rate_remarks(examine(time), coarse, 0.01) and not rate_findings(examine(time), coarse, 0.01)
+    assert not [*rate_remarks(examine(time), coarse, 0.01)] and not rate_findings(examine(time), coarse, 0.01)
     fine = 1e-3 * np.arange(20_000)
     still = examine_signal(fine, np.random.default_rng(2).normal(0.0, 1e-6, fine.size), 1e-3)
-    assert not rate_remarks(examine(fine), still, 0.01) and not rate_findings(examine(fine), still, 0.01)
+    assert not [*rate_remarks(examine(fine), still, 0.01)] and not rate_findings(examine(fine), still, 0.01)
 
 
 def _training(q=None, v=None, *, bistable=True, centres=10):

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from pipeline.device.device import JOINT
-from pipeline.signals.findings import saturation, scale_suspicion
+from pipeline.signals.findings import scale_suspicion
 from pipeline.signals.noise import hum, is_idle, resolution
+from pipeline.signals.remarks import saturation_remarks
 from pipeline.signals.signal_quality import examine_signal, in_a_row, usual_span
 from tests.prototypes import motion
 
@@ -29,15 +30,14 @@ def test_clean_signal():
 @pytest.mark.parametrize("drift", [0.0, 0.13])
 def test_hum_is_measured(frequency, drift):
     amplitude = 0.004
-    line = hum(_signal() + amplitude * np.sin(2 * np.pi * (frequency + drift) * T), 1 / RATE, frequency)
-    assert line is not None
+    [line] = hum(_signal() + amplitude * np.sin(2 * np.pi * (frequency + drift) * T), 1 / RATE, [frequency])
     assert line.amplitude == pytest.approx(amplitude, rel=0.02)
     assert line.above_floor_db > 25.0
 
 
 def test_hum_beyond_nyquist_or_in_short_records_is_not_guessed():
-    assert hum(np.sin(np.arange(10_000.0)), 0.01, 50.0) is None
-    assert hum(_signal()[:70_000], 1 / RATE, 50.0) is None
+    assert hum(np.sin(np.arange(10_000.0)), 0.01) == ()
+    assert hum(_signal()[:70_000], 1 / RATE) == ()
 
 
 def test_saturation():
@@ -204,20 +204,20 @@ def _pulses(lag, heights, rate=10_000.0):
 def test_a_probe_that_saturates_beneath_its_noise():
     t, v = _pulses(3e-3, [3000.0, 2700.0, 1800.0, 2900.0])
     added = np.random.default_rng(2).normal(size=t.size)
-    assert len(saturation(t, np.minimum(v, 2500.0) + added, 1e-4, "V")) == 1
-    assert saturation(t, v + added, 1e-4, "V") == []
+    assert len([*saturation_remarks(t, np.minimum(v, 2500.0) + added, "V")]) == 1
+    assert [*saturation_remarks(t, v + added, "V")] == []
 
 
 def test_pulses_of_one_height_are_no_rail():
     added = np.random.default_rng(3).normal(size=80_000)
     t, lagging = _pulses(3e-3, [2500.0])
-    assert saturation(t, lagging + added, 1e-4, "V") == []
+    assert [*saturation_remarks(t, lagging + added, "V")] == []
     square = np.where(t % 0.4 < 0.2, 2500.0, 0.0)
-    assert saturation(t, square + added, 1e-4, "V") == []
+    assert [*saturation_remarks(t, square + added, "V")] == []
     ramped = np.interp(t % 0.4, [0.0, 0.02, 0.2, 0.22], [0.0, 2500.0, 2500.0, 0.0])
-    assert saturation(t, ramped + added, 1e-4, "V") == []
+    assert [*saturation_remarks(t, ramped + added, "V")] == []
     triangle = np.interp(t % 0.4, [0.0, 0.2, 0.4], [0.0, 2500.0, 0.0])
-    assert saturation(t, triangle + added, 1e-4, "V") == []
+    assert [*saturation_remarks(t, triangle + added, "V")] == []
 
 
 def test_samples_in_a_row_are_three_or_more():

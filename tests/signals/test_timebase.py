@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, strategies as st
 
 from pipeline.errors import DataRefusedError
+from pipeline.signals.survey import advancing_rows
 from pipeline.signals.timebase import default_gap_limit, examine, nominal_step, segments
-from pipeline.signals.uniform_record import advancing_rows
 
 
 def test_clean_time_base():

@@ -11,7 +11,8 @@ from hypothesis import given, settings, strategies as st
 
 from pipeline.errors import DataRefusedError
 from pipeline.signals.columns import Stream
-from pipeline.signals.uniform_record import Resampling, inputs_unknown, survey
+from pipeline.signals.survey import inputs_unknown, survey
+from pipeline.signals.uniform_record import Resampling
 
 
 def uniform_record(t, q, v, interval, *, v_time=None, **policies):
@@ -221,7 +222,8 @@ import re, numpy as np
 from pathlib import Path
 from pipeline.signals.columns import chunks, column, scaled
 from pipeline.signals.signal_quality import examine_signal
-from pipeline.signals.uniform_record import Resampling, survey
+from pipeline.signals.survey import survey
+from pipeline.signals.uniform_record import Resampling
 from pipeline.signals.outliers import trusted
 
 def anonymous():

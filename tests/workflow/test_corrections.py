@@ -7,6 +7,7 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.settings.prototype import Prototype, parse_prototype
+from pipeline.signals.columns import Signal
 from pipeline.signals.log import Corrections, RawLog
 from pipeline.store.run_folder import RunFolder
 from pipeline.workflow.engine import Unheard
@@ -23,7 +24,8 @@ def _prototype(log: object, **plant: object) -> Prototype:
 
 def test_signals_that_share_a_time_base_share_the_corrected_one() -> None:
     t = np.arange(5.0)
-    log = RawLog((t, t), ((t, t), (t, t)), (t, t))
+    same = Signal(t, t)
+    log = RawLog(same, (same, same), same)
     made = corrected_log(log, Corrections((2.0, 3.0), 0.5, 10.0, 0.25, 1.5))
     np.testing.assert_allclose(made.q, (1.5 * t, 10.0 * t + 0.5))
     np.testing.assert_allclose([values for _, values in made.inputs], [2.0 * t, 3.0 * t])

@@ -21,6 +21,10 @@ from .statics import TYPICAL_SHAPE, StaticPath, equilibria, hold_tip, length_sca
 REACH = 0.06
 """Displacement [m] beyond which a run counts as diverged."""
 
+MOST_TRIES = 20_000
+"""Steps between two samples, refused ones too, beyond which a run counts as diverged: a joint takes 2 to 20 in 10 ms;
+one that blows up would never end."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class FullOrderMotion(FreeRun):
@@ -162,6 +166,45 @@ def _walked(parameters: JointParameters, q0: float) -> FloatArray:
     return qm
 
 
+class Inputs(NamedTuple):
+    """Inputs of a run, linear between the samples.
+
+    Attributes
+    ----------
+    t : FloatArray, shape (N,)
+        Ascending sample times [s].
+    v : FloatArray, shape (N, 2)
+        Voltages [V].
+    force : FloatArray, shape (N,)
+        External force along q [N].
+    """
+
+    t: FloatArray
+    v: FloatArray
+    force: FloatArray
+
+
+class Solution(NamedTuple):
+    """A run at the samples.
+
+    Attributes
+    ----------
+    states, rates : FloatArray, shape (N, 11)
+        States and their time derivatives.
+    steps : IntArray, shape (2,)
+        Accepted and rejected steps of the integrator.
+    """
+
+    states: FloatArray
+    rates: FloatArray
+    steps: IntArray
+
+
+def no_solution(count: int) -> Solution:
+    """An empty solution at `count` samples: NaN, no steps."""
+    return Solution(np.full((count, STATES), np.nan), np.full((count, STATES), np.nan), np.zeros(2, np.int64))
+
+
 def simulate(
     parameters: JointParameters,
     t: FloatArray,
@@ -193,45 +236,27 @@ def simulate(
     -----
     Cost: about 4 µs a step of the integrator.
     """
-    count = t.size
-    solution = no_solution(count)
-    states, rates, steps = solution
-    load = np.zeros(count) if force is None else force
-    drive = (np.ascontiguousarray(t), np.ascontiguousarray(v), np.ascontiguousarray(load))
-    valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
-    states[valid:], rates[valid:] = np.nan, np.nan
-    qm, qm_dot, z = np.split(states, [RITZ, FIRST_Z], axis=1)
+    solution = no_solution(t.size)
+    load = np.zeros(t.size) if force is None else force
+    inputs = Inputs(np.ascontiguousarray(t), np.ascontiguousarray(v), np.ascontiguousarray(load))
+    valid = integrate(inputs, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
+    solution.states[valid:] = np.nan
+    solution.rates[valid:] = np.nan
+    qm, qm_dot, z = np.split(solution.states, [RITZ, FIRST_Z], axis=1)
     levers = parameters.levers
     return FullOrderMotion(
         t,
         qm @ levers,
         qm_dot @ levers,
-        rates[:, RITZ:FIRST_Z] @ levers,
+        solution.rates[:, RITZ:FIRST_Z] @ levers,
         *run_status(t, valid),
         qm=qm,
         qm_dot=qm_dot,
         z=z,
         phi=np.arctan(qm @ parameters.slopes),
-        accepted=int(steps[0]),
-        rejected=int(steps[1]),
+        accepted=int(solution.steps[0]),
+        rejected=int(solution.steps[1]),
     )
-
-
-MOST_TRIES = 20_000
-"""Steps between two samples, refused ones too, beyond which a run counts as diverged: a joint takes 2 to 20 in 10 ms;
-one that blows up would never end."""
-
-
-Inputs = tuple[FloatArray, FloatArray, FloatArray]
-"""Sample times [s] (N,), voltages [V] (N, 2) and force along q [N] (N,), linear in between."""
-
-Solution = tuple[FloatArray, FloatArray, IntArray]
-"""States and their time derivatives at the samples, (N, 11) each; accepted and rejected steps (2,)."""
-
-
-def no_solution(count: int) -> Solution:
-    """An empty solution at `count` samples: NaN, no steps."""
-    return np.full((count, STATES), np.nan), np.full((count, STATES), np.nan), np.zeros(2, np.int64)
 
 
 class _Motion(NamedTuple):
@@ -330,13 +355,15 @@ def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
     return float(np.sqrt(norm / STATES)) if np.isfinite(norm) else float(np.inf)
 
 
-def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, reach: float, solution: Solution) -> int:
+def integrate(
+    inputs: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, reach: float, solution: Solution
+) -> int:
     """Integrate under voltages and force that are linear between samples.
 
     Parameters
     ----------
-    drive : Inputs
-        The inputs; every sample is a step's end, so that no step sees a kink of them.
+    inputs : Inputs
+        Every sample is a step's end, so that no step sees a kink of them.
     x0, p : FloatArray, shapes (11,) and (41,)
         Initial state and parameters.
     scale : FloatArray, shape (11,)
@@ -356,11 +383,10 @@ def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, r
     -----
     Cost: a step evaluates `motion` six times and `motion_slopes` once and factorises 4×4 seven times: 4 µs.
     """
-    t, v, force = drive
     motion = _Motion(
         p=p,
-        v=v,
-        force=force,
+        v=inputs.v,
+        force=inputs.force,
         x=x0.copy(),
         x_new=np.empty(STATES),
         f0=np.empty(STATES),
@@ -375,7 +401,7 @@ def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, r
         factors=np.empty((RITZ, RITZ)),
         pivots=np.empty(RITZ, np.int64),
     )
-    return _integrate(t, motion, working(len(RODAS4.nodes), 1), scale, reach, solution)
+    return _integrate(inputs.t, motion, working(len(RODAS4.nodes), 1), scale, reach, solution)
 
 
 @compiled(nogil=True)
@@ -383,8 +409,9 @@ def _integrate(t: FloatArray, s: _Motion, work: Work, scale: FloatArray, reach: 
     p = s.p
     x = s.x
     f0 = s.f0
-    states, rates, counts = solution
-    counts[0], counts[1] = 0, 0
+    states, rates, steps = solution
+    steps[0] = 0
+    steps[1] = 0
     h_next = 1e-4
     for sample in range(t.size):
         interval = _rises(t, s.v, s.force, sample, s.rise)
@@ -416,11 +443,11 @@ def _integrate(t: FloatArray, s: _Motion, work: Work, scale: FloatArray, reach: 
                 norm = _complete(work, scale, s.x_new) if advance(RODAS4, _stage, s, x, h, work, 1) else np.inf
                 factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))
                 if norm > 1.0:
-                    counts[1] += 1
+                    steps[1] += 1
                     h_next = factor * h
                     if h_next < 1e-12 * interval:
                         return sample + 1
-            counts[0] += 1
+            steps[0] += 1
             # A step cut short by the sample's end is no reason against the longer one.
             h_next = max(factor * h, h_next) if h == remaining else factor * h
             offset = interval if h == remaining else offset + h

@@ -65,7 +65,7 @@ def state_sensitivities(
     masses = np.empty((count, RITZ, RITZ))
     slopes = np.empty((count, SLOPES))
     sources = np.empty((count, _MOVED, unknowns))
-    _tabulate((t, v, states, rates), points, steps, (masses, slopes, sources))
+    _tabulate(_Run(t, v, states, rates), points, steps, masses, slopes, sources)
     out = np.empty((t.size, STATES, unknowns))
     integrate_sensitivities(
         t,
@@ -84,16 +84,34 @@ def state_sensitivities(
     return out
 
 
-_Solution = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
-"""Sample times [s] (N,), voltages [V] (N, 2), states and their time derivatives, (N, 11) each."""
-_Tables = tuple[FloatArray, FloatArray, FloatArray]
-"""M (2N − 1, 4, 4), J (…, 79) and ∂f/∂p (…, 7, P), M times that of q̇_m, at N samples and halfway between."""
+class _Run(NamedTuple):
+    """A solution: times [s] (N,), voltages [V] (N, 2), states and their time derivatives, (N, 11) each."""
+
+    t: FloatArray
+    v: FloatArray
+    states: FloatArray
+    rates: FloatArray
 
 
 @compiled(nogil=True)
-def _tabulate(solution: _Solution, points: FloatArray, steps: FloatArray, tables: _Tables) -> None:
-    """Fill the tables along a solution."""
-    masses, slopes, sources = tables
+def _tabulate(
+    run: _Run, points: FloatArray, steps: FloatArray, masses: FloatArray, slopes: FloatArray, sources: FloatArray
+) -> None:
+    """Fill tables at the N samples of a run and halfway between.
+
+    Parameters
+    ----------
+    run : _Run
+        The run.
+    points : FloatArray, shape (P + 1, 41)
+        Parameters of the joint, then those with one unknown moved by its step.
+    steps : FloatArray, shape (P,)
+        Steps of the unknowns.
+    masses, slopes : FloatArray, shapes (2N − 1, 4, 4) and (2N − 1, 79)
+        M and J (output).
+    sources : FloatArray, shape (2N − 1, 7, P)
+        ∂f/∂p, M times that of q̇_m (output).
+    """
     x = np.empty(STATES)
     a = np.empty(RITZ)
     squares = np.empty(2)
@@ -108,7 +126,7 @@ def _tabulate(solution: _Solution, points: FloatArray, steps: FloatArray, tables
         for i in range(size):
             joints[joint // BATCH, i, joint % BATCH] = points[min(joint, count - 1), i]
     for k in range(len(slopes)):
-        _between(solution, k, x, a, squares)
+        _between(run, k, x, a, squares)
         motion_slopes(x, squares, force, points[0], a, slopes[k])
         for joint in range(count):
             batch_index = joint % BATCH
@@ -127,9 +145,9 @@ def _tabulate(solution: _Solution, points: FloatArray, steps: FloatArray, tables
 
 
 @inner
-def _between(solution: _Solution, k: int, x: FloatArray, a: FloatArray, squares: FloatArray) -> None:
+def _between(run: _Run, k: int, x: FloatArray, a: FloatArray, squares: FloatArray) -> None:
     """State (11,), accelerations (4,) and squared voltages (2,) at sample k / 2, or halfway to the next one."""
-    t, v, states, rates = solution
+    t, v, states, rates = run
     n = k // 2
     half = k % 2
     h = t[n + half] - t[n]
@@ -210,7 +228,7 @@ def integrate_sensitivities(
 
 @inner
 def _parabola(w: float, points: FloatArray, row: int, values: FloatArray) -> None:
-    """At the share w of a sample interval, the parabolas through the three tabulated rows of `points` from `row` on."""
+    """Fill in the parabolas through three tabulated rows, from `row` on, at the share w of a sample interval."""
     first = (1.0 - w) * (1.0 - 2.0 * w)
     middle = 4.0 * w * (1.0 - w)
     last = w * (2.0 * w - 1.0)

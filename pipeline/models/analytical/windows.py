@@ -21,7 +21,7 @@ from ...device.parameters import JointParameters
 from ...errors import InputError
 from ...numerics.arrays import BoolArray, FloatArray, IntArray
 from ...signals.log import Log
-from .full_order import REACH, integrate, no_solution, rest_states, state_scale
+from .full_order import REACH, Inputs, integrate, no_solution, rest_states, state_scale
 from .reduced_order import friction_state, maxwell_strains
 from .sensitivity import state_sensitivities
 from .statics import unactuated_path
@@ -217,8 +217,9 @@ def simulate_windows(
     def run(start: FloatArray, part: Window) -> WindowRun:
         """The motion over one window."""
         t, v, _ = part.drive
-        states, rates, _ = solution = no_solution(t.size)
-        return WindowRun(states, rates, integrate((t, v, np.zeros(t.size)), start, p, scale, REACH, solution))
+        solution = no_solution(t.size)
+        valid = integrate(Inputs(t, v, np.zeros(t.size)), start, p, scale, REACH, solution)
+        return WindowRun(solution.states, solution.rates, valid)
 
     def errors(run: WindowRun, part: Window) -> FloatArray:
         """Error of q [m] after the first sample; `UNREACHABLE` after a divergence."""

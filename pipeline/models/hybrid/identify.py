@@ -259,7 +259,7 @@ class _Search:
         return replace(self, records=tuple(r.part(0, fitted_samples(len(r.t))) for r in self.records))
 
     def prior(self, count: int) -> Prior:
-        """Deviations about the set or the other joints, and weights of corrections."""
+        """Prior of the deviations, about the parameter set or the other joints, and of the weights of corrections."""
         root = prior_root((count - DEVIATION_COUNT) // CURVES, siblings=self.siblings)
         mean = np.zeros(DEVIATION_COUNT) if self.siblings is None else self.siblings.mean
         return Prior(root, root @ np.append(mean, np.zeros(count - DEVIATION_COUNT)))

@@ -2,7 +2,7 @@
 
 The kernels are the graphs of `pipeline.generated.condensed_joint`. State, constants and corrections are those of
 `pipeline.equations.condensed_joint`. Kernels take *prepared* constants: `prepare` computes once what depends on the
-constants alone. A column is a derivative of the state; `pipeline.models.hybrid.sensitivity` moves them.
+constants alone. A column is a derivative of the state; `pipeline.models.hybrid.variational` moves them.
 
 A table serves a controller, whose cost may not depend on the number of Gaussians. Between nodes every curve is the
 quintic with its values, slopes and curvatures at both ends.
@@ -51,6 +51,20 @@ _rest_forces = kernel(REST_FORCES)
 _inertia = kernel(INERTIA)
 _first_bell = formula(FIRST_BELL)
 _next_bell = formula(NEXT_BELL)
+TABLE_WIDTHS = 6.5
+"""Width σ beyond the outermost centres that a table spans: there a Gaussian is below 1e-9 of its height."""
+COLUMNS = 16
+"""Columns side by side."""
+STEP_STAGES = len(SHARES)
+"""Stages of a step."""
+STAGES = 2 * STEP_STAGES
+"""Stages side by side: those of two steps."""
+STEP_SLOTS = STEP_STAGES + 1
+"""The stages of a step, and its end."""
+SLOTS = 2 * STEP_SLOTS
+ENTRIES = STATES + STOPS
+"""Entries of a column."""
+PLAY_WEIGHTS = 3 + 2 * STOPS * STEP_SLOTS
 
 
 @compiled
@@ -77,7 +91,7 @@ def joint_rates(
     c : FloatArray, shape (VALUES,)
         Corrections at q (`corrections_at`).
     z, start : FloatArray, shapes (STOPS,) and (3,)
-        Stop operators, as a share of their capacity in [−1, 1], where (q, τ, β) was `start`; what they are at x follows
+        Stop operators, as a share of their capacity in [−1, 1], where (q, τ, β) was `start`. Their values at x follow
         from the play since, so that they need no differential equation.
     p : FloatArray, shape (PREPARED,)
         Prepared constants.
@@ -149,10 +163,6 @@ def corrections_at(q: float, basis: FloatArray, weights: FloatArray, out: FloatA
         value = next_value
 
 
-TABLE_WIDTHS = 6.5
-"""Width σ beyond the outermost centres that a table spans: there a Gaussian is below 1e-9 of its height."""
-
-
 def tabulate(basis: FloatArray, weights: FloatArray, density: int) -> tuple[float, float, FloatArray]:
     """The corrections of one joint as tables.
 
@@ -189,26 +199,12 @@ def tabulate(basis: FloatArray, weights: FloatArray, density: int) -> tuple[floa
     return first - 1.0 / per_metre, per_metre, coefficients
 
 
-COLUMNS = 16
-"""Columns side by side."""
-STEP_STAGES = len(SHARES)
-"""Stages of a step."""
-STAGES = 2 * STEP_STAGES
-"""Stages side by side: those of two steps."""
-STEP_SLOTS = STEP_STAGES + 1
-"""The stages of a step, and its end."""
-SLOTS = 2 * STEP_SLOTS
-ENTRIES = STATES + STOPS
-"""Entries of a column."""
-PLAY_WEIGHTS = 3 + 2 * STOPS * STEP_SLOTS
-
-
 def _column_step() -> Graph:
     """A Runge-Kutta step of one column: its state `x` and stop operators `z` move to `x_found` and `z_found`.
 
-    `a` are ∂f/∂(x, z) of all entries in `STAGES` stages, of which the first four count; `b` what acts on the column
-    itself, row by row in `SLOTS` slots, of which the first four and the end count. `w` are the friction's arm, the
-    step [s], the beam's length, and for each of these five which stop operators follow the play, and by how much.
+    `a` are ∂f/∂(x, z) of all entries in `STAGES` stages; the first four count. `b` acts on the column itself, row by
+    row in `SLOTS` slots; the first four and the end count. `w` are the friction's arm, the step [s], the beam's length,
+    and for each of these five which stop operators follow the play, and by how much.
     """
     build = Builder()
     add = build.add

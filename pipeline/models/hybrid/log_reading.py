@@ -58,6 +58,12 @@ _WEIGHTS = np.array(
 
 
 _Size = Annotated[float, Field(ge=1e-3, le=1e3)]
+ANGLE_IS_READ = (
+    "{name} was identified from the angle of the joint, and {what} of it take a measured displacement; {way_out}"
+)
+"""Message with which uses of a model that read q alone refuse it."""
+_NEWTON = 4
+"""Steps from linear interpolation of 0.25 mm to rounding."""
 
 
 @stored.dataclass(frozen=True, config=STORED)
@@ -103,13 +109,6 @@ class Similarity:
 
 SAME = Similarity()
 """The set's own joint."""
-
-ANGLE_IS_READ = (
-    "{name} was identified from the angle of the joint, and {what} of it take a measured displacement; {way_out}"
-)
-"""Message with which uses of a model that read q alone refuse it."""
-_NEWTON = 4
-"""Steps from linear interpolation of 0.25 mm to rounding."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -186,8 +185,7 @@ class DrivingVoltages:
     Parameters
     ----------
     v : FloatArray, shape (N, 2) or (N, r, 2)
-        Voltages [V] at the samples, or at r evenly spaced times of each sample interval, the first of which is the
-        sample itself.
+        Voltages [V] at the samples, or at r evenly spaced times of each sample interval, from the sample itself on.
     dt : float
         Sample interval [s].
 
@@ -222,11 +220,11 @@ class DrivingVoltages:
 
         Notes
         -----
-        Voltages known at the samples only are a cubic spline: it restores an anti-aliased edge of a pulse far better
+        Voltages known at the samples only are a cubic spline. It restores an anti-aliased edge of a pulse far better
         than straight lines, whose square takes 1.7 ms from it at a sample interval of 10 ms. Finer ones are straight
-        lines, and each half step sees the mean of their square around it, so that no edge falls between half steps:
-        from the 1 ms record two free runs were within 0.013 % of the range of those with steps of 0.4 ms.
-        Cost for 37.5 s at three steps in 10 ms: 0.2 ms from samples, 0.4 ms from a 1 ms record.
+        lines. Each half step sees the mean of their square around it, so that no edge falls between half steps. From
+        the 1 ms record two free runs were within 0.013 % of the range of those with steps of 0.4 ms. Cost for 37.5 s at
+        three steps in 10 ms: 0.2 ms from samples, 0.4 ms from a 1 ms record.
         """
         limit = 2.0 * largest
         half = self._dt / (2 * steps)

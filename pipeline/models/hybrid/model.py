@@ -169,8 +169,9 @@ class HybridModel:
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
         """Free run; see `pipeline.models.base.DynamicModel.simulate`.
 
-        Voltages between samples are a cubic spline, or as fine as they are given (`DrivingVoltages`), and are held at
-        twice the largest trained one; a wall confines the run (`CondensedJoint.q_stop`): it is bounded for any input.
+        Voltages between samples are a cubic spline, or as fine as they are given (`DrivingVoltages`); they are held at
+        twice the largest trained one. A wall confines the run (`CondensedJoint.q_stop`), so it is bounded for any
+        input.
         """
         states = self._simulate(None, t, v, np.array([q0, qdot0]))[0]
         q, qdot, qddot = np.ascontiguousarray(states.T)
@@ -213,7 +214,7 @@ class HybridModel:
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
-        """Free runs of an ensemble drawn from the parameters' posterior: what the data leave open.
+        """Free runs of an ensemble drawn from the parameters' posterior, which show what the data leave open.
 
         Parameters
         ----------
@@ -275,8 +276,8 @@ class HybridModel:
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors that the data allow, shape (count, P); always the same for the same model.
 
-        They are from the posterior, but move by at most `MOVED` in its directions: what the data say little of hardly
-        acts on a run, and far along there the curved valley is left in which they hold it.
+        They are from the posterior, but move by at most `MOVED` in its directions. Directions of which the data show
+        little hardly act on a run. Far along them a draw would leave the curved valley that fits the data.
         """
         values, vectors = np.linalg.eigh(self.spread @ self.spread.T)
         moved = vectors * np.minimum(np.sqrt(np.maximum(values, 0.0)), MOVED) @ vectors.T

@@ -1,9 +1,9 @@
 """Constants of the slow-coordinate joint from a parameter set and deviations with stated widths.
 
-A deviation is counted in prior standard deviations, so that the ridge of every estimate is the unit matrix. The
-widths are those of a joint of which no drawing is at hand: it is larger, slower or less sensitive by a tenth to a
-fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth. Laser and probes are
-taken as right at full scale: another scale would be another length or voltage of the joint, and nothing else.
+A deviation is counted in prior standard deviations, so that the ridge of every estimate is the unit matrix. The widths
+are those of a joint without a drawing. It is larger, slower or less sensitive by a tenth to a fifth, its mounts are
+elsewhere by half a millimetre, its moduli differ by a fifth. Laser and probes are taken as right at full scale: another
+scale would be another length or voltage of the joint, and nothing else.
 """
 
 from dataclasses import dataclass
@@ -33,6 +33,20 @@ from .kernels import CURVES, INDEX, prepare
 from .log_reading import DIMENSIONS
 from .statics import rest_state
 
+_ELEMENTS = (*(f"stop {{}} {i}" for i in range(SLIPS)), *(f"layer {{}} {i}" for i in range(LAYERS)))
+"""Names of the slips of friction and of the layers of the beam that yield, for their forces and travels."""
+_FORCES = (*SLIPS * (0.5e-3,), *LAYERS * (0.15e-3,))
+"""Their typical forces [N]."""
+CHARGING_TIME = 1e-3
+"""Typical time constant [s] of a membrane behind its electrodes: some 10 nF behind some 100 kΩ."""
+_TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3, 2e-3, 8e-3])  # typical ones of the stops
+_CREEP_TIMES = np.array([0.06, 1.0])  # s
+_SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
+_LEAST_INERTIA = 2e-7  # kg·m²
+_FASTEST = 440.0
+"""Rate [1/s] of slope and interior mode against the beam's loss that least inertias allow: two or three steps in 10 ms
+are then enough, and a mode faster than any that the logs show replaces one that is faster still."""
+
 
 @dataclass(frozen=True)
 class Deviation:
@@ -47,7 +61,7 @@ class Deviation:
     unit : str
         SI unit of the quantity, a name in :data:`pipeline.units.units.POWERS`.
     typical : float or None
-        Prior mean of a logarithm of which the parameter set has no value.
+        Prior mean of a logarithm for which the parameter set has no value.
     """
 
     name: str
@@ -72,17 +86,9 @@ def _sides(name: str, prior_std: float, unit: str) -> list[Deviation]:
 
 
 def _unknown(name: str, typical: float, unit: str, prior_std: float = 1.2) -> Deviation:
-    """Deviation of the logarithm of a positive number of which only the order of magnitude is given."""
+    """Deviation of the logarithm of a positive number whose order of magnitude alone is given."""
     return Deviation(f"log {name}", prior_std, unit, typical)
 
-
-_ELEMENTS = (*(f"stop {{}} {i}" for i in range(SLIPS)), *(f"layer {{}} {i}" for i in range(LAYERS)))
-"""Names of the slips of friction and of the layers of the beam that yield, for their forces and travels."""
-_FORCES = (*SLIPS * (0.5e-3,), *LAYERS * (0.15e-3,))
-"""Their typical forces [N]."""
-
-CHARGING_TIME = 1e-3
-"""Typical time constant [s] of a membrane behind its electrodes: some 10 nF behind some 100 kΩ."""
 
 DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("log length", 0.2, "m"),
@@ -153,17 +159,10 @@ _LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
 _TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
 _KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
 OF_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "delay", "log charging time", "probe 1", "probe 2")]
-_TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3, 2e-3, 8e-3])
-_CREEP_TIMES = np.array([0.06, 1.0])
-_SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
-_LEAST_INERTIA = 2e-7  # kg·m²
-_FASTEST = 440.0
-"""Rate [1/s] of slope and interior mode against the beam's loss that least inertias allow: two or three steps in 10 ms
-are then enough, and a mode faster than any that the logs show replaces one that is faster still."""
 
 
 def nominal_deviations() -> FloatArray:
-    """Deviations of the parameter set itself, shape (P,): no friction, creep or whatever else it does not name."""
+    """Deviations of the parameter set itself, shape (P,): no friction, no creep, nothing that it does not name."""
     return np.array([0.0 if entry.typical is None else -50.0 for entry in DEVIATIONS])
 
 

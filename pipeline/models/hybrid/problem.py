@@ -21,8 +21,9 @@ from . import parameters as condensed_parameters
 from .kernels import CURVES, INDEX
 from .log_reading import SAME, AngleReading, DrivingVoltages, Instruments, Similarity
 from .runs import Driving, Followed, JointCoefficients, Stepping, run_joints
-from .sensitivity import INSTRUMENTS, Driven, sensitivities
+from .sensitivity import sensitivities
 from .statics import substeps
+from .variational import INSTRUMENTS, Driven
 
 DEVIATION_COUNT = len(condensed_parameters.NAMES)
 """Leading entries of θ that are deviations."""
@@ -396,7 +397,7 @@ def _settling(record: Log) -> int:
 
 
 def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
-    """Sample intervals [dt] along which an observer may follow, and how long [s] it has had something to follow.
+    """Mask of the sample intervals [dt] along which an observer may follow, and the time [s] for which it could.
 
     A gap of up to `BRIDGED` is followed along the spline over it. Beyond, where the joint may have turned, a run is
     free: pulled along a bridge it would be pulled astray.

@@ -80,9 +80,10 @@ class Joints(NamedTuple):
 def observer(error: float, pole: float, lead: float) -> tuple[float, float, float, float]:
     """Terms of an observer in the rates of q, q̇, τ and τ̇ when q is `error` [m] behind the reading.
 
-    It pulls along the slow motion of the beam, (q, τ) together: q̇ += 2L e, q̈ += L² e, L being its `pole` [1/s], and the
-    same times dτ/dq = `lead` [1/m] for τ. An observer that pulls at q alone has a growing mode of q and τ near the
-    separatrix, with rates up to 3 1/s: even the true joint drifts off its own measurement. It is linear in `error`.
+    It pulls along the slow motion of the beam, (q, τ) together: q̇ += 2L e, q̈ += L² e, L being its `pole` [1/s], and
+    the same times dτ/dq = `lead` [1/m] for τ. An observer that pulls at q alone has a growing mode of q and τ near the
+    separatrix, with rates up to 3 1/s. Even the true joint then drifts off its own measurement. It is linear in
+    `error`.
     """
     velocity = 2.0 * pole * error
     acceleration = pole * pole * error
@@ -98,8 +99,8 @@ def _reading(system, x, j, width):
 def _methods(system: Any) -> Methods:
     """Methods of W joints, for the compiler.
 
-    Each of them is written out: a function that takes `system` counts references of its arrays at each call, which
-    took the free run of one joint from 5 to 8 ms.
+    Each of them is written out. A function that takes `system` counts references of its arrays at each call, which took
+    the free run of one joint from 5 to 8 ms.
     """
     w = len(system.types[0])
     equations = _RATES[w]
@@ -214,7 +215,7 @@ class Followed(NamedTuple):
 
 
 class Stepping(NamedTuple):
-    """Steps of a run, and what every joint of it shares.
+    """Steps of a run, and the numbers that all its joints share.
 
     Attributes
     ----------

@@ -120,8 +120,8 @@ def information_of(model: HybridModel) -> Information:
 
     The corrections are integrated out. The fit takes its noise to be `NOISE_INFLATION` times the RMS of the residual,
     its posterior √τ times that, for the autocorrelation time τ. In units of the prior a direction of precision λ in the
-    posterior had λ τ / `NOISE_INFLATION`² in the fit, and its pull to zero is undone by that. It is at most doubled:
-    in directions of which logs show little, fits end before they have converged.
+    posterior had λ τ / `NOISE_INFLATION`² in the fit, and its pull to zero is undone by that. It is at most doubled,
+    because fits end before they have converged in directions of which logs show little.
     """
     count = len(NAMES)
     own = prior_root(0)

@@ -6,7 +6,7 @@ inputs add there. A few percent are enough: the identification goes on from ther
 
 The prior states how wide deviations and corrections are, and how alike the two sides. A joint is built to be its own
 mirror image. So errors of its equations are nearly the same on both sides, and errors of a parameter set are common to
-both membranes; only a workshop's tolerances are each side's own.
+both membranes. Only a workshop's tolerances are each side's own.
 """
 
 from collections.abc import Sequence
@@ -36,6 +36,14 @@ only asymmetric; beyond it the laser's zero is taken to be elsewhere."""
 
 WELLS_DIFFER = 0.1
 """Share by which frequency and sensitivity of an asymmetric joint's two wells differ; errors below it weigh alike."""
+OWN_MATERIAL = 0.045
+OWN_MOUNT = 0.45
+"""Shares of variance that are each side's own: in moduli and capacitance, as both membranes are cut from one film, and
+in the places of the mounts."""
+ALIKE = 0.9
+"""Correlation of a correction with its mirror image."""
+_EVEN = ("damping", "stiffness", "loss")
+"""Corrections that a mirrored joint has with the same sign at −q; generalised forces have the other one."""
 
 
 @dataclass(frozen=True)
@@ -187,21 +195,6 @@ def _reference_motion(parameters: JointParameters) -> _SmallMotion:
     )
 
 
-OWN_MATERIAL = 0.045
-OWN_MOUNT = 0.45
-"""Shares of variance that are each side's own: in moduli and capacitance, as both membranes are cut from one film, and
-in the places of the mounts."""
-
-ALIKE = 0.9
-"""Correlation of a correction with its mirror image."""
-
-_EVEN = ("damping", "stiffness", "loss")
-"""Corrections that a mirrored joint has with the same sign at −q; generalised forces have the other one."""
-
-
-_MIRROR = {"left": "right", "right": "left"}
-
-
 def prior_root(
     centres: int, rows: Sequence[int] = range(CURVES), siblings: NormalPopulation | None = None
 ) -> FloatArray:
@@ -225,7 +218,7 @@ def prior_root(
         covariance[: len(NAMES), : len(NAMES)] = siblings.covariance
     for row, name in enumerate(CORRECTIONS[:CURVES]):
         side, *rest = name.split("_")
-        image = CORRECTIONS.index("_".join([_MIRROR.get(side, side), *rest]))
+        image = CORRECTIONS.index("_".join([{"left": "right", "right": "left"}.get(side, side), *rest]))
         sign = 1.0 if name in _EVEN else -1.0
         for n in range(centres):
             i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))

@@ -46,6 +46,8 @@ _SECANTS = 20
 """Most steps to the displacement at a reading; five lead to rounding."""
 _FARTHEST = (0.05, 0.15)
 """Largest changes of τ and β in an iteration."""
+_SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
+_NUDGE = 1e-6  # m
 
 
 @inner
@@ -56,7 +58,7 @@ def held_shape(
 
     The shape follows its own overdamped relaxation from that of slow motions, by implicit Euler steps that double:
     Newton's method in the end. A step is taken only where it goes down in energy (its matrix is positive definite) and
-    is short: a buckled beam has unstable equilibria, and others far off that no joint takes. Newton's method alone ends
+    is short. A buckled beam has unstable equilibria, and others far off that no joint takes. Newton's method alone ends
     in them. Cost: about 20 evaluations of the forces, 2 µs.
 
     Parameters
@@ -123,8 +125,8 @@ def rest_state(
 ) -> tuple[FloatArray, FloatArray]:
     """State (STATES,) and stop operators (STOPS,) as after a long rest at q [m] under constant squared voltages u [V²].
 
-    The shape has relaxed, Maxwell strains have decayed, creep has caught up, friction balances what is left as far as
-    its capacity goes, and the layers of the beam are free of stress.
+    The shape has relaxed, Maxwell strains have decayed, creep has caught up, and the layers of the beam are free of
+    stress. Friction balances the remaining force as far as its capacity goes.
 
     Parameters
     ----------
@@ -155,7 +157,6 @@ def rest_state(
     return x, z
 
 
-@compiled
 def rest_at_reading(
     reading: float,
     by: tuple[float, float],
@@ -249,10 +250,6 @@ def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, s
         if np.abs(growth).max() <= 1.0:
             return steps
     return most
-
-
-_SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
-_NUDGE = 1e-6  # m
 
 
 def _shape_slopes(

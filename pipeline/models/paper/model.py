@@ -55,6 +55,10 @@ _lagged_rates = formula(LAGGED_RATES)
 
 REACH = 8.6
 """|q − ξ|/σ from which a bell is left out of a sum: exp(−37) is below rounding."""
+ROWS = 8192  # rows of the regressor that are held at once
+_LARGEST = 1e300
+"""Magnitude of a weight: where hardly any data determine one, the pseudo-inverse has no bound."""
+SEED = 20251  # of the draws of weights: the same model gives the same bands
 
 
 class LaggedJoint(NamedTuple):
@@ -89,7 +93,7 @@ def _rates(system, x, node, dx, acceleration):
 
 @inlined
 def _move(system, x, u, dx):
-    """Curves at q as sums over the basis, without what is negligible; then the state equation."""
+    """Curves at q as sums over the basis without negligible terms; then the state equation."""
     for s in range(len(system.values)):
         system.values[s] = 0.0
     for i in range(len(system.centres)):
@@ -115,12 +119,6 @@ def lagged_rates(model: "RbfPaperModel", x: Sequence[Any], u: Sequence[Any]) -> 
     dx = np.empty(3, dtype=object)
     _move(model.joint(nothing, 1, None, nothing, np.empty(2 + len(u), dtype=object)), x, u, dx)
     return list(dx)
-
-
-ROWS = 8192  # rows of the regressor that are held at once
-_LARGEST = 1e300
-"""Magnitude of a weight: where hardly any data determine one, the pseudo-inverse has no bound."""
-SEED = 20251  # of the draws of weights: the same model gives the same bands
 
 
 class RbfPaperModel(ModelFile):

@@ -1,8 +1,8 @@
 """Online identification (§ 4.1): the weights of eq. 40 over a stream of samples, their convergence and their tracking.
 
 The model is linear in its weights once the lag T_z is known, so recursive least squares can follow a joint while it
-runs. Two questions decide whether that is of use: how long a stream must be until the curves are those of the whole
-log, and how fast and how noisily they follow a joint that changes.
+runs. Two questions decide whether that is of use. How long must a stream be until the curves are those of the whole
+log? How fast and how noisily do they follow a joint that changes?
 
 The information is carried as the triangular factor R of the exponentially weighted normal equations (QR-RLS; Haykin,
 Adaptive Filter Theory, ch. 15). Unlike the covariance form P ← (P − K ψᵀP)/λ it never loses symmetry or definiteness,

@@ -214,9 +214,9 @@ def fit_default_sindy(trajectories: Sequence[Log], plant: Device) -> tuple[Polyn
     """``pysindy.SINDy().fit(x, t=…, u=…)`` with x = [q, q̇] and u = v² (or v), everything else left alone.
 
     The defaults are second-degree polynomials, STLSQ with a threshold of 0.1 on raw coefficients and second-order
-    finite differences; both equations are regressed, so q̇ = v is not guaranteed. The threshold makes the result
-    depend on the units, so those of the log are taken, which is what its owner would fit. In SI all input terms of a
-    rig in mm and kV would fall below the threshold at once.
+    finite differences; both equations are regressed, so q̇ = v is not guaranteed. The threshold makes the result depend
+    on the units, so those of the log are taken, as its owner would do. In SI all input terms of a rig in mm and kV
+    would fall below the threshold at once.
 
     Parameters
     ----------

@@ -25,6 +25,16 @@ from ...system.worker_pool import OnProgress, meanwhile, silent
 
 _LEAST_PART = 5 * EDGE
 """Valid samples of a part of a log that is no more than its beginning."""
+IDENTIFIED = "identified"
+"""Note of ``model.h5``: names of its models, the main model first."""
+CHOICE = "choice"
+"""Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
+EQUATIONS = "equations"
+"""Note of ``model.h5``: name of the joint that "auto" fitted and did not choose; control is designed on it."""
+SEARCH_CUT = (
+    "the search for the structure of {model} ended at its time limit, after {tried} structures; raise [identify] "
+    "time_limit, or say what is known (friction, force, damping, gain, drive, effect, stops)"
+)
 
 
 @dataclass(frozen=True)
@@ -90,19 +100,6 @@ def fitted_parts(log: Log) -> list[Log]:
 def _known_curves(table: Table, inputs: int) -> KnownCurves:
     slopes = [table.get(f"dC{k}_dq") for k in range(1, inputs + 1)]
     return KnownCurves(table["q"], table.get("F"), tuple(None if slope is None else 0.5 * slope for slope in slopes))
-
-
-IDENTIFIED = "identified"
-"""Note of ``model.h5``: names of its models, the main model first."""
-
-CHOICE = "choice"
-"""Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
-EQUATIONS = "equations"
-"""Note of ``model.h5``: name of the joint that "auto" fitted and did not choose; control is designed on it."""
-SEARCH_CUT = (
-    "the search for the structure of {model} ended at its time limit, after {tried} structures; raise [identify] "
-    "time_limit, or say what is known (friction, force, damping, gain, drive, effect, stops)"
-)
 
 
 def identified(

@@ -12,31 +12,36 @@ from ...diagnostics.sentences import judge, sentences
 from ...errors import DataRefusedError
 from ...numerics.arrays import FloatArray
 from ...settings.prototype import Ingest, Prototype
-from ...signals.columns import finite, missing, scaled, select
+from ...signals.columns import Signal, missing, scaled
 from ...signals.findings import (
     Finding,
     coarse_inputs,
-    counted,
     log_findings,
     missing_findings,
     rate_findings,
-    rate_remarks,
-    remarks_on,
-    saturation,
-    scale_suspicion,
 )
 from ...signals.log import LONGEST_BRIDGE, UNKNOWN, Corrections, RawLog
-from ...signals.noise import held_samples, mains_at_another_rate, resolution
-from ...signals.outliers import Trusted, dropout_remarks, trusted, without_spikes
+from ...signals.noise import held_samples, resolution
+from ...signals.outliers import Trusted, trusted, without_spikes
+from ...signals.remarks import (
+    bridged_remark,
+    channel_remarks,
+    discarded_remarks,
+    gap_remarks,
+    mains_remarks,
+    masked_remarks,
+    missing_remarks,
+    rate_remarks,
+    saturation_remarks,
+    scale_remarks,
+)
 from ...signals.signal_quality import SignalQuality, examine_signal, span
+from ...signals.survey import Survey, inputs_unknown, survey
 from ...signals.timebase import TimeQuality, examine, nominal_step, seldom
-from ...signals.uniform_record import Resampling, Survey, TimeRows, UniformRecord, inputs_unknown, survey
-from ...units.quantity import stamped
+from ...signals.uniform_record import Resampling, UniformRecord
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
-_MUCH_DISCARDED = 0.03
-"""Share of the rows that may be left out where time steps back, before another remedy is named."""
 
 
 def corrected_log(log: RawLog, by: Corrections) -> RawLog:
@@ -48,11 +53,11 @@ def corrected_log(log: RawLog, by: Corrections) -> RawLog:
         return made.setdefault((id(time), delay), scaled(time, by.clock, delay))
 
     inputs = [
-        (base(time, by.delay), scaled(samples, gain, 0.0))
+        Signal(base(time, by.delay), scaled(samples, gain, 0.0))
         for (time, samples), gain in zip(log.inputs, by.gains, strict=True)
     ]
-    q = base(log.q[0]), scaled(log.q[1], by.gain_q, by.zero)
-    velocity = None if log.velocity is None else (base(log.velocity[0]), log.velocity[1])
+    q = Signal(base(log.q.time), scaled(log.q.samples, by.gain_q, by.zero))
+    velocity = None if log.velocity is None else Signal(base(log.velocity.time), log.velocity.samples)
     return RawLog(q, tuple(inputs), velocity, log.notes)
 
 
@@ -73,13 +78,14 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[R
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
     settings = prototype.ingest
+    interval = settings.sample_interval
     try:
-        raw_step = nominal_step(signals.q[0])
+        raw_step = nominal_step(signals.q.time)
         signals = _without_spikes(signals, settings)
         trusted = _trusted(signals, prototype, raw_step)
         warnings = [*signals.notes, *_warnings(signals, prototype, trusted)]
         usable = survey(
-            (signals.q[0], trusted.samples),
+            Signal(signals.q.time, trusted.samples),
             signals.beside,
             gaps=settings.gaps,
             time_reversal=settings.time_reversal,
@@ -88,36 +94,46 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[R
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     quality = trusted.quality
-    left_out = _left_out(trusted, warnings, prototype)
-    _refuse_no_record(where, usable.span, settings.sample_interval, usable.rows.keep.size * raw_step)
-    _refuse_other_clock(where, clock := examine(signals.q[0]), quality, prototype)
-    finest = max(settings.record_interval, raw_step * (1.0 - 1e-3))
-    fine = settings.sample_interval / max(1, int(settings.sample_interval / finest + 1e-9))
-    resamplings = (Resampling(usable, fine), Resampling(usable, settings.sample_interval))
-    masked = resamplings[1].report
-    lacking, findings = _lacking(signals, settings.sample_interval)
-    unknown = inputs_unknown(usable, LONGEST_BRIDGE * settings.sample_interval)
-    warnings += [
-        *_discarded(usable.rows),
-        *lacking,
-        *_gaps(clock, unknown),
-        *rate_remarks(clock, quality, settings.sample_interval),
+    clock = examine(signals.q.time)
+    _refuse_no_record(where, usable.span, interval, usable.rows.keep.size * raw_step)
+    _refuse_other_clock(where, clock, quality, prototype)
+    fine = interval / max(1, int(interval / max(settings.record_interval, raw_step * (1.0 - 1e-3)) + 1e-9))
+    resamplings = (Resampling(usable, fine), Resampling(usable, interval))
+    beside = missing(signals.q, signals.beside)
+    unknown = inputs_unknown(usable, LONGEST_BRIDGE * interval)
+    few, coarse = _few_samples(signals, interval)
+    cut_off = _cut_off(usable, clock)
+    report = resamplings[1].report
+    cut = cut_off / report.interval  # rows
+    findings = [
+        *missing_findings(beside),
+        *rate_findings(clock, quality, interval),
+        *coarse,
+        *log_findings(clock, quality, (report.masked_rows + cut) / (report.rows + cut), few),
     ]
-    few, coarse = _few_samples(signals, settings.sample_interval)
-    findings += [*rate_findings(clock, quality, settings.sample_interval), *coarse]
-    ends = _cut_off(usable, clock)
-    cut = ends / masked.interval
-    findings += log_findings(clock, quality, (masked.masked_rows + cut) / (masked.rows + cut), few)
-    if settings.rails == "keep":
-        rails = [sentences(finding)[0] for finding in findings if finding.gate == "rails"]
-        warnings += [f"q: {text}; kept ([ingest] rails)" for text in rails]
-        findings = [finding for finding in findings if finding.gate != "rails"]
-    accepted = judge(where, findings, prototype.quality)
-    notes = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
+    kept = [finding for finding in findings if finding.gate == "rails" and settings.rails == "keep"]
+    accepted = judge(where, [finding for finding in findings if finding not in kept], prototype.quality)
+    warnings += [
+        *discarded_remarks(usable.rows),
+        *missing_remarks(beside, interval),
+        *gap_remarks(clock, unknown),
+        *rate_remarks(clock, quality, interval),
+        *(f"q: {sentences(finding)[0]}; kept ([ingest] rails)" for finding in kept),
+        *accepted,
+    ]
     # An interval around each place where rows are missing belongs to what is not known of the inputs.
-    around = [(a - settings.sample_interval, b + settings.sample_interval) for a, b in trusted.dropouts.cuts.tolist()]
-    notes |= left_out | {"cut_off_s": ends, UNKNOWN: sorted([*unknown, *around])}
-    return resamplings, notes | _sensor(signals, quality)
+    around = [(a - interval, b + interval) for a, b in trusted.dropouts.cuts.tolist()]
+    return resamplings, {
+        "warnings": warnings,
+        "accepted": accepted,
+        "gaps_in_time": clock.gaps + clock.backward,
+        "masked_at_rails": trusted.left_out.rails,
+        "masked_without_target": trusted.left_out.lost,
+        "masked_spikes": trusted.left_out.spikes,
+        "cut_off_s": cut_off,
+        UNKNOWN: sorted([*unknown, *around]),
+        **_sensor(signals, quality),
+    }
 
 
 def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
@@ -125,9 +141,9 @@ def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
     texts = list[str]()
     inputs = []
     for k, signal in enumerate(signals.inputs if settings.spikes == "mask" else (), start=1):
-        bridged, count, first = without_spikes(signal, nominal_step(signal[0]))
-        what = f"v{k}: {counted(count, 'single-sample spike')}, the first at {stamped(first)} s: bridged"
-        texts += [f"{what} ([ingest] spikes)"] if count else []
+        bridged, count, first = without_spikes(signal, nominal_step(signal.time))
+        if count:
+            texts.append(f"v{k}: {bridged_remark(count, first)}")
         inputs.append(bridged)
     return replace(signals, inputs=tuple(inputs), notes=(*signals.notes, *texts)) if texts else signals
 
@@ -143,7 +159,7 @@ def _few_samples(signals: RawLog, interval: float) -> tuple[list[str], list[Find
     """Inputs with stamps of their own that may have been recorded on change only, and those with too long steps for a
     sample interval [s].
     """
-    own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q[0]}
+    own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q.time}
     steps = {name: nominal_step(time) for name, time in own.items()}
     few = [name for name, time in own.items() if seldom(time.size, steps[name], float(time[-1] - time[0]))]
     return few, coarse_inputs(steps, interval)
@@ -180,12 +196,12 @@ def _sensor(signals: RawLog, quality: SignalQuality) -> dict[str, Any]:
 
     A sketch of the samples serves to recognise a copy.
     """
-    step = resolution(signals.q[1])
+    step = resolution(signals.q.samples)
     return {
         "noise": quality.noise,
         "resolution": step,
         "hum": [line.frequency for line in quality.hum if line.stands_out],
-        "held": held_samples(signals.q[1], step),
+        "held": held_samples(signals.q.samples, step),
         "sketch": sketch(*signals.q),
     }
 
@@ -196,73 +212,6 @@ def _cut_off(usable: Survey, clock: TimeQuality) -> float:
     return max(0.0, float(edges[0, 0]) - clock.start) + max(0.0, clock.stop - float(edges[-1, 1]))
 
 
-def _lacking(signals: RawLog, interval: float) -> tuple[list[str], list[Finding]]:
-    """Messages on missing samples beside q, and on more than an interval [s] at which only q is known; and the
-    findings against the log.
-    """
-    beside = missing(signals.q, signals.beside)
-    texts = []
-    for name, lacks in beside.items():
-        if lacks.not_finite:
-            place = f", the first at {stamped(lacks.first)} s" if np.isfinite(lacks.first) else ""
-            texts.append(f"{name}: {counted(lacks.not_finite, 'sample')} not finite{place}")
-        for alone, how in ((lacks.before, "begins {} after q"), (lacks.after, "ends {} before q")):
-            if alone > interval:
-                texts.append(f"{name} {how.format(f'{alone:.4g} s')}: what q shows there is left out")
-    return texts, missing_findings(beside)
-
-
-def _discarded(rows: TimeRows) -> list[str]:
-    """Messages on rows that are left out where time steps back."""
-    if not rows.turns.size:
-        return []
-    share = rows.backward / rows.time.size
-    places = counted(int(rows.turns.size), "place")
-    much = "; give the parts as logs of their own, or repair the clock" if share > _MUCH_DISCARDED else ""
-    return [
-        f"time steps back at {places}, first after {stamped(float(rows.turns[0]))} s: {rows.backward} of "
-        f"{rows.time.size} rows ({100.0 * share:.2g} %) are left out ([ingest] time_reversal){much}"
-    ]
-
-
-def _gaps(clock: TimeQuality, unknown: Sequence[tuple[float, float]]) -> Iterator[str]:
-    """Messages on gaps in time, and on spans [s] in which the inputs are not known."""
-    kinds = [
-        ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
-        (
-            "in the inputs",
-            len(unknown),
-            unknown,
-            "what they were is not known, so fits and free runs start anew behind",
-        ),
-    ]
-    for what, count, places, then in kinds:
-        if count:
-            before, after = map(stamped, places[0])
-            several = "the first " if count > 1 else ""
-            yield f"{counted(count, 'gap')} {what}, {several}from {before} to {after} s: {then}"
-
-
-def _left_out(trusted: Trusted, warnings: list[str], prototype: Prototype) -> dict[str, int]:
-    """Counts of samples of q that were masked as no measurements; adds a warning for each cause."""
-    rails, lost, spikes = trusted.left_out
-    plant = device(prototype)
-    unit = "mm" if plant.angle else prototype.channels.q.unit
-    remarks = dropout_remarks(trusted.dropouts, 1.0 / plant.displacement.factor, unit)
-    warnings += [f"q: {text}: {'split there' if 'jump' in text else 'masked'} ([ingest] lost)" for text in remarks]
-    lost -= int(np.diff(trusted.dropouts.spans).sum())
-    if rails:
-        warnings.append(f"q: {counted(rails, 'sample')} at the ends of its range masked ([ingest] rails)")
-    if lost:
-        warnings.append(
-            f"q: {counted(lost, 'sample')} at a constant level far outside the rest masked: the sensor had lost its "
-            "target ([ingest] lost)"
-        )
-    if spikes:
-        warnings.append(f"q: {counted(spikes, 'single-sample spike')} masked ([ingest] spikes)")
-    return {"masked_at_rails": rails, "masked_without_target": trusted.left_out[1], "masked_spikes": spikes}
-
-
 def record_columns(piece: UniformRecord, names: Sequence[str]) -> dict[str, FloatArray]:
     """The columns of a record's table; `names` are those beside q."""
     beside = {name: np.ascontiguousarray(column) for name, column in zip(names, piece.v.T, strict=True)}
@@ -271,35 +220,26 @@ def record_columns(piece: UniformRecord, names: Sequence[str]) -> dict[str, Floa
     return {"t": piece.t, "q": piece.q, **beside, "segment": piece.segment}
 
 
-def _hum_against_rate(signals: RawLog, rate: float | None) -> Iterator[str]:
-    """Warnings where mains hum on the inputs contradicts the sample rate [Hz] of the settings."""
-    for k, (_, samples) in enumerate(signals.inputs if rate else (), start=1):
-        hum = mains_at_another_rate(select(samples, finite(samples)), 1.0 / (rate or 1.0))
-        if hum is not None:
-            line, factor = hum
-            rectified = ", or that of a rectifier" if factor < 1.0 else ""
-            yield (
-                f"v{k}: a line at {line.frequency:g} Hz and no hum at {factor * line.frequency:g} Hz, as mains hum at "
-                f"{factor:g} times the sample rate{rectified}: is [ingest] sample_rate = {rate:g} right?"
-            )
-
-
-def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> list[str]:
-    """Warnings on suspicious signals; nothing is corrected."""
-    warnings = [f"q: {remark}" for remark in remarks_on(trusted.quality)]
+def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> Iterator[str]:
+    """Remarks on suspicious signals, which are left as they are, and on masked samples of q."""
     plant = device(prototype)
-    warnings += _hum_against_rate(signals, prototype.ingest.sample_rate)
-    for k, ((time, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1):
-        warnings += [f"v{k}: {remark}" for remark in saturation(time, column, nominal_step(time), unit.symbol)]
-    ends = [("q", span(trusted.samples), plant.displacement)] + [
-        (f"v{k}", span(column), unit)
-        for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
+    rate = prototype.ingest.sample_rate
+    inputs = [
+        (f"v{k}", time, samples, unit)
+        for k, ((time, samples), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
     ]
-    for name, (smallest, largest), unit in ends:
-        factor = scale_suspicion(largest - smallest, plant.plausible_span(unit.symbol))
-        if factor is not None:
-            size = f"{factor:g}× too large" if factor > 1.0 else f"{1.0 / factor:g}× too small"
-            warnings.append(
-                f"{name} spans {largest - smallest:.3g} {unit.symbol} and looks {size}: check its unit in [channels]"
-            )
-    return warnings
+    yield from (f"q: {remark}" for remark in channel_remarks(trusted.quality))
+    yield from mains_remarks(signals.inputs, rate) if rate else ()
+    for name, time, samples, unit in inputs:
+        yield from (f"{name}: {remark}" for remark in saturation_remarks(time, samples, unit.symbol))
+    named = [("q", trusted.samples, plant.displacement), *((name, samples, unit) for name, _, samples, unit in inputs)]
+    for name, samples, unit in named:
+        smallest, largest = span(samples)
+        for remark in scale_remarks(largest - smallest, unit.symbol, plant.plausible_span(unit.symbol)):
+            yield f"{name} {remark}"
+    yield from masked_remarks(
+        trusted.left_out,
+        trusted.dropouts,
+        1.0 / plant.displacement.factor,
+        "mm" if plant.angle else prototype.channels.q.unit,
+    )

@@ -1,4 +1,4 @@
-"""Free runs over a log, what they leave open, and their scores: one row for each model and signal."""
+"""Free runs over a log, the outcomes they leave open, and their scores: one row for each model and signal."""
 
 import time
 from collections.abc import Mapping, Sequence

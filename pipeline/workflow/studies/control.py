@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -33,25 +34,33 @@ from ...system.worker_pool import OnProgress
 from ..engine import Observer
 from .controlled_run import ControlRun, ControlSettings, control_run, kept_document
 
+DRAWS = 32
+"""Draws of the joint from its posterior, beside the estimate."""
+SETTLES = 0.3
+"""Time [s] in which a good controller settles in a well."""
+GAIN = 1.3
+"""Factor on the gain, up and down, that a good controller stands at the unstable equilibrium; it also stands a delay as
+long as the lag of usual converters."""
+
 
 def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> dict[str, Any]:
     """Equilibria and their linear models under constant voltages [V], with the measured ring-downs beside them."""
-
-    def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
-        """Equilibria and linear models of the run's joint."""
-        return {
-            "format": "debist-linear/1",
-            "model": joint_run.name,
-            "v_V": list(voltages),
-            "equilibria": [
-                model.to_json() | {"bode": bode(model)}
-                for model in equilibria(joint_run.plant, np.array(voltages, np.float64))
-            ],
-            "measured": _measured_ringing(joint_run),
-        }
-
     control_run(root).check_voltages("--v1, --v2", *voltages)
-    return kept_document(root, "linear", {"voltages": list(voltages)}, observer, work)
+    return kept_document(root, "linear", {"voltages": list(voltages)}, observer, partial(_linear, voltages))
+
+
+def _linear(voltages: tuple[float, float], joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
+    """Equilibria and linear models of the run's joint."""
+    return {
+        "format": "debist-linear/1",
+        "model": joint_run.name,
+        "v_V": list(voltages),
+        "equilibria": [
+            model.to_json() | {"bode": bode(model)}
+            for model in equilibria(joint_run.plant, np.array(voltages, np.float64))
+        ],
+        "measured": _measured_ringing(joint_run),
+    }
 
 
 def linear_models(root: Path, voltages: tuple[float, float]) -> list[LinearModel]:
@@ -81,14 +90,16 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     measured = [log_of(joint_run.run.read_table(layout.kinematics(*log))) for log in logs]
     hum = {line for log in logs for line in joint_run.run.record(layout.record(*log)).notes.get("hum", ())}
     events = rest_events([(log.t, log.q, log.v) for log in measured], wells_of(measured, plant=JOINT), hum, plant=JOINT)
-    return {
-        side: {
-            "ring_downs": len(events.get(f"frequency_{side}", ())),
-            "frequency_Hz": float(np.mean(events[f"frequency_{side}"])) if f"frequency_{side}" in events else None,
-            "damping_ratio": float(np.mean(events[f"damping_{side}"])) if f"damping_{side}" in events else None,
+    ringing = {}
+    for side in ("left", "right"):
+        frequencies = events.get(f"frequency_{side}", ())
+        dampings = events.get(f"damping_{side}", ())
+        ringing[side] = {
+            "ring_downs": len(frequencies),
+            "frequency_Hz": float(np.mean(frequencies)) if len(frequencies) else None,
+            "damping_ratio": float(np.mean(dampings)) if len(dampings) else None,
         }
-        for side in ("left", "right")
-    }
+    return ringing
 
 
 def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *, force: bool) -> list[Path]:
@@ -110,43 +121,45 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
     folder = output or root / layout.EXPORTS
     with new_outputs(folder, "control", force=force, made_from=control_run(root).origin) as staged:
         (staged / "linear.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8", newline="\n")
-        structs: dict[str, Any] = {}
-        for number, point in enumerate(document["equilibria"], start=1):
-            structs[f"equilibrium_{number}"] = {
+        structs = {
+            f"equilibrium_{number}": {
                 **{name: np.array(point[name]) for name in ("A", "B", "C", "D", "B_squared")},
                 "x0": np.array(point["x0"])[:, None],
                 "v0": np.array(point["v_V"])[:, None],
                 "q0": point["q_m"],
                 "stable": float(point["stable"]),
             }
+            for number, point in enumerate(document["equilibria"], start=1)
+        }
         savemat(staged / "linear.mat", structs)
         written = sorted(staged.iterdir())
     return [rebased(path, staged, folder) for path in written]
 
 
-DRAWS = 32
-
-
 def switching_maps(root: Path, settings: ControlSettings, observer: Observer) -> dict[str, Any]:
     """P(switch | voltage, duration) both ways, with its band."""
-
-    def work(joint_run: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
-        """Both maps of the run's joint."""
-        converters, lags_known = joint_run.converters(settings)
-        return {
-            "format": "debist-switching-map/3",
-            "draws": DRAWS,
-            "lags_s": converters.lags,
-            "lags_known": lags_known,
-            "maps": [
-                _one_map(joint_run, converters, "right", lambda what, share: on_progress(what, share / 2.0)),
-                _one_map(joint_run, converters, "left", lambda what, share: on_progress(what, 0.5 + share / 2.0)),
-            ],
-        }
-
     return kept_document(
-        root, "map", {"lag": settings.lag, "draws": DRAWS, "highest": control_run(root).limit}, observer, work
+        root,
+        "map",
+        {"lag": settings.lag, "draws": DRAWS, "highest": control_run(root).limit},
+        observer,
+        partial(_maps, settings),
     )
+
+
+def _maps(settings: ControlSettings, joint_run: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
+    """Both maps of the run's joint."""
+    converters, lags_known = joint_run.converters(settings)
+    return {
+        "format": "debist-switching-map/3",
+        "draws": DRAWS,
+        "lags_s": converters.lags,
+        "lags_known": lags_known,
+        "maps": [
+            _one_map(joint_run, converters, "right", lambda what, share: on_progress(what, share / 2.0)),
+            _one_map(joint_run, converters, "left", lambda what, share: on_progress(what, 0.5 + share / 2.0)),
+        ],
+    }
 
 
 def _one_map(joint_run: ControlRun, converters: Converters, to: Well, on_progress: OnProgress) -> dict[str, Any]:
@@ -184,42 +197,40 @@ def pulse(
         raise InputError(f"--from {start}: the joint is there already; a pulse brings it from one well to the other")
     highest = control_run(root).highest(settings)
 
-    def work(joint_run: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
-        """The pulse and what the model and its posterior make of it."""
-        left, saddle, right = joint_run.places
-        begin, end = (left, right) if to == "right" else (right, left)
-        converters, lags_known = joint_run.converters(settings)
-        joint = with_draws(joint_run.model, converters, (left, saddle, right), to)
-        snap = design_pulse(joint, begin, end, right - left, highest, goal, on_progress)
-        low, high = np.quantile(snap.q[1:], [0.05, 0.95], axis=0)
-        return {
-            "format": "debist-pulse/2",
-            "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, to the right one"},
-            "to": to,
-            "minimised": goal,
-            "start_m": begin,
-            "target_m": end,
-            "largest_voltage_V": float(snap.v.max()),
-            "lags_s": converters.lags,
-            "lags_known": lags_known,
-            "settling_s": _finite(snap.settling_s),
-            "settling_90_s": [_finite(snap.settling_low_s), _finite(snap.settling_high_s)],
-            "overshoot_m": snap.overshoot_m,
-            "switching_probability": snap.probability,
-            "draws": DRAWS,
-            "segments_s_share": snap.segments,
-            "t_s": snap.t,
-            "v_V": snap.v,
-            "predicted": {"t_s": INTERVAL * np.arange(snap.q.shape[1]), "q_m": snap.q[0], "low_m": low, "high_m": high},
-        }
+    decides = {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS}
+    return kept_document(root, f"pulse-to-{to}", decides, observer, partial(_pulse, to, goal, settings, highest))
 
-    return kept_document(
-        root,
-        f"pulse-to-{to}",
-        {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS},
-        observer,
-        work,
-    )
+
+def _pulse(
+    to: Well, goal: Goal, settings: ControlSettings, highest: float, joint_run: ControlRun, on_progress: OnProgress
+) -> dict[str, Any]:
+    """The pulse and what the model and its posterior make of it."""
+    left, saddle, right = joint_run.places
+    begin, end = (left, right) if to == "right" else (right, left)
+    converters, lags_known = joint_run.converters(settings)
+    joint = with_draws(joint_run.model, converters, (left, saddle, right), to)
+    snap = design_pulse(joint, begin, end, right - left, highest, goal, on_progress)
+    low, high = np.quantile(snap.q[1:], [0.05, 0.95], axis=0)
+    return {
+        "format": "debist-pulse/2",
+        "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, to the right one"},
+        "to": to,
+        "minimised": goal,
+        "start_m": begin,
+        "target_m": end,
+        "largest_voltage_V": float(snap.v.max()),
+        "lags_s": converters.lags,
+        "lags_known": lags_known,
+        "settling_s": _finite(snap.settling_s),
+        "settling_90_s": [_finite(snap.settling_low_s), _finite(snap.settling_high_s)],
+        "overshoot_m": snap.overshoot_m,
+        "switching_probability": snap.probability,
+        "draws": DRAWS,
+        "segments_s_share": snap.segments,
+        "t_s": snap.t,
+        "v_V": snap.v,
+        "predicted": {"t_s": INTERVAL * np.arange(snap.q.shape[1]), "q_m": snap.q[0], "low_m": low, "high_m": high},
+    }
 
 
 def with_draws(model: HybridModel, converters: Converters, places: tuple[float, float, float], to: Well) -> Ensemble:
@@ -284,42 +295,48 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
     """The controller of a run's joint, kept in the run, and what the model predicts of it."""
     highest = control_run(root).highest(settings)
 
-    def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
-        """The controller, kept in the run, and its prediction."""
-        plant = joint_run.plant
-        converters, lags_known = joint_run.converters(settings)
-        law = design_law(plant, Settings(highest, converters.lags, settings.slew, settings.average))
-        left, saddle, right = joint_run.places
-        predicted = _predicted(law, (left, saddle, right))
-        _refuse_stuck(root, predicted, highest, right - left)
-        held = margins(plant, law, saddle)
-        return {
-            "format": "debist-controller/5",
-            "prototype": joint_run.prototype.name,
-            "model": joint_run.name,
-            "origin": joint_run.run.record(joint_run.artifact).content_hash,
-            "places_m": {"left": left, "saddle": saddle, "right": right},
-            "targets_m": [plant.reading(q) for q in law.places],
-            "largest_voltage_V": highest,
-            "slew_V_s": settings.slew,
-            "average_V": settings.average,
-            "lags_s": converters.lags,
-            "lags_known": lags_known,
-            "margins": None if held is None else asdict(held),
-            "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
-            "predicted": predicted,
-            "warnings": [
-                *_misses(predicted, right - left),
-                *_thin(held),
-                *_too_much(law, saddle, settings.average),
-            ],
-            "law": law.to_json(),
-        }
+    return kept_document(
+        root, "design", asdict(settings) | {"highest": highest}, observer, partial(_design, settings, highest)
+    )
 
-    return kept_document(root, "design", asdict(settings) | {"highest": highest}, observer, work)
+
+def _design(
+    settings: ControlSettings, highest: float, joint_run: ControlRun, _on_progress: OnProgress
+) -> dict[str, Any]:
+    """The controller, kept in the run, and its prediction."""
+    plant = joint_run.plant
+    converters, lags_known = joint_run.converters(settings)
+    law = design_law(plant, Settings(highest, converters.lags, settings.slew, settings.average))
+    left, saddle, right = joint_run.places
+    predicted = _predicted(law, (left, saddle, right))
+    _refuse_stuck(joint_run.run.root, predicted, highest, right - left)
+    held = margins(plant, law, saddle)
+    return {
+        "format": "debist-controller/5",
+        "prototype": joint_run.prototype.name,
+        "model": joint_run.name,
+        "origin": joint_run.run.record(joint_run.artifact).content_hash,
+        "places_m": {"left": left, "saddle": saddle, "right": right},
+        "targets_m": [plant.reading(q) for q in law.places],
+        "largest_voltage_V": highest,
+        "slew_V_s": settings.slew,
+        "average_V": settings.average,
+        "lags_s": converters.lags,
+        "lags_known": lags_known,
+        "margins": None if held is None else asdict(held),
+        "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
+        "predicted": predicted,
+        "warnings": [
+            *_misses(predicted, right - left),
+            *_thin(held),
+            *_too_much(law, saddle, settings.average),
+        ],
+        "law": law.to_json(),
+    }
 
 
 def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, distance: float) -> None:
+    """Refuse a controller that leaves the model more than a quarter of the wells' distance from a well."""
     q = np.array(predicted["q_m"])
     target = np.array(predicted["target_m"])
     for step, side in zip(np.flatnonzero(np.diff(target))[1:], ("right", "left"), strict=False):
@@ -328,10 +345,6 @@ def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, dist
                 f"{root}: at most {highest:g} V do not bring the model into its {side} well, not even by swinging it "
                 "up; allow a larger --max-voltage"
             )
-
-
-SETTLES = 0.3
-"""Time [s] in which a good controller settles in a well."""
 
 
 def _misses(predicted: Mapping[str, Any], distance: float) -> Iterator[str]:
@@ -345,11 +358,6 @@ def _misses(predicted: Mapping[str, Any], distance: float) -> Iterator[str]:
             )
         if step["rms_m"] > BAND * distance:
             yield f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}"
-
-
-GAIN = 1.3
-"""Factor on the gain, up and down, that a good controller stands at the unstable equilibrium; it also stands a delay as
-long as the lag of usual converters."""
 
 
 def _thin(held: Margins | None) -> Iterator[str]:

@@ -22,7 +22,7 @@ from ...store.run_folder import RunFolder, Written
 from ...system.names import shell_word
 from ...system.worker_pool import OnProgress
 from ..engine import Observer, Task, bring_up_to_date
-from ..run_contents import WORST, controlled_model, failed_validations, load_run_model
+from ..run_contents import WORST, failed_validations, joint_beside, load_run_model, model_artifact
 
 ALGORITHM = "22"
 _MISSED = 0.09
@@ -160,7 +160,7 @@ def control_run(root: Path) -> ControlRun:
     """
     run = RunFolder.open(root)
     prototype = run.prototype
-    name, artifact = controlled_model(run, prototype)
+    name, artifact = model_artifact(run, prototype, joint_beside(run))
     model = load_run_model(run, prototype, name)
     if not isinstance(model, HybridModel):
         plant = device(prototype)

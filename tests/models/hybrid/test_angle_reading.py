@@ -16,6 +16,7 @@ from pipeline.models.hybrid.problem import CondensedJoint
 from pipeline.rig.joint import simulate
 from pipeline.rig.parameters import nominal
 from pipeline.settings.prototype import Prototype
+from pipeline.signals.columns import Signal
 from pipeline.signals.log import RawLog
 from pipeline.workflow.si_log import with_displacement
 from tests.models.hybrid.test_hybrid import pulses
@@ -55,7 +56,7 @@ def test_a_log_of_the_angle_has_displacement_and_velocity() -> None:
     q = 0.01 * np.sin(4.0 * t)
     phi = static_rotation(q, NOMINAL)
     plant = device(prototype("deg"))
-    raw = RawLog((t, phi), ((t, t), (t, t)), (t, np.gradient(phi, t)))
+    raw = RawLog(Signal(t, phi), (Signal(t, t), Signal(t, t)), Signal(t, np.gradient(phi, t)))
     log = with_displacement(raw, plant, NOMINAL)
     assert log.q[1] == pytest.approx(q, abs=1e-8)
     assert log.velocity is not None
