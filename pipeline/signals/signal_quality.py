@@ -125,7 +125,7 @@ def in_a_row(inside: BoolArray) -> BoolArray:
     """Mask of the samples inside that lie in a run of three or more of them."""
     from scipy.ndimage import binary_opening
 
-    return np.asarray(binary_opening(inside, np.ones(IN_A_ROW)))
+    return np.asarray(binary_opening(inside, np.ones(IN_A_ROW, dtype=np.bool_)))
 
 
 def _is_exact(
