@@ -21,7 +21,6 @@ from pipeline.settings.logs import Channel, Channels
 from pipeline.settings.prototype import Prototype, Quantity
 from pipeline.store import schemas
 from pipeline.store.columns import FACT_COLUMNS, SCHEMA_VERSION
-from pipeline.system.package import texts_below
 from pipeline.units.units import SiUnit
 
 
@@ -52,7 +51,7 @@ def _table(model: type[BaseModel]) -> list[str]:
     for name, field in model.model_fields.items():
         if not _is_section(field.annotation):
             default = "mandatory" if field.default is PydanticUndefined else _toml(field.default)
-            meaning = " ".join(texts_below(model).get(name, "").split())
+            meaning = " ".join((field.description or "").split())
             lines.append(f"| `{name}` | {_type(field.annotation)} | {default} | {meaning} |")
     return lines
 

@@ -30,7 +30,6 @@ from ..device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParamete
 from ..errors import CorruptArtifactError, InputError
 from ..numerics.arrays import FloatArray, IntArray
 from ..store.trees import Columns
-from ..system.package import texts_below
 from ..units.units import DISPLACEMENT, INPUT, MASS
 
 LARGEST = 1e30
@@ -185,7 +184,7 @@ def _facts(value: Any, levels: int = _DEEPEST) -> Any:
 Facts = Annotated[dict[str, Any], BeforeValidator(_facts)]
 
 
-STORED = ConfigDict(extra="forbid", arbitrary_types_allowed=True, allow_inf_nan=False)
+STORED = ConfigDict(extra="forbid", arbitrary_types_allowed=True, allow_inf_nan=False, use_attribute_docstrings=True)
 """Configuration of a class that declares a part of a file."""
 PartT = TypeVar("PartT")
 
@@ -380,8 +379,8 @@ def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[Any]
         if place in QUANTITIES:  # of a joint's parameters
             return QUANTITIES[place].unit, QUANTITIES[place].meaning
         field = part.__pydantic_fields__[place]
-        text = texts_below(part).get(place) or part.__doc__ or ""
+        help_of_part = part.__doc__ or ""
         part = field.annotation
     stated = next((mark.symbol for mark in field.metadata if isinstance(mark, Unit)), None)
     unit = stated or ("1" if part in (int, float, FloatArray, IntArray) else TEXT)
-    return unit.format_map(units), " ".join(text.split()).rstrip(".")
+    return unit.format_map(units), " ".join((field.description or help_of_part).split()).rstrip(".")

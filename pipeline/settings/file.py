@@ -14,7 +14,6 @@ from pydantic.fields import FieldInfo
 
 from ..errors import InputError, SeveralMistakesError
 from ..system.names import shell_word
-from ..system.package import texts_below
 from ..system.plain_files import read_plain, read_toml
 
 STRUCTURE = ("friction", "force", "damping", "drag", "stops", "gain", "drive", "effect", "hold")
@@ -270,8 +269,8 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
 
 def _unit_at(location: list[str], settings: type[BaseModel]) -> str:
     """The unit of a number, as the meaning of its key states it in brackets."""
-    table = _table_at(location[:-1], settings)
-    unit = _UNIT.search(texts_below(table).get(location[-1], "") if table else "")
+    field = _fields_at(location[:-1], settings).get(location[-1])
+    unit = _UNIT.search((field and field.description) or "")
     return f"; a number in {unit[1]}" if unit else ""
 
 
@@ -286,20 +285,14 @@ def _hint(location: list[str], settings: type[BaseModel]) -> str:
 
 def _fields_at(location: list[str], settings: type[BaseModel]) -> dict[str, FieldInfo]:
     """The fields of the table at a place by their keys; none where there is no table."""
-    table = _table_at(location, settings)
-    return table.model_fields if table else {}
-
-
-def _table_at(location: list[str], settings: type[BaseModel]) -> type[BaseModel] | None:
-    """The table at a place, if there is one."""
     model = settings
     for part in (part for part in location if not part.isdigit()):
         annotation = model.model_fields[part].annotation
         tables = [c for c in _within(annotation) if isinstance(c, type) and issubclass(c, BaseModel)]
         if not tables:
-            return None
+            return {}
         model = tables[0]
-    return model
+    return model.model_fields
 
 
 def _within(annotation: Any) -> list[Any]:

@@ -40,7 +40,7 @@ ROLES: tuple[Role, ...] = ("train", "validation")
 class SettingsTable(BaseModel):
     """A table of a settings file: frozen, without unknown keys; each field has its description below it."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
     gone: ClassVar[Mapping[str, str]] = {}
     """Keys that an earlier release had, and what to write instead."""
 

@@ -12,7 +12,6 @@ from pipeline.settings import logs as settings_logs, prototype as settings
 from pipeline.settings.file import translated
 from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.store import layout
-from pipeline.system.package import texts_below
 
 GOOD: dict[str, Any] = {
     "name": "P1",
@@ -104,7 +103,7 @@ def test_the_stored_form_reads_back_equal() -> None:
 
 def test_every_setting_says_what_it_is() -> None:
     def undocumented(model: type[BaseModel]) -> list[str]:
-        return [f"{model.__name__}.{name}" for name in model.model_fields if not texts_below(model).get(name)]
+        return [f"{model.__name__}.{name}" for name, field in model.model_fields.items() if not field.description]
 
     classes = {**vars(settings), **vars(settings_logs)}.values()
     models = [m for m in classes if isinstance(m, type) and issubclass(m, BaseModel)]
