@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..device.parameters import NOMINAL
 from ..system.worker_pool import in_processes
 
 COST = 30.0
@@ -40,7 +41,6 @@ def _compile(group: int) -> None:
 
 
 def _hybrid() -> None:
-    from ..device.parameters import NOMINAL
     from ..models.hybrid.log_reading import DrivingVoltages, Instruments
     from ..models.hybrid.parameters import constants, nominal_deviations, static_slope_ratio
     from ..models.hybrid.runs import Driving, Followed, JointCoefficients, Stepping, run_joints
@@ -129,7 +129,6 @@ def _network() -> None:
 
 
 def _analytical() -> None:
-    from ..device.parameters import NOMINAL
     from ..models.analytical.full_order import rest_state, simulate
     from ..models.analytical.reduced_order import friction_state, maxwell_strains, reduce_joint
     from ..models.analytical.sensitivity import state_sensitivities
@@ -180,7 +179,6 @@ def _control() -> None:
     from ..control.design import Settings, condensed_joint_law, design
     from ..control.law import CONTROLLER_STATE
     from ..control.plant import plant_of
-    from ..device.parameters import NOMINAL
     from ..models.hybrid.model import HybridModel
     from ..models.hybrid.parameters import static_slope_ratio
     from ..models.hybrid.problem import CondensedJoint
