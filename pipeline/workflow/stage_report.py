@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..reporting.figure import Figure
     from ..reporting.plotted import Format
 
-ALGORITHM = "38"
+ALGORITHM = "39"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

@@ -179,7 +179,8 @@ class RbfModel:
         dict
             ``F`` restoring force [N] at rest without inputs; ``d`` damping [N s/m] including the hidden elements
             that relax faster than the joint moves; and at rest ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33) for
-            squared inputs, ``g1``, ``g2`` [N/V] for linear ones. Per unit mass where `mass_kg` is 1.
+            squared inputs, ``g1``, ``g2`` [N/V] for linear ones: those of the largest inputs of the logs. Per unit mass
+            where `mass_kg` is 1.
         """
         return self._characteristics(self.theta, q)
 
@@ -246,7 +247,8 @@ class RbfModel:
             rates[:, i] += curves[:, p.rows[f"relaxation{i}"]]
         damping = curves[:, DAMPING] + np.where(rates > p.pace, couplings**2 / rates, 0.0).sum(axis=1)
         squared = p.law == "squared"
-        gains = self.mass_kg * s.half / (s.volts**2 if squared else s.volts) * curves[:, INPUT:relaxing].T
+        unit = self.mass_kg * s.half / (s.volts**2 if squared else s.volts)
+        gains = unit * p.full_effect(theta)[:, None] * curves[:, INPUT:relaxing].T
         forces = {"F": -self.mass_kg * s.half * curves[:, FORCE], "d": self.mass_kg * damping}
         return forces | gain_curves(gains, squared=squared)
 

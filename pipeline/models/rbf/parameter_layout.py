@@ -322,6 +322,11 @@ class ParameterLayout:
             return size * drive, 2.0 * size * slope, 2.0 * size * by_shape
         return drive, slope, by_shape
 
+    def full_effect(self, theta: FloatArray) -> FloatArray:
+        """Effect of the largest inputs beyond that of none, shape (K,): 1, but for offsets and dead zones."""
+        none, largest = self._effect(np.outer([0.0, 1.0], np.ones(len(self.signs))), theta)[0]
+        return np.asarray(largest - none)
+
     def at_rest(self, u: FloatArray, theta: FloatArray, *, begins: bool = True) -> FloatArray:
         """Inputs under which hidden elements rested before the first sample, shape (K,); `begins`: of a whole log."""
         if not (self.structure.rest_at_zero and begins):

@@ -5,6 +5,7 @@ from scipy.integrate import solve_ivp
 from pipeline.codegen.graph import trace
 from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
 from pipeline.models.rbf.dynamics import basis_rows, free_rates, no_sensitivities
+from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import JointProblem
@@ -169,3 +170,23 @@ def test_a_gap_is_bridged_and_left_out_of_the_residual():
     assert np.isfinite(residual).all()
     line = bridged(broken.q, valid)
     assert np.diff(line[80:95]) == pytest.approx(np.diff(line[80:95]).mean())
+
+
+@pytest.mark.parametrize("changes", [{}, {"bent_input": True}, {"dead_zone": True}], ids=str)
+def test_the_gains_of_the_curves_are_the_push_of_the_largest_input(changes):
+    structure = JointStructure(basis_functions=6, rates=(), shape_elements=0, slips=0, arc=False, **changes)
+    p = ParameterLayout(structure, SCALES, "squared", (1, -1))
+    theta = 0.3 * np.random.default_rng(7).standard_normal(p.count)
+    theta[p.slices["input_offset"]] = -0.03, 0.02
+    none = np.zeros((p.count, 1))
+    model = RbfModel(p, theta, none, none, mass_kg=0.04)
+    t, places = 0.01 * np.arange(2), np.linspace(-0.015, 0.015, 5)
+    curves = model.curves(places)
+    for k in (0, 1):
+        volts = np.zeros((2, 2))
+        volts[:, k] = SCALES.volts
+        pushed = [
+            model.simulate(t, volts, q, 0.0).qddot[0] - model.simulate(t, 0.0 * volts, q, 0.0).qddot[0] for q in places
+        ]
+        expected = 0.5 * curves[f"dC{k + 1}_dq"] * SCALES.volts**2 / model.mass_kg
+        assert pushed == pytest.approx(expected, rel=1e-9)
