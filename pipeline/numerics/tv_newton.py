@@ -43,8 +43,7 @@ def difference_weights(order: int) -> FloatArray:
 
 def start_covariance(weights: FloatArray, first_variance: float) -> FloatArray:
     """Covariance of the state after the first m + 1 samples, the very first of variance `first_variance`."""
-    variances = np.r_[first_variance, np.ones(len(weights) - 1)]
-    return np.asarray((variances * weights) @ weights.T)
+    return np.asarray((np.r_[first_variance, np.ones(len(weights) - 1)] * weights) @ weights.T)
 
 
 @inner

@@ -247,10 +247,9 @@ class RbfModel:
             rates[:, i] += curves[:, p.rows[f"relaxation{i}"]]
         damping = curves[:, DAMPING] + np.where(rates > p.pace, couplings**2 / rates, 0.0).sum(axis=1)
         squared = p.law == "squared"
-        unit = self.mass_kg * s.half / (s.volts**2 if squared else s.volts)
-        gains = unit * p.full_effect(theta)[:, None] * curves[:, INPUT:relaxing].T
+        pushes = self.mass_kg * s.half * p.full_effect(theta)[:, None] * curves[:, INPUT:relaxing].T
         forces = {"F": -self.mass_kg * s.half * curves[:, FORCE], "d": self.mass_kg * damping}
-        return forces | gain_curves(gains, squared=squared)
+        return forces | gain_curves(pushes / (s.volts**2 if squared else s.volts), squared=squared)
 
 
 class _Driven:

@@ -324,8 +324,7 @@ class ParameterLayout:
 
     def full_effect(self, theta: FloatArray) -> FloatArray:
         """Effect of the largest inputs beyond that of none, shape (K,): 1, but for offsets and dead zones."""
-        none, largest = self._effect(np.outer([0.0, 1.0], np.ones(len(self.signs))), theta)[0]
-        return np.asarray(largest - none)
+        return np.asarray(np.ptp(self._effect(np.outer([0.0, 1.0], np.ones(len(self.signs))), theta)[0], axis=0))
 
     def at_rest(self, u: FloatArray, theta: FloatArray, *, begins: bool = True) -> FloatArray:
         """Inputs under which hidden elements rested before the first sample, shape (K,); `begins`: of a whole log."""

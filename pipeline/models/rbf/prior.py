@@ -292,16 +292,20 @@ def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: Known
     rows = [prior.matrix]
     right = [prior.right]
     volts = p.scales.volts**2 if p.law == "squared" else p.scales.volts
-    curves = {"force": measured.force} | {f"input{k}": gain for k, gain in enumerate(measured.gains)}
-    for name, curve in curves.items():
+    curves = [("force", measured.force, -1.0, 1.0)]
+    curves += [(f"input{k}", gain, volts, float(p.full_effect(theta)[k])) for k, gain in enumerate(measured.gains)]
+    for place, (name, curve, unit, effect) in enumerate(curves, start=p.slices["input_offset"].start - 1):
         if curve is not None:
             finite = np.isfinite(curve)
             where = p.slices[name]
-            y = curve[finite] * (-1.0 if name == "force" else volts) / p.scales.half
+            y = curve[finite] * unit / p.scales.half
             basis = basis_rows(np.ascontiguousarray((measured.q[finite] - p.scales.middle) / p.scales.half), c)
+            values = basis @ c.curves[p.rows[name]]
             block = np.zeros((len(y), p.count))
-            block[:, where] = basis[:, p.basis_of(name)] * factor[where]
+            block[:, where] = effect * basis[:, p.basis_of(name)] * factor[where]
+            if name != "force" and p.law == "squared":
+                block[:, place] = -2.0 * values  # of the offset o, with an effect of 1 - 2 o
             spread = KEPT * np.abs(y).max()
             rows.append(block / spread)
-            right.append((y - basis @ c.curves[p.rows[name]] + block @ theta) / spread)
+            right.append((y - effect * values + block @ theta) / spread)
     return Prior(np.vstack(rows), np.concatenate(right))
