@@ -294,7 +294,7 @@ def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: Known
     volts = p.scales.volts**2 if p.law == "squared" else p.scales.volts
     curves = [("force", measured.force, -1.0, 1.0)]
     curves += [(f"input{k}", gain, volts, float(p.full_effect(theta)[k])) for k, gain in enumerate(measured.gains)]
-    for place, (name, curve, unit, effect) in enumerate(curves, start=p.slices["input_offset"].start - 1):
+    for name, curve, unit, effect in curves:
         if curve is not None:
             finite = np.isfinite(curve)
             where = p.slices[name]
@@ -304,7 +304,8 @@ def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: Known
             block = np.zeros((len(y), p.count))
             block[:, where] = effect * basis[:, p.basis_of(name)] * factor[where]
             if name != "force" and p.law == "squared":
-                block[:, place] = -2.0 * values  # of the offset o, with an effect of 1 - 2 o
+                # The effect is 1 - 2 o.
+                block[:, p.slices["input_offset"].start + int(name.removeprefix("input"))] = -2.0 * values
             spread = KEPT * np.abs(y).max()
             rows.append(block / spread)
             right.append((y - effect * values + block @ theta) / spread)
