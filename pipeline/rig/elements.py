@@ -24,7 +24,7 @@ import math
 import numpy as np
 
 from ..numerics.arrays import FloatArray
-from ..numerics.compiled import compiled, inner, shared
+from ..numerics.compiled import inner, shared
 from .parameters import (
     BOUC_WEN,
     DAHL,
@@ -43,7 +43,7 @@ _AT, _SHARES = np.polynomial.legendre.leggauss(6)
 _NODES, _WEIGHTS = 0.5 * (_AT + 1.0), 0.5 * _SHARES
 
 
-@compiled
+@shared
 def tip(x: FloatArray, p: RigParameters, pose: FloatArray, jacobian: FloatArray) -> None:
     """Fill `pose` = (q, u_y, φ) of the tip and its `jacobian`, shape (3, n), at the coordinates `x`.
 
@@ -144,7 +144,7 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
     matrix[n - 1, n - 1] += p.frame_inertia
 
 
-@compiled
+@shared
 def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -> float:
     """Fill `force`, shape (n,), with elasticity and loss of the beam; return its potential energy [J].
 
@@ -247,7 +247,7 @@ def yielding(
             force[i - 1] += moment
 
 
-@compiled
+@shared
 def stretch(side: int, pose: FloatArray, p: RigParameters, gradient: FloatArray) -> float:
     """λ1 of membrane `side` (0 left, 1 right) at `pose` = (q, u_y, φ); fills ∂λ1/∂pose, shape (3,).
 

@@ -71,7 +71,7 @@ class _Work(NamedTuple):
     inverse: FloatArray  # (n, n) that of the last Jacobian
 
 
-@inner
+@compiled(inline="always")
 def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: _Work, out: FloatArray) -> None:
     """Fill `out`, shape (n,), with the residual of the midpoint rule at the midpoint velocity `vm`."""
     n = vm.size
@@ -102,7 +102,7 @@ def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: 
             out[j] += work.matrix[j, k] * (2.0 / h) * (vm[k] - state.v[k])
 
 
-@inner
+@compiled(inline="always")
 def _membrane_load(dt: float, state: _State, p: RigParameters, work: _Work) -> None:
     """Fill `work.load` with the membranes' forces along (q, u_y, φ), `dt` after the state; and `work.branches`."""
     work.load[0] = work.load[1] = work.load[2] = 0.0
@@ -124,7 +124,7 @@ def _membrane_load(dt: float, state: _State, p: RigParameters, work: _Work) -> N
             work.load[c] += conjugate * work.gradient[c]
 
 
-@inner
+@compiled(inline="always")
 def _invert(a: FloatArray, inverse: FloatArray) -> None:
     """Fill `inverse` with the inverse of the small matrix `a`, which is destroyed: Gauss–Jordan with row pivots."""
     n = a.shape[0]
@@ -151,7 +151,7 @@ def _invert(a: FloatArray, inverse: FloatArray) -> None:
                     inverse[i, j] -= factor * inverse[c, j]
 
 
-@inner
+@compiled(inline="always")
 def _newton(h: float, renew: bool, state: _State, p: RigParameters, work: _Work) -> bool:
     """Solve the step for `work.middle`, from what it holds; False if that fails. The Jacobian is renewed on demand."""
     vm = work.middle
@@ -187,7 +187,7 @@ def _newton(h: float, renew: bool, state: _State, p: RigParameters, work: _Work)
     return False
 
 
-@inner
+@compiled(inline="always")
 def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
     """Trapezoidal mean of `e` over the step of `stride` samples that begins at `first`; the last value is held."""
     total = 0.0
