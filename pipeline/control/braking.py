@@ -7,7 +7,7 @@ import numpy as np
 
 from ..generated.condensed_joint import STATES
 from ..numerics.arrays import FloatArray
-from ..numerics.compiled import compiled, copy_into
+from ..numerics.compiled import compiled
 from .controller import move
 from .feedback import RESERVE
 from .law import CONTROLLER_STATE, CORRECTED, NUMBERS, PLACES, REACHES, Law
@@ -25,7 +25,6 @@ _SLEW = NUMBERS.index("slew")
 _LEVER = NUMBERS.index("lever")
 
 
-@compiled
 def reached(law: Law, start: FloatArray, end: float, v: FloatArray) -> FloatArray:
     """Largest magnitudes of the leading states, shape (CORRECTED,), in a snap of the model.
 
@@ -44,11 +43,10 @@ def reached(law: Law, start: FloatArray, end: float, v: FloatArray) -> FloatArra
     largest = np.zeros(CORRECTED)
     none = np.zeros(2)
     half = 0.5 * (start[0] + end)
-    copy_into(s[:STATES], start)
+    s[:STATES] = start
     for _ in range(LONGEST):
         move(s, v if (s[0] - half) * (end - half) < 0.0 else none, law)
-        for i in range(CORRECTED):
-            largest[i] = max(largest[i], abs(s[i]))
+        largest = np.maximum(largest, np.abs(s[:CORRECTED]))
         if (s[0] - end) * (end - half) > 0.0:
             break
     return largest
@@ -148,7 +146,6 @@ def _curve(points: FloatArray, reaches: FloatArray) -> FloatArray:
     return np.asarray(curve)
 
 
-@compiled
 def pushed(
     law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
 ) -> tuple[FloatArray, FloatArray]:
@@ -175,7 +172,7 @@ def pushed(
     turns = np.empty(most)
     forwards = False
     for i in range(most):
-        copy_into(motion[i], s)
+        motion[i] = s
         turns[i] = braked(law, s, push, brake, towards)[-1, 0]
         for _ in range(EVERY):
             move(s, push, law)

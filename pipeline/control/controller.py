@@ -162,7 +162,6 @@ def closed_on_model(law: Law, joint: Law, start: float, target: FloatArray) -> t
     return go_on(law, s, joint, plant, target)
 
 
-@compiled
 def go_on(law: Law, s: FloatArray, joint: Law, plant: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Go on with a closed loop as `closed_on_model` returns it.
 
