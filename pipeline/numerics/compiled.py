@@ -121,10 +121,8 @@ def factorise(matrix: FloatArray, pivots: IntArray) -> bool:
 
 
 @part
-def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray, count: int) -> None:
-    """Solve with the factors of `factorise` for `count` right-hand sides.
-
-    `right` (n · count,), row by row, becomes the solutions.
+def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray) -> None:
+    """Solve with the factors of `factorise` for right-hand sides, which become the solutions.
 
     Parameters
     ----------
@@ -132,10 +130,9 @@ def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray, c
         From `factorise`.
     right : FloatArray, shape (n · count,)
         Right-hand sides, row by row; the solutions (output).
-    count : int
-        Their number.
     """
     n = factors.shape[0]
+    count = len(right) // n
     for k in range(n):
         other = pivots[k]
         if other != k:

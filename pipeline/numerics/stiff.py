@@ -166,7 +166,7 @@ def working(stages: int, columns: int) -> Work:
 
 
 @compiled(inline="always")
-def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float, work: Work, columns: int) -> bool:
+def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float, work: Work) -> bool:
     """The stages of a step of length `h` from x (STATES · P,), into `work.y`; False where the system fails.
 
     ``stage_of(system, i, h, work)`` fills `work.right` for the state `work.at` of stage i, and `work.forces`; where
@@ -186,29 +186,27 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
         Length of the step [s].
     work : Work
         Room; `work.y` takes the stages.
-    columns : int
-        P.
     """
     shift = 1.0 / (method.gamma * h)
     for stage in range(len(method.nodes)):
         start = method.start[stage]
-        for i in range(STATES * columns):
+        for i in range(len(x)):
             work.at[i] = start * x[i]
-        _add(method.a, stage, 1.0, work.y, work.at, columns)
+        _add(method.a, stage, 1.0, work.y, work.at)
         if not stage_of(system, stage, h, work):
             return False
         if method.c.shape[1] > 0:
-            _add(method.c, stage, h, work.y, work.right, columns)
-        solve_stages(shift, work, work.y[stage], columns)
+            _add(method.c, stage, h, work.y, work.right)
+        solve_stages(shift, work, work.y[stage])
     return True
 
 
 @part
-def _add(weights: FloatArray, stage: int, over: float, y: FloatArray, total: FloatArray, columns: int) -> None:
+def _add(weights: FloatArray, stage: int, over: float, y: FloatArray, total: FloatArray) -> None:
     """Add the stages before `stage` by their weights / `over`."""
     for j in range(stage):
         weight = weights[stage, j] / over
-        for i in range(STATES * columns):
+        for i in range(len(total)):
             total[i] += weight * y[j, i]
 
 
@@ -233,7 +231,7 @@ def factorise_stages(shift: float, work: Work) -> bool:
 
 
 @inner
-def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> None:
+def solve_stages(shift: float, work: Work, out: FloatArray) -> None:
     """Solve ``(shift·I − J) out = right``, with M⁻¹ `forces` for the velocities beside, in all columns at once.
 
     Parameters
@@ -244,14 +242,12 @@ def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> Non
         Factors, mass, slopes and right-hand side.
     out : FloatArray, shape (STATES · P,)
         Solution (output).
-    columns : int
-        P.
     """
     mass = work.mass
     slopes = work.slopes
     right = work.right
     inverse = 1.0 / shift
-    p = columns
+    p = len(work.forces) // RITZ
     velocity = out[RITZ * p : FIRST_Z * p]
     internal = out[FIRST_Z * p :]
     below = right[RITZ * p :]
@@ -271,7 +267,7 @@ def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> Non
             velocity[i * p + c] = value - (
                 q0 * right[c] + q1 * right[p + c] + q2 * right[2 * p + c] + q3 * right[3 * p + c]
             )
-    solve_factorised(work.factors, work.pivots, velocity, p)
+    solve_factorised(work.factors, work.pivots, velocity)
     for i in range(RITZ * p):
         out[i] = inverse * (right[i] + velocity[i])
     for k in range(3):

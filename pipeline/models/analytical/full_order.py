@@ -298,7 +298,7 @@ def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: Float
             s.factors[i, j] = mass[i, j]
     if not factorise(s.factors, s.pivots):
         return False
-    solve_factorised(s.factors, s.pivots, out[RITZ:FIRST_Z], 1)
+    solve_factorised(s.factors, s.pivots, out[RITZ:FIRST_Z])
     return True
 
 
@@ -316,7 +316,7 @@ def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
             # ∂q/∂q_m = [l², l³, l⁴, 0]: the force acts on the tip.
             s.f_t[RITZ + i] += lever * s.rise[2]
             lever *= s.p[0]
-    solve_factorised(s.factors, s.pivots, s.f_t[RITZ:FIRST_Z], 1)
+    solve_factorised(s.factors, s.pivots, s.f_t[RITZ:FIRST_Z])
 
 
 @inner
@@ -440,7 +440,7 @@ def _integrate(t: FloatArray, s: _Motion, work: Work, scale: FloatArray, reach: 
                 if tries > MOST_TRIES:
                     return sample + 1
                 h = remaining if h_next >= remaining else min(h_next, 0.5 * remaining)
-                norm = _complete(work, scale, s.x_new) if advance(RODAS4, _stage, s, x, h, work, 1) else np.inf
+                norm = _complete(work, scale, s.x_new) if advance(RODAS4, _stage, s, x, h, work) else np.inf
                 factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))
                 if norm > 1.0:
                     steps[1] += 1

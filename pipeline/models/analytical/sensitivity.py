@@ -78,7 +78,6 @@ def state_sensitivities(
         ),
         start.flatten(),
         working(len(SDIRK3.nodes), unknowns),
-        unknowns,
         out.reshape(t.size, -1),
     )
     return out
@@ -197,7 +196,7 @@ def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
 
 @compiled(nogil=True)
 def integrate_sensitivities(
-    t: FloatArray, system: _Variation, x: FloatArray, work: Work, count: int, out: FloatArray
+    t: FloatArray, system: _Variation, x: FloatArray, work: Work, out: FloatArray
 ) -> None:
     """Two steps in every sample interval from x (11 P,); `out` (N, 11 P) takes the derivatives at the samples.
 
@@ -211,8 +210,6 @@ def integrate_sensitivities(
         Derivatives of the first state; overwritten.
     work : Work
         Room for the steps.
-    count : int
-        P.
     out : FloatArray, shape (N, 11 P)
         Derivatives at the samples (output).
     """
@@ -221,7 +218,7 @@ def integrate_sensitivities(
         system.at[0] = 2 * n
         for half in range(2):
             system.at[1] = half
-            advance(SDIRK3, _stage, system, x, 0.5 * (t[n + 1] - t[n]), work, count)
+            advance(SDIRK3, _stage, system, x, 0.5 * (t[n + 1] - t[n]), work)
             copy_into(x, work.y[-1])
         copy_into(out[n + 1], x)
 

@@ -109,7 +109,7 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
             gradient[i] -= force / scale[i]
         if not factorise(hessian, pivots):
             return False
-        solve_factorised(hessian, pivots, gradient, 1)
+        solve_factorised(hessian, pivots, gradient)
         size = np.max(np.abs(gradient / scale))
         if not size < _LOST:
             return False
@@ -267,15 +267,15 @@ def hold_tip(
         if not factorise(system, pivots):
             break
         if last:
-            solve_factorised(system, pivots, right, 1)
+            solve_factorised(system, pivots, right)
             force = right[RITZ]
             for i in range(_HELD):
                 right[i] = 1.0 if i == RITZ else 0.0
-            solve_factorised(system, pivots, right, 1)
+            solve_factorised(system, pivots, right)
             for i in range(RITZ):
                 tangent[i] = right[i] * scale[i]
             return force, right[RITZ], energy
-        solve_factorised(system, pivots, right, 1)
+        solve_factorised(system, pivots, right)
         size = 0.0
         for i in range(RITZ):
             size = max(size, abs(right[i])) if right[i] == right[i] else np.inf
