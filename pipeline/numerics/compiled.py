@@ -1,5 +1,6 @@
 """`compiled`: numba's `njit` with the cache of `kernel_cache`, and the parts of numba that kernels need."""
 
+import os
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -10,6 +11,8 @@ from ..system.machine import import_configured
 from .arrays import FloatArray, IntArray
 from .kernel_cache import certify, kernel_folder
 
+# Level 3 takes 7 % longer to compile kernels that are no faster.
+os.environ["NUMBA_OPT"] = "2"
 numba: Any = import_configured("numba")
 # numba reads the file again at each compilation, by a name that is relative to the current folder.
 numba.config._config_fname = str(Path(__file__).with_name("numba.yaml"))
