@@ -41,11 +41,10 @@ def reached(law: Law, start: FloatArray, end: float, v: FloatArray) -> FloatArra
     """
     s = np.zeros(CONTROLLER_STATE)
     largest = np.zeros(CORRECTED)
-    none = np.zeros(2)
     half = 0.5 * (start[0] + end)
     s[:STATES] = start
     for _ in range(LONGEST):
-        move(s, v if (s[0] - half) * (end - half) < 0.0 else none, law)
+        move(s, v * ((s[0] - half) * (end - half) < 0.0), law)
         largest = np.maximum(largest, np.abs(s[:CORRECTED]))
         if (s[0] - end) * (end - half) > 0.0:
             break

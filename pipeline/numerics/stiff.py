@@ -189,9 +189,8 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
     """
     shift = 1.0 / (method.gamma * h)
     for stage in range(len(method.nodes)):
-        start = method.start[stage]
         for i in range(len(x)):
-            work.at[i] = start * x[i]
+            work.at[i] = method.start[stage] * x[i]
         _add(method.a, stage, 1.0, work.y, work.at)
         if not stage_of(system, stage, h, work):
             return False

@@ -410,8 +410,6 @@ def _integrate(t: FloatArray, s: _Motion, work: Work, scale: FloatArray, reach: 
     x = s.x
     f0 = s.f0
     states, rates, steps = solution
-    steps[0] = 0
-    steps[1] = 0
     h_next = 1e-4
     for sample in range(t.size):
         interval = _rises(t, s.v, s.force, sample, s.rise)

@@ -195,9 +195,7 @@ def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
 
 
 @compiled(nogil=True)
-def integrate_sensitivities(
-    t: FloatArray, system: _Variation, x: FloatArray, work: Work, out: FloatArray
-) -> None:
+def integrate_sensitivities(t: FloatArray, system: _Variation, x: FloatArray, work: Work, out: FloatArray) -> None:
     """Two steps in every sample interval from x (11 P,); `out` (N, 11 P) takes the derivatives at the samples.
 
     Parameters
