@@ -261,8 +261,6 @@ def _not_locked(root: Path, error: OSError) -> InputError:
             f"{root}: this file system offers no file locks ({error.strerror}), so two runs could mix; put the run "
             "on a local disk (network mounts need their lock service)"
         )
-    if isinstance(error, FileExistsError | NotADirectoryError):
-        return InputError(f"{root}: is no folder, and a run is one; choose another with -o")
     return InputError(
         f"{root}: cannot be locked for writing: {error.strerror or error}; permit writing or use another folder"
     )

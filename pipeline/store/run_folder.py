@@ -423,9 +423,11 @@ def holds_run(root: Path) -> bool:
     Raises
     ------
     InputError
-        Other files are there.
+        Other files are there, or a file where the folder would be.
     """
     with reading(root):
+        if not next(each for each in (root, *root.parents) if each.exists() or each.is_symlink()).is_dir():
+            raise InputError(f"{root}: is no folder, and a run is one; choose another with -o")
         if (root / MANIFEST).exists() or (root / NEXT_MANIFEST).exists():
             return True
         names = [entry.name for entry in root.iterdir()] if root.is_dir() else []
