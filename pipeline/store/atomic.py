@@ -118,9 +118,12 @@ def atomic_path(target: Path, *, within: Path | None = None) -> Iterator[Path]:
     Raises
     ------
     InputError
-        The disk is full, the folder is read-only, or `target` or a folder between `within` and it is a link.
+        The disk is full, the folder is read-only, `target` is a folder, or it or a folder between `within` and it is a
+        link.
     """
     refuse_link(target, within=within)
+    if target.is_dir():
+        raise InputError(f"{target}: cannot be written: it is a folder; name a file, or move the folder away")
     temporary = target.with_name(f".{target.name}.{os.getpid()}{TEMPORARY_MARK}")
     with writing(target):
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -230,10 +233,12 @@ def run_lock(root: Path, name: str = LOCK) -> Iterator[None]:
         ) from None
     except OSError as error:
         raise _not_locked(root, error) from error
-    now = datetime.now(UTC).isoformat(timespec="seconds")
     try:
         with suppress(InputError):  # for the message to a second process; the lock works without it
-            write_text(note, json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": now}), within=root)
+            since = datetime.now(UTC).isoformat(timespec="seconds")
+            write_text(
+                note, json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": since}), within=root
+            )
         yield
     finally:
         with suppress(OSError):
