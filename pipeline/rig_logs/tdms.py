@@ -169,8 +169,7 @@ class TdmsSource(Source):
 
     def entries(self) -> list[Entry]:
         """Every channel of numbers or time stamps, and the times of waveforms."""
-        times = [Entry(name, "s", "float64", count) for (_, _, count), name in self._times.items()]
-        return [*times, *self._entries]
+        return [*(Entry(name, "s", "float64", count) for (_, _, count), name in self._times.items()), *self._entries]
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels; time stamps count from the first."""
