@@ -164,7 +164,9 @@ class TdmsSource(Source):
             last = begins
         if len(begun) > 1:
             starts = ", ".join(f"{begins:g}" for _, begins in begun[1:])
-            self.warnings.append(f"{name!r} begins anew at {starts} s, by the wf_start_time of later segments")
+            self.warnings.append(
+                f"{name!r} begins anew at {starts} s, by the wf_start_time of later segments; others go on"
+            )
         return tuple(begun)
 
     def entries(self) -> list[Entry]:

@@ -113,7 +113,9 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[R
         *log_findings(clock, quality, (report.masked_rows + cut) / (report.rows + cut), few),
     ]
     kept = [finding for finding in findings if finding.gate == "rails" and settings.rails == "keep"]
-    accepted = judge(where, [finding for finding in findings if finding not in kept], prototype.quality)
+    accepted = judge(
+        where, [finding for finding in findings if finding not in kept], prototype.quality, noted=signals.notes
+    )
     remarks += [
         *discarded_remarks(usable.rows),
         *missing_remarks(beside, interval),
