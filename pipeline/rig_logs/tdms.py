@@ -98,8 +98,10 @@ class TdmsSource(Source):
             self.descriptions |= {place: text} if (text := description_among(holder.properties)) else {}
         self.heading = texts_among(self._file.properties)
         self._stated = {each.path: segments.stated.get(each.path, []) for each in channels}
-        every = [properties for stated in self._stated.values() for _, properties in stated]
-        self._first = min(filter(None, map(_start, every)), default=None)
+        self._first = min(
+            filter(None, (_start(properties) for stated in self._stated.values() for _, properties in stated)),
+            default=None,
+        )
         self._times: dict[_Waveform, str] = {}
         self._entries = [self._entry(name, each) for name, each in self._channels.items() if not _kind(each)]
 
