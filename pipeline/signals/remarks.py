@@ -141,7 +141,17 @@ def saturation_remarks(time: FloatArray, samples: FloatArray, unit: str) -> Iter
 
 
 def scale_remarks(name: str, reach: float, unit: str, plausible: tuple[float, float] | None) -> Iterator[Remark]:
-    """Remark on a channel whose numbers span so much, in its SI `unit`, that their prefix seems to be wrong."""
+    """Remark on a channel whose numbers span so much that their prefix seems to be wrong.
+
+    Parameters
+    ----------
+    name, unit : str
+        Of the channel; its SI unit.
+    reach : float
+        Largest minus smallest number, in that unit.
+    plausible : (float, float) or None
+        Least and largest such span.
+    """
     factor = scale_suspicion(reach, plausible)
     if factor is not None:
         size = f"{factor:g}× too large" if factor > 1.0 else f"{1.0 / factor:g}× too small"

@@ -60,6 +60,8 @@ def test_a_file_in_place_of_the_run_folder_is_refused_by_the_plan_too(tmp_path: 
     for place in (tmp_path / "FILE", tmp_path / "FILE" / "sub"):
         result = RUNNER.invoke(app, ["run", str(prototype), "-o", str(place), *plan])
         assert result.exit_code == 2 and f"{place}: is no folder" in result.output, result.output
+    result = RUNNER.invoke(app, ["demo", "-o", str(tmp_path / "FILE")])
+    assert result.exit_code == 2 and "is no folder" in result.output and not (tmp_path / "FILE-rig").exists()
     assert (tmp_path / "FILE").read_text() == "mine"
 
 
