@@ -1,6 +1,6 @@
 """Identification of the data-driven joint: convex start and observer homotopy.
 
-Inner validation chooses the structure of a device (`structure_search`). Held-out free runs of a bistable joint are
+Inner validation chooses the structure of a device (`structure_search`). Held-out free runs of a bistable device are
 decided by a few passages between its wells, so its structure and prior are chosen by their marginal likelihood while an
 observer holds it near its logs. Coupled to the measurement as much as the first level of a fit is, no passage decides:
 the errors are small, nearly linear in the parameters, and nearly white. There the marginal likelihood
@@ -118,21 +118,18 @@ def identify_rbf(
         measured.check(*operating_range(records))
         measured = measured.per_unit_mass(mass)
     signs = bistable_signs(records, inputs)
-    bistable = signs is not None
     pair = signs in ((1, -1), (-1, 1))  # the two membranes of a joint pull in opposite directions
-    samples = sum(len(record.t) for record in records)
-    effort = Effort(time_limit if pair else time_limit * max(1.0, samples / SAMPLES_OF_LIMIT))
+    longer = 1.0 if pair else max(1.0, sum(len(record.t) for record in records) / SAMPLES_OF_LIMIT)
+    effort = Effort(time_limit * longer)
     # Passages near a separatrix would outweigh all else in the free run of a bistable device.
-    setting = Setting(inputs, measured, effort, on_progress, coupled=COUPLED if bistable else GAINS[-1])
+    setting = Setting(inputs, measured, effort, on_progress, coupled=COUPLED if signs else GAINS[-1])
     fine = all(r.fine is not None for r in records)
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
     low, high = operating_range(records)
-    once: Sequence[Offer]
-    again: Sequence[Offer] = ()
     if candidates:
-        once = [lambda _: candidates[1:]]
+        once, again = [lambda _: candidates[1:]], list[Offer]()
     elif pair:
-        once = joint_offers(
+        once, again = joint_offers(
             wanted,
             angle=angle,
             mirrored=low < 0.0 < high,  # the mirror plane is q = 0; a joint that never crosses it has none
@@ -146,11 +143,14 @@ def identify_rbf(
             driven=any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records),
             squared=inputs == "squared",
         )
-    if bistable and not candidates:
-        fitted, tried, complete = _by_evidence(records, setting, first, once, again)
+    if signs and not candidates:
+        shown, tried = _by_evidence(excerpts(records), setting, first, once, again)
+        chosen, begun, levels = shown.candidate, shown.begun, GAINS[len(shown.fit.levels) :]
     else:
-        chosen, judged, tried, complete = search(records, setting, first, once, again)
-        fitted = _fit_to_all(records, setting, chosen, setting.begin(records, chosen, judged))
+        chosen, judged, tried = search(records, setting, first, once, again)
+        begun, levels = setting.begin(records, chosen, judged), GAINS
+    complete = not effort.exhausted(SEARCH_SHARE)
+    fitted = _fit_to_all(records, setting, chosen, begun, levels)
     fit = fitted.fit
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
@@ -203,14 +203,13 @@ class _Fitted:
 
 def _by_evidence(
     records: Sequence[Log], setting: Setting, first: Candidate, once: Sequence[Offer], again: Sequence[Offer]
-) -> tuple[_Fitted, dict[str, float], bool]:
+) -> tuple[_Fitted, dict[str, float]]:
     """A bistable device of the elements and the prior that its logs show.
 
     The offers are made to the best candidate so far. A candidate replaces it where the logs give odds of more than
-    `ODDS` for it. Beside the fit: the residual of each that was tried, and whether all were within the effort.
+    `ODDS` for it. Beside it: the residual of each that was tried.
     """
-    logs = excerpts(records)
-    best = _trial(logs, setting, first, None)
+    best = _trial(records, setting, first, None)
     tried = {first.label: best}
 
     def after(best: _Fitted, turn: Sequence[Offer]) -> _Fitted:
@@ -218,7 +217,7 @@ def _by_evidence(
         for offer in turn:
             for option in offer(best.candidate):
                 if option.label not in tried and not setting.effort.exhausted(SEARCH_SHARE):
-                    tried[option.label] = _trial(logs, setting, option, best)
+                    tried[option.label] = _trial(records, setting, option, best)
             shown = (trial for trial in tried.values() if trial.evidence > best.evidence + np.log(ODDS))
             best = max([best, *shown], key=lambda trial: trial.evidence)
         return best
@@ -226,8 +225,7 @@ def _by_evidence(
     best, before = after(best, once), None
     while best is not before:
         best, before = after(best, again), best
-    fitted = _fit_to_all(records, setting, best.candidate, best.begun, GAINS[1:] if best.fit.levels else GAINS)
-    return fitted, {label: trial.rms for label, trial in tried.items()}, not setting.effort.exhausted(SEARCH_SHARE)
+    return best, {label: trial.rms for label, trial in tried.items()}
 
 
 def _trial(records: Sequence[Log], setting: Setting, option: Candidate, near: _Fitted | None) -> _Fitted:
@@ -257,7 +255,7 @@ def _fit_to_all(
     setting: Setting,
     option: Candidate,
     begun: Begun,
-    levels: Sequence[float] = GAINS,
+    levels: Sequence[float],
 ) -> _Fitted:
     """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
     p, start, prior = begun

@@ -137,8 +137,8 @@ def starting_joint(
     return parameters, start
 
 
-def bistable_signs(records: Sequence[Log], action: InputAction) -> tuple[int, ...] | None:
-    """Signs of the inputs' pushes at a device with two wells, 0 for linear inputs; None for any other device.
+def bistable_signs(records: Sequence[Log], action: InputAction) -> tuple[int, ...]:
+    """Signs of the inputs' pushes at a device with two wells, 0 for linear inputs; empty for any other device.
 
     The convex fit of the accelerations shows: without inputs its force must cross zero rising, near the middle of the
     range, between two places where it falls.
@@ -153,9 +153,9 @@ def bistable_signs(records: Sequence[Log], action: InputAction) -> tuple[int, ..
     force = basis_rows(x, coefficients) @ coefficients.curves[FORCE]
     turns = np.flatnonzero(np.diff(np.sign(force)))
     if not np.array_equal(np.sign(force[turns]), [1.0, -1.0, 1.0]):
-        return None
+        return ()
     left, saddle, right = np.abs(x[turns])
-    return p.signs if saddle < min(left, right) else None
+    return p.signs if saddle < min(left, right) else ()
 
 
 def looks_overdamped(records: Sequence[Log], action: InputAction) -> bool:

@@ -142,7 +142,7 @@ def search(
     first: Candidate,
     once: Sequence[Offer],
     again: Sequence[Offer] = (),
-) -> tuple[Candidate, Fit | None, dict[str, float], bool]:
+) -> tuple[Candidate, Fit | None, dict[str, float]]:
     """One offer after the other, each to the best candidate so far: `once`, then `again` until none is taken.
 
     The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. One
@@ -176,8 +176,6 @@ def search(
     dict of str to float
         RMS held-out error of each candidate that was tried, in the unit of q, the geometric mean of the folds; empty if
         nothing was offered.
-    bool
-        True if all was offered and judged before `SEARCH_SHARE` of the effort was spent.
     """
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
@@ -202,27 +200,20 @@ def search(
         """The number of its parameters."""
         return ParameterLayout(option.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
-    turns = [*once, *ROUNDS * tuple(again)]
     best = first
-    complete = True
     last_taken = len(once)
     taken = [first]
-    for number in range(len(turns)):
+    for number, offer in enumerate([*once, *ROUNDS * tuple(again)]):
         if number - last_taken >= len(again) > 0:
             break
-        if setting.effort.exhausted(SEARCH_SHARE):
-            complete = False
-            break
-        others = turns[number](best)
+        others = offer(best)
         affordable = [(judged(each).rms, each) for each in others if not setting.effort.exhausted(SEARCH_SHARE)]
-        complete = complete and len(affordable) == len(others)
         for _, option in sorted(affordable, key=lambda pair: pair[0]):
             if better(option, best):
                 best = option
                 last_taken = max(number + 1, len(once))
                 taken.append(option)
-    held_out = {label: judgement.rms for label, judgement in tried.items()}
-    return best, tried[best.label].fits[0] if tried else None, held_out, complete
+    return best, tried[best.label].fits[0] if tried else None, {label: each.rms for label, each in tried.items()}
 
 
 @dataclass(frozen=True)
