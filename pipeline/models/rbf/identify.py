@@ -125,14 +125,13 @@ def identify_rbf(
     setting = Setting(inputs, measured, effort, on_progress, coupled=COUPLED if signs else GAINS[-1])
     fine = all(r.fine is not None for r in records)
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
-    low, high = operating_range(records)
     if candidates:
         once, again = [lambda _: candidates[1:]], list[Offer]()
     elif pair:
         once, again = joint_offers(
             wanted,
             angle=angle,
-            mirrored=low < 0.0 < high,  # the mirror plane is q = 0; a joint that never crosses it has none
+            mirrored=bool(np.prod(operating_range(records)) < 0.0),  # q = 0, the mirror plane, is in the range
             knows=lambda structure: not measured and population().knows(structure),
         )
     else:
