@@ -2,7 +2,8 @@
 
 `wells N KIND…` draws N double wells of each kind, of any stiffness, damping, noise (1 to 100 µm), and rate from 400 Hz
 to 2 kHz. It identifies `rbf` from one log of 8 to 24 s of each. Kinds are three families of plain wells ("quartic",
-"asymmetric", "sextic or cosine"), each with excitations of its own, "friction" and "relaxation"; all by default.
+"asymmetric", "sextic or cosine"), each with excitations of its own, "friction", "relaxation", and "one input", a plain
+well with random levels of a single linear input; all by default.
 
 `joints FLEET RUNS` compares `hybrid` and `rbf` with simulated joints. FLEET is a folder of `debist rig fleet`, RUNS
 what `debist batch FLEET -o RUNS` made of it. The true restoring force F(q) and slopes ∂C/∂q come from the joint
@@ -53,7 +54,7 @@ NEAR = 1.5
 LARGEST_VOLTAGE = 3000.0
 RATE = 8000
 """Steps in a second of a simulated double well."""
-CURVES = ("F", "d", "dC1_dq", "dC2_dq")
+CURVES = ("F", "d", "dC1_dq", "dC2_dq", "g1")
 
 
 def true_curves(joint: RigParameters, q: FloatArray) -> dict[str, FloatArray]:
@@ -170,7 +171,9 @@ FAMILIES = {
 }
 """Potentials and excitations of the plain wells."""
 
-KINDS = (*FAMILIES, "friction", "relaxation")
+SINGLE = "one input"
+"""Kind with one linear input u = v₁² − v₂², of equal gains."""
+KINDS = (*FAMILIES, "friction", "relaxation", SINGLE)
 PLAIN = "plain"
 STAYS = "one well"
 """Kind of a device whose log never passes the barrier."""
@@ -178,7 +181,8 @@ STAYS = "one well"
 
 def drawn_well(kind: str, rng: np.random.Generator) -> tuple[Well, str]:
     """A double well of a kind, and its excitation."""
-    potentials, excitations = FAMILIES.get(kind, (tuple(POTENTIALS), EXCITATIONS))
+    usual = EXCITATIONS if kind != SINGLE else ("levels",)
+    potentials, excitations = FAMILIES.get(kind, (tuple(POTENTIALS), usual))
     potential = POTENTIALS[str(rng.choice(potentials))]
     k, a = 10.0 ** rng.uniform(1.8, 2.95), 10.0 ** rng.uniform(-2.5, -1.7)
     damping = 2.0 * 10.0 ** rng.uniform(-1.5, -0.4) * np.sqrt(2.0 * k)
@@ -188,6 +192,7 @@ def drawn_well(kind: str, rng: np.random.Generator) -> tuple[Well, str]:
     rate = np.sqrt(2.0 * k) * 10.0 ** rng.uniform(-1.2, 0.0)
     first, second = largest * rng.uniform(1.3, 3.0, 2) / LARGEST_VOLTAGE**2
     growth = damping * rng.choice([0.0, 0.5])
+    second = first if kind == SINGLE else second
     return Well(k, a, potential, damping, growth, (first, second), friction, spring, rate), str(rng.choice(excitations))
 
 
@@ -218,6 +223,10 @@ def _voltages(well: Well, excitation: str, count: int, h: float, rng: np.random.
             width = well.period * rng.uniform(0.5, 3.0)
             each = slice(int(at / h), int((at + width) / h))
             v[:, each] = LARGEST_VOLTAGE * (rng.uniform(0.2, 1.0, 2) * (rng.random(2) < 0.6))[:, None]
+            at += width
+        elif excitation == "levels":
+            width, level = well.period * rng.uniform(0.5, 2.5), rng.uniform(-1.0, 1.0)
+            v[int(level < 0.0), int(at / h) : int((at + width) / h)] = LARGEST_VOLTAGE * np.sqrt(abs(level))
             at += width
         else:
             low, high = {"pulses": (0.4, 0.8), "steps": (0.5, 3.5), "holds": (2.0, 6.0)}[excitation]
@@ -301,7 +310,7 @@ class Tally:
         limits = intervals(own, [device_facts(_curves(row, device.q), plant=JOINT) for row in draws])
         if device.itself:
             curves, true_curves = _curves(found, device.q), _curves(truth, device.q)
-            rings = simulated_ring_downs(device.model, own, curves, 2)
+            rings = simulated_ring_downs(device.model, own, curves, device.model.input_count)
             drawn = [_curves(row, device.q) for row in draws]
             limits |= intervals(rings, drawn_ring_downs(device.model, rings, curves, drawn, JOINT))
             true |= simulated_ring_downs(device.itself, true, true_curves, 2)
@@ -326,7 +335,7 @@ class Tally:
 
 
 def _curves(named: dict[str, FloatArray], q: FloatArray) -> Curves:
-    return curves_from({name: named.get(name, np.zeros_like(q)) for name in CURVES}, q)
+    return curves_from({"d": np.zeros_like(q)} | {name: named[name] for name in CURVES if name in named}, q)
 
 
 def joints(fleet: Path, runs: Path) -> Iterator[Compared]:
@@ -358,13 +367,18 @@ def wells(numbers: Sequence[int], kinds: Sequence[str]) -> Iterator[Compared]:
             rng = np.random.default_rng([*kind.encode(), number])
             well, excitation = drawn_well(kind, rng)
             t, q, v = well_log(well, excitation, rng)
-            model = debist.identify(t, q, v[:, 0], v[:, 1], model="rbf").core
             least, most = np.percentile(q, [1.0, 99.0])
             places = np.linspace(least, most, GRID)
+            truth = well.curves(places)
+            if kind == SINGLE:
+                model = debist.identify(t, q, v[:, 0] ** 2 - v[:, 1] ** 2, model="rbf", inputs="linear").core
+                truth = {"F": truth["F"], "d": truth["d"], "g1": 0.5 * truth["dC1_dq"]}
+            else:
+                model = debist.identify(t, q, v[:, 0], v[:, 1], model="rbf").core
             print(f"{kind} {number}, {excitation} of {t[-1]:.0f} s: {model.describe()['chosen']}", flush=True)
             switched = q.min() < -0.5 * well.a and q.max() > 0.5 * well.a
             group = PLAIN if kind in FAMILIES else kind
-            yield Compared(group if switched else STAYS, model, places, well.curves(places), itself=well)
+            yield Compared(group if switched else STAYS, model, places, truth, itself=well)
 
 
 def main() -> None:

@@ -218,7 +218,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> tuple[Log, Lo
         RawLog(
             q,
             tuple(inputs),
-            notes=tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts)),
+            notes=tuple(remark.of(name) for name, counts in codes.items() for remark in code_remarks(counts)),
         )
     )
     if signals.unit != "m":

@@ -149,11 +149,10 @@ class Model:
             "qdot": np.array(bounds.qdot),
             "inputs": np.array(bounds.v),
         }
-        files: dict[str, type[Any]] = {_CHECK: _File, subject.name: type(subject.model)}
         write_tree(
             Path(path),
             {_CHECK: beside, subject.name: subject.model.to_tree()},
-            columns_of(device(self._prototype), files),
+            columns_of(device(self._prototype), {_CHECK: _File, subject.name: type(subject.model)}),
         )
         return Path(path)
 

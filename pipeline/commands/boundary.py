@@ -324,10 +324,13 @@ def _of_typer(error: Exception) -> bool:
 
 
 def _show_warning(message: Warning | str, *_: Any) -> None:
-    """Print a warning of debist as one line, once; those of libraries are for developers."""
+    """Print a warning of debist as one line, once; those of libraries are for developers.
+
+    While a `StatusLine` is shown, `sys.stderr` prints above it; the stream that `typer.echo` takes by itself, onto it.
+    """
     if str(message).startswith(WARNING) and str(message) not in _warned:
         _warned.add(str(message))
-        typer.echo(f"warning: {printable(str(message).removeprefix(WARNING))}", err=True)
+        typer.echo(f"warning: {printable(str(message).removeprefix(WARNING))}", file=sys.stderr, err=True)
 
 
 def _unread() -> typer.Exit:

@@ -148,8 +148,7 @@ class StatusLine:
         if self._line is not None:
             from rich.text import Text
 
-            done = "" if share is None else f", {prefixed(share, '%', 0)} %"
-            self._line.update(Text(printable(f"{what}{done}")))
+            self._line.update(Text(printable(what if share is None else f"{what}, {prefixed(share, '%', 0)} %")))
             self._line.start()
 
     def clear(self) -> None:

@@ -101,8 +101,11 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
 
 def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
     """The excitation in SI."""
-    left_out = ("factor", "unit", "plant", "excitation")
-    shown = {name: value for name, value in asdict(excitation).items() if name not in left_out}
+    shown = {
+        name: value
+        for name, value in asdict(excitation).items()
+        if name not in ("factor", "unit", "plant", "excitation")
+    }
     q, v = excitation.plant.displacement.symbol, excitation.plant.inputs[0].symbol
     facts = asdict(excitation.excitation)
     facts["wells"] = with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q))

@@ -105,10 +105,12 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     """
     from ..reporting.paper_page import table_2
     from ..rig.fleet import write_demo_logs
+    from ..store.run_folder import holds_run
     from ..workflow.report_data import load_scores
     from ..workflow.run import run_prototype
 
     folder = output or Path("runs/demo")
+    holds_run(folder)  # refuses the files of others, before the rig writes its logs
     _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
         results = run_prototype(write_demo_logs(folder, force=force), folder, progress, jobs=cores())

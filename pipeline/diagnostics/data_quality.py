@@ -1,7 +1,5 @@
 """The assessment of the measurement: gaps, noise, rails, excitation, and whether validation stays inside training."""
 
-import re
-
 import numpy as np
 
 from ..numerics.arrays import FloatArray, sample_interval
@@ -15,12 +13,6 @@ from .sentences import MASKS
 
 NOT_DECIMATED = 0.9
 """Least sample interval of a log over that of its kinematics at which both have the same noise."""
-
-DEALT_WITH = re.compile(
-    r"masked|split there|start anew|not finite|single-sample|extreme .*saturated|kept|interpolated$|accepted"
-    r"|taken as uniform|a clock of its own"
-)
-"""Remarks on rows that are left out of fits and scores, and on decisions of the user."""
 
 
 def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
@@ -56,8 +48,9 @@ def _remark_checks(data: RunData) -> list[Check]:
     """Every remark on a log, and every (!) of the checks; masked and split samples are graded by their share."""
     advice = "see to it, or judge every number with that in mind"
     return [
-        Check("data", "remark", "good" if DEALT_WITH.search(text) else "fair", f"{log.title}: {text}", advice)
+        Check("data", "remark", "good" if text in dealt_with else "fair", f"{log.title}: {text}", advice)
         for log in data.logs
+        for dealt_with in (log.record_notes.get("dealt_with", ()),)
         for text in map(str, log.record_notes.get("warnings", ()))
         if text not in (*log.record_notes.get("accepted", ()), *data.accepted)  # which have a row of their own
     ] + [

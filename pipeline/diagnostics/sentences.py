@@ -5,7 +5,7 @@ from typing import Any
 
 from ..errors import DataRefusedError
 from ..settings.prototype import Gate, Quality
-from ..signals.findings import Finding, Number
+from ..signals.findings import Finding, Number, Remark
 from ..units.quantity import counted, moment, percent, quantity, significant
 from . import log_sentences
 
@@ -279,6 +279,7 @@ def judge(
     settings: Quality,
     prior: Collection[str] = (),
     decides: str = "the joint's equations",
+    noted: Iterable[Remark] = (),
 ) -> list[str]:
     """The findings that do not refuse the data, as texts for the manifest, the terminal and the report.
 
@@ -294,15 +295,23 @@ def judge(
         Gates of what the data need not show, because a model knows it beforehand.
     decides : str
         Part of the model that decides.
+    noted : iterable of Remark
+        Remarks from the reading of the data; those that nothing deals with may be the cause.
 
     Raises
     ------
     DataRefusedError
-        A finding is not accepted; the text names all of them and the settings that would let them pass.
+        A finding is not accepted; the text names all of them, what was noted, and the settings that would let them
+        pass.
     """
     refused = [finding for finding in findings if finding.gate not in (*settings.accept, *prior)]
     if refused:
-        reasons = "; ".join(": ".join(sentences(finding)) for finding in refused)
+        reasons = "; ".join(
+            [
+                *(": ".join(sentences(finding)) for finding in refused),
+                *(remark.text for remark in noted if not remark.dealt_with),
+            ]
+        )
         gates = (*settings.accept, *(finding.gate for finding in refused))
         names = ", ".join(f'"{gate}"' for gate in dict.fromkeys(gates))
         raise DataRefusedError(f"{where}: {reasons}. To use it knowingly, set [quality] accept = [{names}]")

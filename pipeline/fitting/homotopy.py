@@ -57,7 +57,7 @@ class HomotopyFit:
     reached_last : bool
         True if the last level that was asked for (mostly the free run) was reached.
     chaotic : bool
-        True if the fit stopped before it because free runs part from those that start beside them.
+        True if free runs part from those that start beside them; the fit then stops at `COUPLED`.
     """
 
     theta: FloatArray
@@ -185,8 +185,9 @@ def fit_homotopy(
                 fit = replace(fit, hessian=last.hessian)
             break
         done = _descend(level, schedule, callbacks, last=not pending)
-        chaotic = bool(pending) and gain == COUPLED and callbacks.is_chaotic(level.theta)
-        if chaotic:
+        chaotic = gain == COUPLED and callbacks.is_chaotic(level.theta)
+        stays = chaotic and bool(pending)
+        if stays:
             pending = []
             done = _descend(level, schedule, callbacks, last=True)
         if not pending:
@@ -197,7 +198,7 @@ def fit_homotopy(
             hessian=level.hessian,
             noise=level.noise,
             levels=(*fit.levels, Level(float(gain), level.iterations, rms(level.residual), done)),
-            reached_last=not (pending or chaotic),
+            reached_last=not (pending or stays),
             chaotic=chaotic,
         )
         damping = level.damping

@@ -16,7 +16,7 @@ from pydantic import Field, model_validator
 from ..errors import InputError
 from ..settings.logs import Number, Role, SettingsTable, Whole
 from ..store.atomic import write_text
-from ..store.outputs import new_outputs
+from ..store.outputs import beside, new_outputs
 from .bench import RATE, Bench, BenchRecord, Readings, random_bench, record
 from .excitation import DURATION, EXCITATIONS, Sequence, command, load_sequence, random_excitation
 from .joint import wells
@@ -263,8 +263,9 @@ def _write_truth(path: Path, measured: BenchRecord, rate: float) -> None:
         "v2": (measured.true_v2, "V"),
     }
     schema = pa.schema([pa.field(name, pa.float64(), metadata={"unit": unit}) for name, (_, unit) in columns.items()])
-    samples = [values[every] for values, _ in columns.values()]
-    parquet.write_table(pa.table(samples, schema=schema), path, write_page_checksum=True)
+    parquet.write_table(
+        pa.table([values[every] for values, _ in columns.values()], schema=schema), path, write_page_checksum=True
+    )
 
 
 def moving_mass(joint: RigParameters) -> float:
@@ -322,7 +323,7 @@ def write_demo_logs(run: Path, *, force: bool = False) -> Path:
     InputError
         Files of the same names lie there that no demo wrote.
     """
-    folder = run.with_name(f"{run.name}-rig")
+    folder = beside(run, "-rig")
     prototype = folder / "demo.toml"
     if prototype.is_file():
         return prototype
@@ -332,6 +333,8 @@ def write_demo_logs(run: Path, *, force: bool = False) -> Path:
             LAYOUTS["mat"].save(log, staged / f"{name}.mat")
         (staged / "truth.json").write_text(f"{truth}\n", encoding="utf-8", newline="\n")
         mass = float(json.loads(truth)["moving_mass"])
-        text = prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat", more=_MORE)
-        write_text(staged / prototype.name, text)
+        write_text(
+            staged / prototype.name,
+            prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat", more=_MORE),
+        )
     return prototype

@@ -85,8 +85,11 @@ class Layout:
     def save(self, log: Readings, path: Path, more: Mapping[tuple[str, str], FloatArray] | None = None) -> None:
         """Write `log` in this layout, and `more` channels [SI] by name and unit; samples are in the units named."""
         samples = {self.q: log.q, self.v1: log.v1, self.v2: log.v2, **(more or {})}
-        channels = {name: (values * (1.0 / PLAIN[unit][0]), unit) for (name, unit), values in samples.items()}
-        self.write(path, log.t, channels)
+        self.write(
+            path,
+            log.t,
+            {name: (values * (1.0 / PLAIN[unit][0]), unit) for (name, unit), values in samples.items()},
+        )
 
     def toml(self) -> str:
         """The ``[channels]`` table of a prototype with logs of this layout."""

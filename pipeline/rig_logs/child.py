@@ -17,6 +17,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from io import FileIO
 from pathlib import Path
+from traceback import format_exc
 from typing import Any
 
 import numpy as np
@@ -72,12 +73,16 @@ def read_log(send: Send, request: dict[str, Any]) -> None:
         return
     except UnreadableLogError as error:
         reason = f"{path}: {error}"
+    except (NameError, SyntaxError, ModuleNotFoundError):  # which no file causes
+        reason = f"{path}: its reader has a mistake, whatever the log holds; correct the reader: {format_exc(limit=-1)}"
     except (MemoryError, *_OF_LIBRARIES) as error:
         system = disk_failure(error)
         reason = f"{path}: damaged or not what it claims to be ({type(error).__name__}: {error})"
         if isinstance(error, MemoryError) or getattr(error, "errno", 0) == errno.ENOMEM:
-            most = limits.memory(size) // MEGABYTE
-            reason = f"{path}: reading it needs more than {most} MB of memory, or than `ulimit -v` leaves"
+            reason = (
+                f"{path}: reading it needs more than {limits.memory(size) // MEGABYTE} MB of memory, or than "
+                "`ulimit -v` leaves"
+            )
         elif system is not None:
             reason = f"{path}: cannot be read: {system}"
     send({"answer": {"error": " ".join(reason.split())[:_LONGEST_ERROR]}})  # of libraries it may be a paragraph
@@ -87,9 +92,10 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
     source = open_source(path, CsvOptions(**request["csv"]), limits)
     entries = source.entries()
     wanted = _wanted(entries, source.texts, request["channels"], source.warnings)
-    by_name = {entry.name: entry for entry in entries}
-    bases = {entry.time: by_name[entry.time] for _, entry in wanted if entry.time is not None}
-    needed = {entry.name: entry for entry in (*bases.values(), *(entry for _, entry in wanted))}
+    times = {entry.time for _, entry in wanted}
+    needed = {entry.name: entry for entry in entries if entry.name in times} | {
+        entry.name: entry for _, entry in wanted
+    }
     declared = sum(entry.count for entry in needed.values()) * 8
     alone = request["channels"] is None and not source.one_pass
     failed: dict[str, Exception] = {}

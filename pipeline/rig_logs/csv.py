@@ -141,9 +141,14 @@ class CsvSource(Source):
                     rows[name] += new.size
                     yield name, new
                 break
-            except (ValueError, UnicodeDecodeError) as error:  # pyarrow's ArrowInvalid is a ValueError
+            except ValueError as error:  # as pyarrow's ArrowInvalid is one
                 if rewritten:
-                    raise UnreadableLogError(f"a row does not fit the table: {error}; repair or delete it") from error
+                    raise UnreadableLogError(
+                        f"not encoded as {self._dialect.encoding} throughout; set [ingest.csv] encoding, as cp1252, or "
+                        "save it as UTF-8"
+                        if isinstance(error, UnicodeDecodeError)
+                        else f"a row does not fit the table: {error}; repair or delete it"
+                    ) from error
                 self._rewritten = True
         if not rows.total():
             raise UnreadableLogError("truncated: it holds no complete row of numbers")

@@ -100,7 +100,10 @@ def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
     except LookupError:
         raise UnreadableLogError(f"unknown text encoding {encoding!r}") from None
     except UnicodeDecodeError as error:
-        raise UnreadableLogError(f"not encoded as {encoding}: {error.reason} at byte {error.start}") from None
+        raise UnreadableLogError(
+            f"not encoded as {encoding}: {error.reason} at byte {error.start}; set another [ingest.csv] encoding, or "
+            "save it as UTF-8"
+        ) from None
     lines = rows_of(text.strip("\0\ufeff"))
     return lines if whole else lines[:-1]
 

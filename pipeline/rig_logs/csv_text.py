@@ -67,6 +67,8 @@ _SAMPLED = 1 << 14
 def text_encoding(start: bytes) -> str:
     """The encoding by the first bytes of a file: UTF-8 or UTF-16, else a Western one, in which numbers are the same.
 
+    The five bytes that stand for nothing in that of Windows are letters in that of DOS, as ü.
+
     Raises
     ------
     UnreadableLogError
@@ -91,6 +93,8 @@ def text_encoding(start: bytes) -> str:
     except UnicodeDecodeError:
         if control > len(start) // 1000:
             raise UnreadableLogError(_NO_TEXT) from None
+        if re.search(rb"[\x81\x8d\x8f\x90\x9d]", start):
+            return "cp850"
         return "cp1252" if re.search(rb"[\x80-\x9f]", start) else "latin-1"
 
 

@@ -113,8 +113,9 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
         lines.append("# time is left out: the format carries its own time base")
     for suggestion in first.suggestions:
         if suggestion.role == "time" and not suggestion.candidates and (first.rates or not _left_over(first)):
-            rate = "states its sample rate" if first.rates else "has none"
-            lines.append(f"# time is left out: the log {rate}; see sample_rate")
+            lines.append(
+                f"# time is left out: the log {'states its rate' if first.rates else 'has none'}; see sample_rate"
+            )
         else:
             lines += _role_lines(suggestion, by_name, first)
     lines += _velocity_lines(first)

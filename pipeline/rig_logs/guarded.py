@@ -212,7 +212,7 @@ def _cause_of_death(reader: Isolated, limits: Limits, size: int) -> str:
     if signal:
         return f"its reader died of {signal}; the file is damaged"
     reason = reader.words().strip().rpartition("\n")[2][:200] or "no reason given"
-    return f"its reader failed ({reason}); the file is damaged or not what it claims to be"
+    return f"its reader failed ({reason}); the file is damaged or not what it claims to be, or the reader has a mistake"
 
 
 def _recording(path: Path, answer: dict[str, Any], data: IO[bytes]) -> Recording:

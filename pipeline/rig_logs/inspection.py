@@ -11,7 +11,7 @@ from ..numerics.arrays import FloatArray
 from ..signals.columns import CHUNK, Signal, codes_in, masked, sparse
 from ..signals.findings import MOST_REPEATED
 from ..signals.outliers import NONE, Dropouts, dropouts
-from ..signals.remarks import Clock, channel_remarks, code_remarks, dropout_remarks
+from ..signals.remarks import Clock, channel_remarks, code_remarks, dropout_texts
 from ..signals.rounded_clock import uniform_clock
 from ..signals.signal_quality import SignalQuality, examine_signal
 from ..signals.timebase import TimeQuality, examine
@@ -144,14 +144,17 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         alike = [seen.span for other, _, seen, _ in examined if other.unit == channel.unit and other is not channel]
         driven = channel.name in (*driving["v1"], *driving["v2"])
         own = codes.get(channel.name, {})
-        remarks = (
-            *code_remarks(own),
-            *channel_remarks(quality, own_clock, driven=driven, alike=max(alike, default=np.nan)),
+        remarks = tuple(
+            remark.text
+            for remark in (
+                *code_remarks(own),
+                *channel_remarks(quality, own_clock, driven=driven, alike=max(alike, default=np.nan)),
+            )
         )
         time = column if channel.time is None else channel.time
         if position is not None and time is not None and channel.name in driving["q"]:
             lost, quality = _without_dropouts(Signal(time, channel.samples), quality, bases[position].step)
-            remarks += tuple(dropout_remarks(lost, unit=channel.unit))
+            remarks += tuple(text for text, _ in dropout_texts(lost, unit=channel.unit))
         remarks = () if own_time and channel.time is None else remarks
         channels.append(
             InspectedChannel(
@@ -299,7 +302,7 @@ def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuali
         if seen is time:
             return position
     clock = uniform_clock(time)
-    if clock is not None:
+    if clock is not None and clock.described:
         notes.append(f"time stamps are {clock.described}")
     try:
         quality = examine(time if clock is None else clock.time)

@@ -98,8 +98,10 @@ class TdmsSource(Source):
             self.descriptions |= {place: text} if (text := description_among(holder.properties)) else {}
         self.heading = texts_among(self._file.properties)
         self._stated = {each.path: segments.stated.get(each.path, []) for each in channels}
-        every = [properties for stated in self._stated.values() for _, properties in stated]
-        self._first = min(filter(None, map(_start, every)), default=None)
+        self._first = min(
+            filter(None, (_start(properties) for stated in self._stated.values() for _, properties in stated)),
+            default=None,
+        )
         self._times: dict[_Waveform, str] = {}
         self._entries = [self._entry(name, each) for name, each in self._channels.items() if not _kind(each)]
 
@@ -164,13 +166,14 @@ class TdmsSource(Source):
             last = begins
         if len(begun) > 1:
             starts = ", ".join(f"{begins:g}" for _, begins in begun[1:])
-            self.warnings.append(f"{name!r} begins anew at {starts} s, by the wf_start_time of later segments")
+            self.warnings.append(
+                f"{name!r} begins anew at {starts} s, by the wf_start_time of later segments; others go on"
+            )
         return tuple(begun)
 
     def entries(self) -> list[Entry]:
         """Every channel of numbers or time stamps, and the times of waveforms."""
-        times = [Entry(name, "s", "float64", count) for (_, _, count), name in self._times.items()]
-        return [*times, *self._entries]
+        return [*(Entry(name, "s", "float64", count) for (_, _, count), name in self._times.items()), *self._entries]
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels; time stamps count from the first."""

@@ -87,6 +87,26 @@ class Finding:
         return template.format(log=self.log, subject=self.subject, **self.numbers)
 
 
+@dataclass(frozen=True)
+class Remark:
+    """A sentence that warns of a raw log.
+
+    Attributes
+    ----------
+    text : str
+        The sentence.
+    dealt_with : bool
+        True on rows that fits and scores leave out, and on decisions of the user.
+    """
+
+    text: str
+    dealt_with: bool = False
+
+    def of(self, name: str) -> "Remark":
+        """The remark as one on a signal or a channel, by its name."""
+        return Remark(f"{name}: {self.text}", self.dealt_with)
+
+
 def refusal(gate: Gate, code: str, numbers: Mapping[str, Number] | None = None, subject: str = "") -> Finding:
     """A finding that refuses the data.
 

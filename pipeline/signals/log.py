@@ -13,6 +13,7 @@ import numpy as np
 from ..errors import InputError
 from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval
 from .columns import Signal
+from .findings import Remark
 
 SHORTEST = 5
 """Samples of a segment: a shorter one carries no dynamics worth a row in a fit."""
@@ -285,14 +286,14 @@ class RawLog:
         Voltages [V], or what the inputs measure.
     velocity : Signal or None
         Measured velocity [m/s or rad/s].
-    notes : tuple of str
-        Masked and interpolated samples, by the names in a record.
+    notes : tuple of Remark
+        Remarks on how it was read, by the names in a record.
     """
 
     q: Signal
     inputs: tuple[Signal, ...]
     velocity: Signal | None = None
-    notes: tuple[str, ...] = ()
+    notes: tuple[Remark, ...] = ()
 
     @property
     def beside(self) -> dict[str, Signal]:

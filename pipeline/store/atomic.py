@@ -118,9 +118,12 @@ def atomic_path(target: Path, *, within: Path | None = None) -> Iterator[Path]:
     Raises
     ------
     InputError
-        The disk is full, the folder is read-only, or `target` or a folder between `within` and it is a link.
+        The disk is full, the folder is read-only, `target` is a folder, or it or a folder between `within` and it is a
+        link.
     """
     refuse_link(target, within=within)
+    if target.is_dir():
+        raise InputError(f"{target}: cannot be written: it is a folder; name a file, or move the folder away")
     temporary = target.with_name(f".{target.name}.{os.getpid()}{TEMPORARY_MARK}")
     with writing(target):
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -230,10 +233,12 @@ def run_lock(root: Path, name: str = LOCK) -> Iterator[None]:
         ) from None
     except OSError as error:
         raise _not_locked(root, error) from error
-    now = datetime.now(UTC).isoformat(timespec="seconds")
     try:
         with suppress(InputError):  # for the message to a second process; the lock works without it
-            write_text(note, json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": now}), within=root)
+            since = datetime.now(UTC).isoformat(timespec="seconds")
+            write_text(
+                note, json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": since}), within=root
+            )
         yield
     finally:
         with suppress(OSError):
@@ -261,8 +266,6 @@ def _not_locked(root: Path, error: OSError) -> InputError:
             f"{root}: this file system offers no file locks ({error.strerror}), so two runs could mix; put the run "
             "on a local disk (network mounts need their lock service)"
         )
-    if isinstance(error, FileExistsError | NotADirectoryError):
-        return InputError(f"{root}: is no folder, and a run is one; choose another with -o")
     return InputError(
         f"{root}: cannot be locked for writing: {error.strerror or error}; permit writing or use another folder"
     )

@@ -171,3 +171,9 @@ def _named_by(path: Path) -> Path | None:
             except (OSError, ValueError, KeyError, TypeError, AttributeError):
                 continue
     return None
+
+
+def beside(path: Path, ending: str) -> Path:
+    """What is called as `path` with an ending, beside it; ``.`` and ``..`` are folders with a name, too."""
+    named = path if path.name.strip(".") else path.resolve()
+    return named.with_name(f"{named.name}{ending}")

@@ -423,12 +423,13 @@ def holds_run(root: Path) -> bool:
     Raises
     ------
     InputError
-        Other files are there.
+        Other files are there, or a file where the folder would be.
     """
     with reading(root):
-        if (root / MANIFEST).exists() or (root / NEXT_MANIFEST).exists():
-            return True
-        names = [entry.name for entry in root.iterdir()] if root.is_dir() else []
-        if not all(name.startswith(_NO_RUN_YET) or name.endswith(TEMPORARY_MARK) for name in names):
+        if not next(each for each in (root, *root.parents) if each.exists() or each.is_symlink()).is_dir():
+            raise InputError(f"{root}: is no folder, and a run is one; choose another with -o")
+        holds = any((root / name).exists() for name in (MANIFEST, NEXT_MANIFEST))
+        files = (place.name for place in root.iterdir()) if root.is_dir() else ()
+        if not holds and not all(name.startswith(_NO_RUN_YET) or name.endswith(TEMPORARY_MARK) for name in files):
             raise InputError(f"{root}: holds files but no run; choose an empty or a new folder")
-    return False
+    return holds

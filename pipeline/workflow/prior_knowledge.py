@@ -84,7 +84,9 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
         lines = read_plain(path).decode("utf-8-sig").splitlines()
         heading, *rows = list(csv.reader(line for line in lines if line.strip() and line[0] != "#")) or [[]]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise InputError(f"{path}: cannot be read as text: {error}; correct its name in the settings") from error
+        raise InputError(
+            f"{path}: cannot be read as text: {error}; correct its name in the settings, or save it as 'CSV UTF-8'"
+        ) from error
     units = column_units(plant)
     names = []
     factors = []

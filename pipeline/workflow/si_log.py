@@ -32,7 +32,7 @@ from ..signals.columns import (
     select,
     sparse,
 )
-from ..signals.findings import Number, refusal
+from ..signals.findings import Number, Remark, refusal
 from ..signals.log import RawLog
 from ..signals.remarks import code_remarks
 from ..signals.rounded_clock import uniform_clock
@@ -133,16 +133,16 @@ def on_uniform_clocks(log: RawLog) -> RawLog:
     clocks = {key: uniform_clock(time) for key, time in stamps.items()}
     notes = list(log.notes)
     for key, clock in clocks.items():
-        if clock is not None:
+        if clock is not None and clock.described:
             names = ", ".join(name for name, (time, _) in signals.items() if id(time) == key)
             of = "" if len(clocks) == 1 else f" of {names}"
-            notes.append(f"the time stamps{of} are {clock.described}")
+            notes.append(Remark(f"the time stamps{of} are {clock.described}", dealt_with=True))
     uniform = {key: clock.time for key, clock in clocks.items() if clock is not None}
     made = (Signal(uniform.get(id(time), time), samples) for time, samples in signals.values())
     return _raw_log(made, len(log.inputs), notes)
 
 
-def _raw_log(signals: Iterable[Signal], inputs: int, notes: Iterable[str]) -> RawLog:
+def _raw_log(signals: Iterable[Signal], inputs: int, notes: Iterable[Remark]) -> RawLog:
     """A log of q, so many inputs, and perhaps a velocity."""
     q, *others = signals
     return RawLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
@@ -205,18 +205,21 @@ def _si_log(recording: Recording, prototype: Prototype, plant: Device, clocks: M
     signals |= {f"v{k}": pair for k, pair in enumerate(zip(channels.inputs, plant.inputs, strict=True), start=1)}
     if channels.qdot is not None and plant.velocity is not None:
         signals["qdot"] = (channels.qdot, plant.velocity)
-    notes = list(recording.warnings)
+    notes = [Remark(text) for text in recording.warnings]
     columns = [_si(recording, channel, unit, name, notes) for name, (channel, unit) in signals.items()]
     bases = _bases(recording, {name: channel for name, (channel, _) in signals.items()}, prototype, clocks, notes)
     notes += _contradicted_rates(recording, channels.q.channel, bases[0], prototype)
     if prototype.ingest.time_reversal == "unwrap":
         made = {id(base): unwrapped(base) for base in bases}
         if any(not equal(base, made[id(base)]) for base in bases):
-            notes.append("time steps back, as of a counter that begins anew: it goes on by its usual step there")
+            notes.append(
+                Remark("time steps back, as of a counter that begins anew: it goes on by its usual step there")
+            )
         bases = [made[id(base)] for base in bases]
     if channels.q.average:
         bases[0] = scaled(bases[0], 1.0, -0.5 * channels.q.average)
-        notes.append(f"q: {1e3 * channels.q.average:.4g} ms averaged by its sensor: half of it is taken off its time")
+        averaged = f"{1e3 * channels.q.average:.4g} ms averaged by its sensor"
+        notes.append(Remark(f"q: {averaged}: half of it is taken off its time"))
     _check_rate(recording.path, bases[0], prototype.ingest.sample_rate)
     for (channel, _), base, samples in zip(signals.values(), bases, columns, strict=True):
         if base.size != samples.size:
@@ -233,14 +236,16 @@ def _si_log(recording: Recording, prototype: Prototype, plant: Device, clocks: M
     return _raw_log(held_or_read, len(plant.inputs), notes)
 
 
-def _without_blanks(signal: Signal, name: str, notes: list[str], *, alone: bool) -> Signal:
+def _without_blanks(signal: Signal, name: str, notes: list[Remark], *, alone: bool) -> Signal:
     """A slow channel of a fast table by its own samples; where its time is `alone`, without rows of blanks."""
     filled = finite(signal.time) | finite(signal.samples) if alone else np.empty(0, np.bool_)
     if not filled.all():
         signal = Signal(select(signal.time, filled), select(signal.samples, filled))
     own, every = sparse(signal)
     if every > 1:
-        notes.append(f"{name} has a sample every {every} rows and blanks between: interpolated")
+        notes.append(
+            Remark(f"{name} has a sample every {every} rows and blanks between: interpolated", dealt_with=True)
+        )
     return own
 
 
@@ -267,19 +272,19 @@ def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
         )
 
 
-def _si(recording: Recording, log_column: LogColumn, unit: SiUnit, name: str, notes: list[str]) -> FloatArray:
+def _si(recording: Recording, log_column: LogColumn, unit: SiUnit, name: str, notes: list[Remark]) -> FloatArray:
     """A column in SI units, NaN in place of codes for no value, which are noted under its name in a record."""
     read = recording.channel(log_column.channel)
     if log_column.scale == 1.0:  # else the log's own unit is that of its data acquisition
         _check_unit(recording.path, read.name, read.unit, log_column.unit, unit)
-        notes += [f"{name}: {note}" for note in recording.unapplied(log_column.channel) if not log_column.offset]
+        notes += [Remark(text).of(name) for text in recording.unapplied(log_column.channel) if not log_column.offset]
     notes += [
-        f"{name}: the log has {each!r} too, which is not read"
+        Remark(f"{name}: the log has {each!r} too, which is not read")
         for each in recording.listed
         if each == f"{log_column.channel} (2)" and name != "time"
     ]
     codes = codes_in(read.samples, log_column.missing, of_time=unit.symbol == "s")
-    notes += [f"{name}: {text}" for text in code_remarks(codes)]
+    notes += [remark.of(name) for remark in code_remarks(codes)]
     samples = scaled(masked(read.samples, codes), unit.factor * log_column.scale, unit.factor * log_column.offset)
     part = log_column.part if isinstance(log_column, Channel) else "all"
     return samples if part == "all" else one_sign(samples, 1.0 if part == "positive" else -1.0)
@@ -290,7 +295,7 @@ def _bases(
     channels: Mapping[str, Channel],
     prototype: Prototype,
     clocks: Mapping[str, str],
-    notes: list[str],
+    notes: list[Remark],
 ) -> list[FloatArray]:
     """The time base of each channel [s]: its own, that of all, or what the log has; equal ones are one object.
 
@@ -304,7 +309,7 @@ def _bases(
         Names the time of all.
     clocks : mapping of str to str
         The column of time that stands beside a channel, where the log has several.
-    notes : list of str
+    notes : list of Remark
         Gets what is remarkable.
     """
     bases = list[FloatArray]()
@@ -337,7 +342,7 @@ def _bases(
 
 
 def _of_two(
-    name: str, of_all: FloatArray, beside: FloatArray, columns: tuple[str, str], notes: list[str], *, own: bool
+    name: str, of_all: FloatArray, beside: FloatArray, columns: tuple[str, str], notes: list[Remark], *, own: bool
 ) -> FloatArray:
     """The time base [s] of a signal: the column beside it where that is its `own` and runs over the time of all."""
     rises = all(np.all(np.diff(beside[rows][np.isfinite(beside[rows])]) >= 0.0) for rows in chunks(beside.size))
@@ -351,10 +356,10 @@ def _of_two(
         filled = np.isnan(beside).any() or np.isnan(of_all).any()  # with blanks: rows are not of one time
         apart = "" if filled else f", up to {quantity(float(np.abs(beside - of_all).max()), 's')} from {columns[0]!r}"
         then = f"it is used for {name}" if own else f"which of them is that of {name} is not known; {way_out}"
-        notes.append(f"{what}{apart}: {then}")
+        notes.append(Remark(f"{what}{apart}: {then}", dealt_with=own))
         return beside if own else of_all
     apart = f", which differs from {columns[0]!r}, and is not used: it runs from {own_begin:.6g} to {own_end:.6g} s"
-    notes += [f"{what}{apart}; {way_out}"] if own else []
+    notes += [Remark(f"{what}{apart}; {way_out}")] if own else []
     return of_all
 
 
@@ -385,8 +390,8 @@ def _own_bases(recording: Recording, channels: list[Channel], rate: float | None
     return bases
 
 
-def _contradicted_rates(recording: Recording, channel: str, time: FloatArray, prototype: Prototype) -> list[str]:
-    """Messages on stated sample rates beside a channel that its time [s] contradicts.
+def _contradicted_rates(recording: Recording, channel: str, time: FloatArray, prototype: Prototype) -> list[Remark]:
+    """Remarks on stated sample rates beside a channel that its time [s] contradicts.
 
     Raises
     ------
@@ -403,14 +408,19 @@ def _contradicted_rates(recording: Recording, channel: str, time: FloatArray, pr
         return []
     stated = " and ".join(f"{name} states {rate:.6g} Hz" for name, rate in rates.items())
     if prototype.ingest.sample_rate is None:
-        return [f"in the log {stated}, but by its time it has {own:.6g} samples per second: is the unit of time right?"]
+        return [
+            Remark(
+                f"in the log {stated}, but by its time it has {own:.6g} samples per second: is the unit of time right?"
+            )
+        ]
     numbers = {name: Number(rate, "Hz") for name, rate in rates.items()}
     numbers["settings"] = Number(prototype.ingest.sample_rate, "Hz")
-    return judge(f"{recording.path}", [refusal("rate", "other_rate", numbers)], prototype.quality)
+    accepted = judge(f"{recording.path}", [refusal("rate", "other_rate", numbers)], prototype.quality)
+    return [Remark(text, dealt_with=True) for text in accepted]
 
 
-def _rates_in_doubt(recording: Recording, prototype: Prototype) -> list[str]:
-    """A message on frequencies that no motion in the samples can have, and that are not the rate of the settings.
+def _rates_in_doubt(recording: Recording, prototype: Prototype) -> list[Remark]:
+    """A remark on frequencies that no motion in the samples can have, and that are not the rate of the settings.
 
     A lower one may be that of an excitation, and any may be that of another instrument: none refuses the log.
     """
@@ -425,7 +435,7 @@ def _rates_in_doubt(recording: Recording, prototype: Prototype) -> list[str]:
         f"in the log {' and '.join(beyond)}, and a motion has less than half of [ingest] sample_rate = {rate:g} Hz: is "
         "that rate right?"
     )
-    return [doubt] if beyond else []
+    return [Remark(doubt)] if beyond else []
 
 
 def _rate_of_column(column: RecordedChannel, wanted: float) -> dict[str, float]:

@@ -24,7 +24,7 @@ from .run_contents import corrections
 from .si_log import part_of_log, read_si
 from .steps.ingest import corrected_log, examined, record_columns
 
-ALGORITHM = "20"
+ALGORITHM = "21"
 DIFFERENTIATE_ALGORITHM = "7"
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..reporting.figure import Figure
     from ..reporting.plotted import Format
 
-ALGORITHM = "39"
+ALGORITHM = "40"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

@@ -127,6 +127,15 @@ def test_voltages_come_as_columns_or_as_a_table(model, log):
         model.simulate(log, q0=-0.0105, tube=True)
 
 
+@pytest.mark.parametrize("target", [".", "", "folder"])
+def test_a_model_is_saved_to_a_file_and_to_no_folder(model, tmp_path, monkeypatch, target):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(debist.DebistError, match=r"(\.|folder): cannot be written: it is a folder; name a file"):
+        model.save(target)
+    assert [place.name for place in tmp_path.iterdir()] == ["folder"]
+
+
 def test_a_saved_model_is_the_same_one_wherever_it_is_loaded(model, log, tmp_path):
     again = debist.Model.load(model.save(tmp_path / "model.h5"))
     assert (again.name, again.inputs) == (model.name, model.inputs)

@@ -1,5 +1,9 @@
 """On a terminal of 80 columns every table fits: no line is longer, no number is cut or broken."""
 
+import io
+import sys
+import time
+import warnings
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -9,7 +13,9 @@ from rich.cells import cell_len
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.commands.console import emit_table
+from pipeline.commands import boundary
+from pipeline.commands.console import StatusLine, emit_table
+from pipeline.errors import warn_user
 from tests.diagnostics.first_hour import RUN, write_logs
 
 RUNNER = CliRunner()
@@ -77,3 +83,23 @@ def _printed(header: list[str], table: list[list[str]], numeric_from: int) -> li
     with redirect_stdout(io.StringIO()) as out:
         emit_table("a title", header, table, numeric_from=numeric_from)
     return out.getvalue().splitlines()
+
+
+class _Terminal(io.TextIOWrapper):
+    def isatty(self) -> bool:
+        """Appear as a terminal."""
+        return True
+
+
+def test_a_warning_stands_on_a_line_of_its_own_above_the_progress(monkeypatch: pytest.MonkeyPatch) -> None:
+    written = io.BytesIO()
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setattr(sys, "stderr", _Terminal(written, encoding="utf-8", write_through=True))
+    monkeypatch.setattr(warnings, "showwarning", boundary._show_warning)
+    with warnings.catch_warnings(), StatusLine("ingest a log") as line:
+        warnings.simplefilter("always")
+        line.show("ingest a log", 0.3)
+        time.sleep(0.2)
+        warn_user("an artifact was set aside")
+    before, warning, behind = written.getvalue().decode().partition("warning: an artifact was set aside")
+    assert warning and before.endswith("\x1b[2K") and behind.startswith("\n"), (before[-80:], behind[:40])

@@ -103,10 +103,10 @@ def test_a_rest_at_an_end_of_the_motion_is_neither_a_rail_nor_frozen(noise: floa
         q = np.round((REST + np.random.default_rng(seed).normal(0.0, noise, T.size)) / step) * step
         quality = examine_signal(T, q, 1 / 2000.0)
         assert (quality.low_rail, quality.high_rail, quality.spikes) == (0.0, 0.0, 0)
-        assert not [text for text in channel_remarks(quality) if "unchanged" in text or "saturated" in text]
+        assert not [each for each in channel_remarks(quality) if "unchanged" in each.text or "saturated" in each.text]
     held = q + 1e-6 * np.sin(T)
     held[30_000:30_400] = held[30_000]
-    assert any("unchanged" in text for text in channel_remarks(examine_signal(T, held, 1 / 2000.0)))
+    assert any("unchanged" in remark.text for remark in channel_remarks(examine_signal(T, held, 1 / 2000.0)))
 
 
 def test_an_amplifier_that_is_off_is_at_no_rail() -> None:

@@ -85,6 +85,30 @@ def test_a_new_log_format_and_a_new_baseline(run: tuple[Path, dict[str, str]]) -
     assert error == pytest.approx(np.sqrt(np.mean((q - q[0]) ** 2)) / np.ptp(q), rel=0.02)
 
 
+@pytest.mark.parametrize(
+    ("mistake", "words"),
+    [
+        ("    missing_name\n", "NameError: name 'missing_name' is not defined"),
+        ("    import no_such_library\n", "ModuleNotFoundError: No module named 'no_such_library'"),
+        ("    this is no Python\n", "SyntaxError: invalid syntax"),
+    ],
+)
+def test_a_mistake_in_a_reader_is_not_told_as_damage_of_the_log(
+    tree: Path, tmp_path: Path, mistake: str, words: str
+) -> None:
+    np.save(tmp_path / "log.npy", np.zeros(4, [("time", "f8"), ("q", "f8")]), allow_pickle=False)
+    reader = tree / "pipeline" / "rig_logs" / "numpy_log.py"
+    right = reader.read_text(encoding="utf-8")
+    reader.write_text(right.replace("        super().__init__()\n", f"        super().__init__()\n    {mistake}"))
+    try:
+        program = "import sys; from typer.testing import CliRunner; from cli import app"
+        command = "print(CliRunner().invoke(app, ['inspect', sys.argv[1]]).stderr)"
+        told = _python(tree, "-c", f"{program}; {command}", str(tmp_path / "log.npy"))
+    finally:
+        reader.write_text(right, encoding="utf-8")
+    assert words in told and "numpy_log.py" in told and "damaged" not in told and "correct the reader" in told, told
+
+
 def test_a_new_column_is_in_every_table(run: tuple[Path, dict[str, str]]) -> None:
     import pyarrow.parquet as pq
 

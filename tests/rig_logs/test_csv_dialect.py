@@ -18,6 +18,28 @@ def _find(text, encoding="utf-8", **options):
     return find_dialect(text.encode(encoding), whole=True, options=CsvOptions(**options))
 
 
+@pytest.mark.parametrize(
+    ("encoding", "name"), [("cp850", "Hübe"), ("cp850", "Größe_ü"), ("cp1252", "„Höhe“"), ("latin-1", "Höhe")]
+)
+def test_names_in_western_encodings_are_read(tmp_path, encoding, name):
+    rows = "".join(f"{i / 100},{i % 7},{i % 5}\n" for i in range(200))
+    (tmp_path / "log.csv").write_bytes(f"t,{name},U\n{rows}".encode(encoding))
+    assert name in read_here(tmp_path / "log.csv")
+
+
+@pytest.mark.parametrize(
+    ("encoding", "words"), [("utf-8", "not encoded as utf-8: "), (None, "not encoded as utf-8 throughout")]
+)
+def test_another_encoding_is_named_with_what_to_do(tmp_path, encoding, words):
+    """At the beginning against the settings, and behind the sample."""
+    rows = [f"{i / 100},{i % 7},{i % 5}\n" for i in range(40_000)]
+    place = 0 if encoding else 30_000
+    content = "".join([*rows[:place], "t,Höhe,U\n", *rows[place:]]).encode("latin-1")
+    (tmp_path / "log.csv").write_bytes(content if encoding else b"t,q,U\n" + content)
+    with pytest.raises(UnreadableLogError, match=rf"{words}.*set .*\[ingest\.csv\] encoding.* or save it as UTF-8"):
+        read_here(tmp_path / "log.csv", CsvOptions(encoding=encoding))
+
+
 @pytest.mark.parametrize("delimiter", [";", ",", "\t", "|", " "])
 @pytest.mark.parametrize("decimal", [".", ","])
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1", "utf-16"])

@@ -14,8 +14,10 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
+from pipeline.rig_logs.inspection import inspect_log
 from pipeline.rig_logs.mat_source import table_channels
 from pipeline.rig_logs.source import CsvOptions, Limits, UnreadableLogError
+from pipeline.signals.rounded_clock import uniform_clock
 from tests.rig_logs.small_logs import TIME, Q, V, load, open_here, read_here, workbook
 
 
@@ -289,6 +291,17 @@ def test_times_of_a_workbook_keep_all_their_digits_also_past_midnight(tmp_path, 
         np.testing.assert_allclose(load(source, "t"), times, atol=1e-6)
         if begin > 1.0:
             break
+
+
+@pytest.mark.parametrize(("form", "begin"), [("hh:mm:ss.000", 0.4), ("dd.mm.yyyy hh:mm:ss.000", 46_000.4)])
+def test_the_digits_of_a_date_are_no_remark(tmp_path, form, begin):
+    """At 300 Hz they are nanoseconds of a time of day, and 0.6 µs of a date."""
+    times = np.arange(400) / 300.0
+    _sheets(tmp_path / "log.xlsx", begin + times / 86_400.0, form, cut=400)
+    assert not [note for note in inspect_log(tmp_path / "log.xlsx").notes if "rounded" in note]
+    clock = uniform_clock(load(open_here(tmp_path / "log.xlsx"), "t"))
+    assert clock is not None and np.ptp(clock.time - times) < 1e-7 and not clock.described
+    assert "rounded to 1.00 ms" in uniform_clock(np.round(times, 3)).described
 
 
 def test_formulas_without_results_are_no_samples(tmp_path):

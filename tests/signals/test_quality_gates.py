@@ -98,7 +98,7 @@ def test_what_moves_faster_than_the_sample_interval_shows(frequency, said, refus
     assert fast.band.most == pytest.approx(frequency, abs=2.0 / min(16384 * step, 20.0))
     found, warnings = rate_findings(examine(time), fast, 0.01), [*rate_remarks(examine(time), fast, 0.01)]
     assert (len(warnings), len(found)) == (said, refused)
-    advised = [float(text.split("sample_interval = ")[-1]) for text in warnings]
+    advised = [float(remark.text.split("sample_interval = ")[-1]) for remark in warnings]
     for interval in [*advised, *(finding.numbers["advised"].value for finding in found)]:
         assert 1.0 / 9.0 < interval * fast.band.most < 1.0 / 7.0
 

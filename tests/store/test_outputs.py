@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
-from pipeline.store.outputs import WRITTEN, new_outputs
+from pipeline.store.outputs import WRITTEN, beside, new_outputs
 
 MINE = "measured for a week\n"
 SETTINGS = 'name = "P"\n[logs]\ntrain = ["rig/train.mat"]\nvalidation = ["rig/validation.mat"]\n'
@@ -109,3 +109,12 @@ def test_no_command_of_the_rig_replaces_a_log(tmp_path, command, name):
     assert result.exit_code == 2, result.output
     assert f"{name}: is there already" in result.stderr and "name another place" in result.stderr
     assert [path.read_text() for path in folder.iterdir()] == [MINE]
+
+
+@pytest.mark.parametrize(("given", "made"), [("runs/P1", "runs/P1-rig"), (".", "../here-rig"), ("..", "../../up-rig")])
+def test_a_folder_beside_the_current_one_has_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, given: str, made: str
+) -> None:
+    (tmp_path / "up" / "here").mkdir(parents=True)
+    monkeypatch.chdir(tmp_path / "up" / "here")
+    assert beside(Path(given), "-rig").resolve() == Path(made).resolve()

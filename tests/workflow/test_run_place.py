@@ -53,6 +53,18 @@ def test_another_prototypes_folder_is_refused(copy: tuple[Path, Path]) -> None:
     assert RUNNER.invoke(app, ["run", str(prototype), "-o", str(run), "--replace", "--no-report"]).exit_code == 0
 
 
+@pytest.mark.parametrize("plan", [[], ["--dry-run"]])
+def test_a_file_in_place_of_the_run_folder_is_refused_by_the_plan_too(tmp_path: Path, plan: list[str]) -> None:
+    prototype = write_prototype(tmp_path)
+    (tmp_path / "FILE").write_text("mine")
+    for place in (tmp_path / "FILE", tmp_path / "FILE" / "sub"):
+        result = RUNNER.invoke(app, ["run", str(prototype), "-o", str(place), *plan])
+        assert result.exit_code == 2 and f"{place}: is no folder" in result.output, result.output
+    result = RUNNER.invoke(app, ["demo", "-o", str(tmp_path / "FILE")])
+    assert result.exit_code == 2 and "is no folder" in result.output and not (tmp_path / "FILE-rig").exists()
+    assert (tmp_path / "FILE").read_text() == "mine"
+
+
 def test_status_and_dry_run_say_what_an_edit_would_redo(copy: tuple[Path, Path]) -> None:
     prototype, run = copy
     prototype.write_text(prototype.read_text() + "[differentiate]\norder = 2\n")

@@ -177,7 +177,7 @@ class _Change:
 
 def joint_offers(
     decided: dict[str, Any], *, angle: bool, mirrored: bool, knows: Callable[[JointStructure], bool]
-) -> list[Offer]:
+) -> tuple[list[Offer], list[Offer]]:
     """Offers to a bistable joint in turn: friction or relaxation, hidden shapes, both, and sides that are alike.
 
     Elements are offered with any sides: sides that are taken for too much alike would ask for elements.
@@ -192,6 +192,13 @@ def joint_offers(
         True if q = 0 is within its range and so may be its mirror plane.
     knows : callable
         True if simulated joints teach a prior of a structure.
+
+    Returns
+    -------
+    list of Offer
+        Those that are made once.
+    list of Offer
+        Empty: none is made again.
     """
     change = _Change(decided)
     shapes = change.to(FRICTION["lags+slip"] | {"arc": not angle})
@@ -216,7 +223,7 @@ def joint_offers(
         change.to(FRICTION["lag+slip"]),
         change.to({"arc": not angle}),
         alike,
-    ]
+    ], []
 
 
 def offers(

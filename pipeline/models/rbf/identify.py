@@ -1,6 +1,6 @@
 """Identification of the data-driven joint: convex start and observer homotopy.
 
-Inner validation chooses the structure of a device (`structure_search`). Held-out free runs of a bistable joint are
+Inner validation chooses the structure of a device (`structure_search`). Held-out free runs of a bistable device are
 decided by a few passages between its wells, so its structure and prior are chosen by their marginal likelihood while an
 observer holds it near its logs. Coupled to the measurement as much as the first level of a fit is, no passage decides:
 the errors are small, nearly linear in the parameters, and nearly white. There the marginal likelihood
@@ -35,12 +35,12 @@ from ...signals.log import Log, operating_range
 from ...system.worker_pool import OnProgress, silent
 from ..free_runs import scale_on
 from ..model_type import KnownCurves, ModelType, Training
-from .candidates import Candidate, decided_fields, first_candidate, joint_offers, offers
+from .candidates import Candidate, Offer, decided_fields, first_candidate, joint_offers, offers
 from .model import RbfModel
 from .prior import population
 from .problem import Effort, JointProblem
-from .start import is_bistable_pair, looks_overdamped
-from .structure_search import Begun, Setting, cut, excerpts, search
+from .start import bistable_signs, looks_overdamped
+from .structure_search import SEARCH_SHARE, Begun, Setting, cut, excerpts, search
 
 NEGLIGIBLE_INPUT = 0.01
 """Share of the largest input below which one does nothing."""
@@ -117,27 +117,39 @@ def identify_rbf(
     if measured:
         measured.check(*operating_range(records))
         measured = measured.per_unit_mass(mass)
-    # Passages near a separatrix would outweigh all else in the free run of a bistable joint.
-    pair = is_bistable_pair(records, inputs)
-    samples = sum(len(record.t) for record in records)
-    effort = Effort(time_limit if pair else time_limit * max(1.0, samples / SAMPLES_OF_LIMIT))
-    setting = Setting(inputs, measured, effort, on_progress, coupled=COUPLED if pair else GAINS[-1])
+    signs = bistable_signs(records, inputs)
+    pair = signs in ((1, -1), (-1, 1))  # the two membranes of a joint pull in opposite directions
+    longer = 1.0 if pair else max(1.0, sum(len(record.t) for record in records) / SAMPLES_OF_LIMIT)
+    effort = Effort(time_limit * longer)
+    # Passages near a separatrix would outweigh all else in the free run of a bistable device.
+    setting = Setting(inputs, measured, effort, on_progress, coupled=COUPLED if signs else GAINS[-1])
     fine = all(r.fine is not None for r in records)
-    complete = True
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
-    if pair and not candidates:
-        fitted, tried = _fit_joint(records, setting, wanted, first, angle=angle)
+    if candidates:
+        once, again = [lambda _: candidates[1:]], list[Offer]()
+    elif pair:
+        once, again = joint_offers(
+            wanted,
+            angle=angle,
+            mirrored=bool(np.prod(operating_range(records)) < 0.0),  # q = 0, the mirror plane, is in the range
+            knows=lambda structure: not measured and population().knows(structure),
+        )
     else:
-        usual = offers(
+        once, again = offers(
             wanted,
             fine=fine,
             slow=looks_overdamped(records, inputs),
             driven=any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records),
             squared=inputs == "squared",
         )
-        offered = ([lambda _: candidates[1:]], []) if candidates else usual
-        chosen, judged, tried, complete = search(records, setting, first, *offered)
-        fitted = _fit_to_all(records, setting, chosen, setting.begin(records, chosen, judged))
+    if signs and not candidates:
+        shown, tried = _by_evidence(excerpts(records), setting, first, once, again)
+        chosen, begun, levels = shown.candidate, shown.begun, GAINS[len(shown.fit.levels) :]
+    else:
+        chosen, judged, tried = search(records, setting, first, once, again)
+        begun, levels = setting.begin(records, chosen, judged), GAINS
+    complete = not effort.exhausted(SEARCH_SHARE)
+    fitted = _fit_to_all(records, setting, chosen, begun, levels)
     fit = fitted.fit
     if not fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
@@ -188,35 +200,31 @@ class _Fitted:
         return self.begun[0].scales.half * rms(self.errors) if self.errors.size else np.inf
 
 
-def _fit_joint(
-    records: Sequence[Log], setting: Setting, decided: dict[str, Any], first: Candidate, *, angle: bool
+def _by_evidence(
+    records: Sequence[Log], setting: Setting, first: Candidate, once: Sequence[Offer], again: Sequence[Offer]
 ) -> tuple[_Fitted, dict[str, float]]:
-    """A bistable joint of the elements and the prior that its logs show; and the residual of each that was tried.
+    """A bistable device of the elements and the prior that its logs show.
 
-    One offer after the other is made to the best candidate so far, until the effort is spent. A candidate replaces it
-    where the logs give odds of more than `ODDS` for it. The mirror plane is q = 0; a joint that never crosses it has
-    none.
+    The offers are made to the best candidate so far. A candidate replaces it where the logs give odds of more than
+    `ODDS` for it. Beside it: the residual of each that was tried.
     """
-    low, high = operating_range(records)
-    offered = joint_offers(
-        decided,
-        angle=angle,
-        mirrored=low < 0.0 < high,
-        knows=lambda structure: not setting.measured and population().knows(structure),
-    )
-    logs = excerpts(records)
-    best = _trial(logs, setting, first, None)
+    best = _trial(records, setting, first, None)
     tried = {first.label: best}
-    for offer in offered:
-        for option in offer(best.candidate):
-            if option.label not in tried and not setting.effort.exhausted():
-                tried[option.label] = _trial(logs, setting, option, best)
-        best = max(
-            [best, *(trial for trial in tried.values() if trial.evidence > best.evidence + np.log(ODDS))],
-            key=lambda trial: trial.evidence,
-        )
-    fitted = _fit_to_all(records, setting, best.candidate, best.begun, GAINS[1:] if best.fit.levels else GAINS)
-    return fitted, {label: trial.rms for label, trial in tried.items()}
+
+    def after(best: _Fitted, turn: Sequence[Offer]) -> _Fitted:
+        """The best candidate when the offers of a turn have been made."""
+        for offer in turn:
+            for option in offer(best.candidate):
+                if option.label not in tried and not setting.effort.exhausted(SEARCH_SHARE):
+                    tried[option.label] = _trial(records, setting, option, best)
+            shown = (trial for trial in tried.values() if trial.evidence > best.evidence + np.log(ODDS))
+            best = max([best, *shown], key=lambda trial: trial.evidence)
+        return best
+
+    best, before = after(best, once), None
+    while best is not before:
+        best, before = after(best, again), best
+    return best, {label: trial.rms for label, trial in tried.items()}
 
 
 def _trial(records: Sequence[Log], setting: Setting, option: Candidate, near: _Fitted | None) -> _Fitted:
@@ -246,7 +254,7 @@ def _fit_to_all(
     setting: Setting,
     option: Candidate,
     begun: Begun,
-    levels: Sequence[float] = GAINS,
+    levels: Sequence[float],
 ) -> _Fitted:
     """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
     p, start, prior = begun

@@ -142,7 +142,7 @@ def search(
     first: Candidate,
     once: Sequence[Offer],
     again: Sequence[Offer] = (),
-) -> tuple[Candidate, Fit | None, dict[str, float], bool]:
+) -> tuple[Candidate, Fit | None, dict[str, float]]:
     """One offer after the other, each to the best candidate so far: `once`, then `again` until none is taken.
 
     The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. One
@@ -176,8 +176,6 @@ def search(
     dict of str to float
         RMS held-out error of each candidate that was tried, in the unit of q, the geometric mean of the folds; empty if
         nothing was offered.
-    bool
-        True if all was offered and judged before `SEARCH_SHARE` of the effort was spent.
     """
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
@@ -202,48 +200,34 @@ def search(
         """The number of its parameters."""
         return ParameterLayout(option.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
-    turns = [*once, *ROUNDS * tuple(again)]
     best = first
-    complete = True
     last_taken = len(once)
     taken = [first]
-    for number in range(len(turns)):
+    for number, offer in enumerate([*once, *ROUNDS * tuple(again)]):
         if number - last_taken >= len(again) > 0:
             break
-        if setting.effort.exhausted(SEARCH_SHARE):
-            complete = False
-            break
-        others = turns[number](best)
-        if others and not tried and judged(first).chaotic:
-            # Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps
-            # them together, the better one errs less.
-            setting = replace(setting, coupled=COUPLED)
-            tried[first.label] = _judge(records, setting, first, None)
+        others = offer(best)
         affordable = [(judged(each).rms, each) for each in others if not setting.effort.exhausted(SEARCH_SHARE)]
-        complete = complete and len(affordable) == len(others)
         for _, option in sorted(affordable, key=lambda pair: pair[0]):
             if better(option, best):
                 best = option
                 last_taken = max(number + 1, len(once))
                 taken.append(option)
-    held_out = {label: judgement.rms for label, judgement in tried.items()}
-    return best, tried[best.label].fits[0] if tried else None, held_out, complete
+    return best, tried[best.label].fits[0] if tried else None, {label: each.rms for label, each in tried.items()}
 
 
 @dataclass(frozen=True)
 class _Judged:
     """Errors and fits of a candidate.
 
-    The held-out errors (2, N) of each fold, in the unit of q, are coupled to the measurement at `COUPLED`, and free
-    (coupled both times for a chaotic device). Then its errors over the data of its first fit, the fits fold by fold,
-    and whether one of them was chaotic. Last the times of its drive that have no effect in any: a lower error with
-    them is the luck of another way to the same minimum.
+    The held-out errors (2, N) of each fold, in the unit of q, are coupled to the measurement at `COUPLED`, and free.
+    Then its errors over the data of its first fit, and the fits fold by fold. Last the times of its drive that have no
+    effect in any: a lower error with them is the luck of another way to the same minimum.
     """
 
     errors: tuple[FloatArray, ...]
     fitted: FloatArray
     fits: tuple[Fit, ...]
-    chaotic: bool
     idle: tuple[str, ...]
 
     @property
@@ -324,7 +308,6 @@ def _judge(records: Sequence[Log], setting: Setting, option: Candidate, near: _J
     timed = option.structure.input_lag or option.structure.input_delay
     errors = list[FloatArray]()
     fits = list[Fit]()
-    chaotic = False
     followed = np.empty(0)
     for i, (fitted, judged, after) in enumerate(_folds(records)):
         # One log may say little of lag and delay, and even of a gain's sign: they start as the fit of all has them.
@@ -336,11 +319,8 @@ def _judge(records: Sequence[Log], setting: Setting, option: Candidate, near: _J
         ]
         errors.append(p.scales.half * np.minimum(np.abs(both), DIVERGED_ERROR_HALF_RANGES))
         fits.append((p, fit.theta))
-        chaotic = chaotic or fit.chaotic
         followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.coupled)
-    return _Judged(
-        errors=tuple(errors), fitted=followed, fits=tuple(fits), chaotic=chaotic, idle=_idle(fits, records[0].interval)
-    )
+    return _Judged(tuple(errors), followed, tuple(fits), _idle(fits, records[0].interval))
 
 
 def _followed(problem: JointProblem, theta: FloatArray, gain: float) -> FloatArray:

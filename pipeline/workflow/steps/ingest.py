@@ -15,6 +15,7 @@ from ...settings.prototype import Ingest, Prototype
 from ...signals.columns import Signal, missing, scaled
 from ...signals.findings import (
     Finding,
+    Remark,
     coarse_inputs,
     log_findings,
     missing_findings,
@@ -83,7 +84,7 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[R
         raw_step = nominal_step(signals.q.time)
         signals = _without_spikes(signals, settings)
         trusted = _trusted(signals, prototype, raw_step)
-        warnings = [*signals.notes, *_warnings(signals, prototype, trusted)]
+        remarks = [*signals.notes, *_remarks(signals, prototype, trusted)]
         usable = survey(
             Signal(signals.q.time, trusted.samples),
             signals.beside,
@@ -112,19 +113,21 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[R
         *log_findings(clock, quality, (report.masked_rows + cut) / (report.rows + cut), few),
     ]
     kept = [finding for finding in findings if finding.gate == "rails" and settings.rails == "keep"]
-    accepted = judge(where, [finding for finding in findings if finding not in kept], prototype.quality)
-    warnings += [
+    accepted = judge(
+        where, [finding for finding in findings if finding not in kept], prototype.quality, noted=signals.notes
+    )
+    remarks += [
         *discarded_remarks(usable.rows),
         *missing_remarks(beside, interval),
         *gap_remarks(clock, unknown),
         *rate_remarks(clock, quality, interval),
-        *(f"q: {sentences(finding)[0]}; kept ([ingest] rails)" for finding in kept),
-        *accepted,
+        *(Remark(f"q: {sentences(finding)[0]}; kept ([ingest] rails)", dealt_with=True) for finding in kept),
     ]
     # An interval around each place where rows are missing belongs to what is not known of the inputs.
     around = [(a - interval, b + interval) for a, b in trusted.dropouts.cuts.tolist()]
     return resamplings, {
-        "warnings": warnings,
+        "warnings": [*(remark.text for remark in remarks), *accepted],
+        "dealt_with": [remark.text for remark in remarks if remark.dealt_with],
         "accepted": accepted,
         "gaps_in_time": clock.gaps + clock.backward,
         "masked_at_rails": trusted.left_out.rails,
@@ -138,14 +141,14 @@ def examined(signals: RawLog, prototype: Prototype, where: str) -> tuple[tuple[R
 
 def _without_spikes(signals: RawLog, settings: Ingest) -> RawLog:
     """The log with its inputs' single-sample spikes bridged, and noted."""
-    texts = list[str]()
+    remarks = list[Remark]()
     inputs = []
     for k, signal in enumerate(signals.inputs if settings.spikes == "mask" else (), start=1):
         bridged, count, first = without_spikes(signal, nominal_step(signal.time))
         if count:
-            texts.append(f"v{k}: {bridged_remark(count, first)}")
+            remarks.append(bridged_remark(count, first).of(f"v{k}"))
         inputs.append(bridged)
-    return replace(signals, inputs=tuple(inputs), notes=(*signals.notes, *texts)) if texts else signals
+    return replace(signals, inputs=tuple(inputs), notes=(*signals.notes, *remarks)) if remarks else signals
 
 
 def _trusted(signals: RawLog, prototype: Prototype, raw_step: float) -> Trusted:
@@ -220,7 +223,7 @@ def record_columns(piece: UniformRecord, names: Sequence[str]) -> dict[str, Floa
     return {"t": piece.t, "q": piece.q, **beside, "segment": piece.segment}
 
 
-def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> Iterator[str]:
+def _remarks(signals: RawLog, prototype: Prototype, trusted: Trusted) -> Iterator[Remark]:
     """Remarks on suspicious signals, which are left as they are, and on masked samples of q."""
     plant = device(prototype)
     rate = prototype.ingest.sample_rate
@@ -228,15 +231,13 @@ def _warnings(signals: RawLog, prototype: Prototype, trusted: Trusted) -> Iterat
         (f"v{k}", time, samples, unit)
         for k, ((time, samples), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
     ]
-    yield from (f"q: {remark}" for remark in channel_remarks(trusted.quality))
+    yield from (remark.of("q") for remark in channel_remarks(trusted.quality))
     yield from mains_remarks(signals.inputs, rate) if rate else ()
     for name, time, samples, unit in inputs:
-        yield from (f"{name}: {remark}" for remark in saturation_remarks(time, samples, unit.symbol))
-    named = [("q", trusted.samples, plant.displacement), *((name, samples, unit) for name, _, samples, unit in inputs)]
-    for name, samples, unit in named:
+        yield from (remark.of(name) for remark in saturation_remarks(time, samples, unit.symbol))
+    for name, _, samples, unit in (("q", None, trusted.samples, plant.displacement), *inputs):
         smallest, largest = span(samples)
-        for remark in scale_remarks(largest - smallest, unit.symbol, plant.plausible_span(unit.symbol)):
-            yield f"{name} {remark}"
+        yield from scale_remarks(name, largest - smallest, unit.symbol, plant.plausible_span(unit.symbol))
     yield from masked_remarks(
         trusted.left_out,
         trusted.dropouts,

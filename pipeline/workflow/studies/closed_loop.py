@@ -23,7 +23,7 @@ from ...rig.parameters import RigParameters, from_json, nominal, table1
 from ...rig.random_joint import Family, random_joint
 from ...rig_logs import read_recording
 from ...settings.logs import Number, SettingsTable, Whole
-from ...store.outputs import new_outputs, rebased
+from ...store.outputs import beside, new_outputs, rebased
 from ...store.run_folder import RunFolder
 from ...units.units import parse_quantity, to_si
 from ..run_contents import load_design
@@ -318,7 +318,7 @@ def closed_loop_log(
     joint = virtual_joint(where)
     scenario = options.scenario(joint, target, duration)
     suffix = LAYOUTS[options.format].suffix
-    path = output if output.suffix == suffix else output.with_name(output.name + suffix)
+    path = output if output.suffix == suffix else beside(output, suffix)
     names = (path.name, path.with_suffix(".toml").name)
     with new_outputs(path.parent, "rig closed-loop", force=None, names=names) as staged:
         run = run_loop(joint.parameters, joint.bench, scenario, _controller(controller, play))

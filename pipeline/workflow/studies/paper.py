@@ -33,6 +33,7 @@ from ...signals.differentiate import AlphaStudy, alpha_study
 from ...signals.log import Log
 from ...store import layout
 from ...store.atomic import run_lock
+from ...store.outputs import beside
 from ...store.run_folder import RunFolder, Written
 from ...units.units import ALPHA_UNIT
 from .. import stage_validate as validate
@@ -129,8 +130,9 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
     root = output or usual
     with run_lock(root):
         run = RunFolder.create(root, recipe.model_dump(mode="json"), prototype_file)
-        stages = [name for name in STAGE_NAMES if name != "report"]
-        tasks = tasks_of(of_stages(plan(Planned(run, recipe, prototype_file)), stages))
+        tasks = tasks_of(
+            of_stages(plan(Planned(run, recipe, prototype_file)), [name for name in STAGE_NAMES if name != "report"])
+        )
         done = bring_up_to_date(
             run, [*tasks, study_task(recipe, "basis", jobs=1), _task(recipe, prototype_file)], observer
         )
@@ -141,7 +143,7 @@ def _opened(source: Path) -> tuple[Prototype, Path, Path]:
     """Settings, their file, and the usual folder of the recipe's run."""
     if source.is_dir():
         run = RunFolder.open(source)
-        return run.prototype, Path(run.manifest.prototype_file), source.with_name(f"{source.name}-paper")
+        return run.prototype, Path(run.manifest.prototype_file), beside(source, "-paper")
     prototype = load_prototype(source)
     return prototype, source, Path("runs") / f"{prototype.folder}-paper"
 

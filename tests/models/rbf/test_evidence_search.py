@@ -12,6 +12,7 @@ from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import JointScales, JointStructure
+from pipeline.signals.log import Log
 from tests.models.rbf.test_rbf import log
 
 DAMPING = 4.0
@@ -80,3 +81,36 @@ def test_the_evidence_is_the_marginal_likelihood_of_a_linear_model_of_known_nois
         identity += 300 * np.log(2 * np.pi * s2) + np.linalg.slogdet(small)[1] + used * np.log(spread**2)
         assert direct == pytest.approx(-0.5 * identity)
     assert found[0] - found[1] == pytest.approx(exact[0] - exact[1], rel=1e-3)
+
+
+@pytest.mark.parametrize("late", [False, True], ids=["plain", "lag of the input"])
+def test_a_double_well_with_one_linear_input_gets_what_acts_and_no_more(late):
+    """Random levels move it over the barrier: held-out free runs would show friction or delays that are not there."""
+    structure = JointStructure(
+        8,
+        arc=False,
+        force="polynomial",
+        constant_damping=True,
+        constant_gain=True,
+        input_lag=late,
+        **FRICTION["viscous"],
+    )
+    p = ParameterLayout(structure, JointScales(0.0, 0.02, 1.0, 50.0), "linear", (0,))
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]][:4] = 0.0, 70.0, 0.0, np.log(230.0)
+    theta[at["damping"]], theta[at["input0"]], theta[at["input_lag"]] = (
+        np.log(DAMPING),
+        60.0,
+        np.log(0.05) if late else (),
+    )
+    rng, t = np.random.default_rng(3), 0.01 * np.arange(1200)
+    v = np.repeat(rng.uniform(-1.0, 1.0, (60, 1)), 20, axis=0)
+    run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, -0.011, 0.0)
+    assert np.count_nonzero(np.diff(np.sign(run.q))) > 5
+    noisy = run.q + 5e-6 * rng.standard_normal(len(t))
+    model = identify_rbf([Log(t, noisy, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))], inputs="linear")
+    found = model.parameters.structure
+    assert (found.rates, found.slips, found.drag, found.stops) == ((), 0, False, False), model.diagnostics["chosen"]
+    assert (found.input_lag, found.input_delay, found.bent_input, found.dead_zone) == (late, False, False, False)
+    q = np.linspace(-0.015, 0.015, 7)
+    assert model.curves(q)["d"] == pytest.approx(np.full(7, DAMPING), rel=0.05)

@@ -8,7 +8,7 @@ from pipeline.models.rbf.candidates import FRICTION, Candidate, decided_fields
 from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
-from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped
+from pipeline.models.rbf.start import bistable_signs, looks_overdamped
 from pipeline.models.rbf.structure import JointScales, JointStructure
 from pipeline.settings.prototype import Structure
 from pipeline.signals.differentiate import differentiate
@@ -377,12 +377,12 @@ def test_heat_that_follows_the_square_of_an_input_is_told_from_an_input_that_lag
     assert np.exp(model.theta[model.parameters.slices["input_lag"]]) == pytest.approx(0.4, rel=0.05)
 
 
-def test_only_two_wells_between_two_pulls_are_taken_for_a_bistable_joint():
-    assert is_bistable_pair([seen(21)], "squared")
-    assert not is_bistable_pair([seen(21)], "linear")
-    assert not is_bistable_pair([seesaw(1)], "squared")
-    assert not is_bistable_pair([seesaw(1, signs=(1, 1))], "squared")
-    assert not is_bistable_pair([arm(1)], "squared")
+def test_only_two_wells_are_taken_for_a_bistable_device():
+    assert bistable_signs([seen(21)], "squared") == (1, -1)
+    assert bistable_signs([oscillator(1, 0.5)], "linear") == (0,)
+    assert bistable_signs([seesaw(1)], "squared") == ()
+    assert bistable_signs([seesaw(1, signs=(1, 1))], "squared") == ()
+    assert bistable_signs([arm(1)], "squared") == ()
 
 
 def test_two_inputs_at_one_well_are_searched_for_and_fitted_in_free_run():
