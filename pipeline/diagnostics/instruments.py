@@ -14,9 +14,8 @@ The derivatives at δ = 0 give the score test (Rao 1948, doi:10.1017/S0305004100
 Benveniste, Basseville and Moustakides 1987, doi:10.1109/TAC.1987.1104683). Far from zero a single step falls short, so
 steps are repeated until they are small.
 
-Errors e are serially correlated and partly the model's own. The standard error of δ is the larger of two: that of noise
-with their correlation time, and that which groups of them in a row show (jackknife,
-`pipeline.fitting.posterior.robust_spread`). The spread of several training logs among themselves is added. Exchanged
+Errors e are serially correlated and partly the model's own. The standard error of δ is what groups of them
+in a row show (jackknife, `pipeline.fitting.posterior.robust_spread`). The spread of several training logs among themselves is added. Exchanged
 inputs and a mirrored q are discrete, so each is tried.
 """
 
@@ -215,8 +214,7 @@ class InstrumentTest:
             log = self._linearised(parts, delta)
         alike = fit.size <= 1.0 or (abs(fit.unlike) if fitted else fit.unlike) <= 1.0
         astray = np.any(np.abs(delta) >= FARTHEST) or np.any(np.abs(fit.step) > fit.error)
-        shown = np.sqrt(np.sum(fit.spread()[: len(delta)] ** 2, axis=1))
-        errors = np.hypot(between, np.maximum(fit.error, shown))
+        errors = np.hypot(between, np.sqrt(np.sum(fit.spread()[: len(delta)] ** 2, axis=1)))
         unknown = np.all(errors > SIGNIFICANCE)  # no quantity is known to some limits: the model errs, as it shows
         if (alike and (astray or unknown)) or (fitted and not alike):
             return self._not_measured(exchange)

@@ -18,7 +18,7 @@ from .engine import Task
 from .run_contents import corrections, load_motion, sources
 from .steps.identify import fitted_parts
 
-ALGORITHM = "9"
+ALGORITHM = "10"
 
 Logs = Mapping[tuple[Role, str], Log]
 """Logs by role and name."""
