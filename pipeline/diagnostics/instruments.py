@@ -14,9 +14,9 @@ The derivatives at δ = 0 give the score test (Rao 1948, doi:10.1017/S0305004100
 Benveniste, Basseville and Moustakides 1987, doi:10.1109/TAC.1987.1104683). Far from zero a single step falls short, so
 steps are repeated until they are small.
 
-Errors e are serially correlated and partly the model's own. The standard error of δ is what groups of them
-in a row show (jackknife, `pipeline.fitting.posterior.robust_spread`). The spread of several training logs among themselves is added. Exchanged
-inputs and a mirrored q are discrete, so each is tried.
+Errors e are serially correlated and partly the model's own. The standard error of δ is what groups of them in a row
+show (jackknife, `pipeline.fitting.posterior.robust_spread`). The spread of several training logs among themselves is
+added. Exchanged inputs and a mirrored q are discrete, so each is tried.
 """
 
 from collections.abc import Callable, Sequence
