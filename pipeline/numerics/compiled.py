@@ -12,7 +12,7 @@ from .arrays import FloatArray, IntArray
 from .kernel_cache import certify, kernel_folder
 
 # Level 3 takes 7 % longer to compile kernels that are no faster.
-os.environ["NUMBA_OPT"] = "2"
+os.environ.setdefault("NUMBA_OPT", "2")
 numba: Any = import_configured("numba")
 # numba reads the file again at each compilation, by a name that is relative to the current folder.
 numba.config._config_fname = str(Path(__file__).with_name("numba.yaml"))
