@@ -205,8 +205,8 @@ def _by_evidence(
 ) -> tuple[_Fitted, dict[str, float]]:
     """A bistable device of the elements and the prior that its logs show.
 
-    The offers are made to the best candidate so far. A candidate replaces it where the logs give odds of more than
-    `ODDS` for it. Beside it: the residual of each that was tried.
+    The offers are made to the best candidate so far. A smaller candidate replaces it where the logs make it more
+    probable, any other where they give odds of more than `ODDS` for it. Beside it: the residual of each that was tried.
     """
     best = _trial(records, setting, first, None)
     tried = {first.label: best}
@@ -217,7 +217,11 @@ def _by_evidence(
             for option in offer(best.candidate):
                 if option.label not in tried and not setting.effort.exhausted(SEARCH_SHARE):
                     tried[option.label] = _trial(records, setting, option, best)
-            shown = (trial for trial in tried.values() if trial.evidence > best.evidence + np.log(ODDS))
+            shown = (
+                trial
+                for trial in tried.values()
+                if trial.evidence - best.evidence > np.log(ODDS) * (trial.begun[0].count >= best.begun[0].count)
+            )
             best = max([best, *shown], key=lambda trial: trial.evidence)
         return best
 

@@ -126,7 +126,7 @@ def starting_joint(
     if structure.slips:
         forces: FloatArray | float = START_SLIP_FORCE * scales.stiffness / structure.slips
         lengths = np.array(SLIP_LENGTHS[: structure.slips])
-        if not structure.shape_elements:  # whose memory would be taken for friction
+        if not structure.rates:  # whose memory would be taken for friction
             forces, lengths = _best_slips(records, scales, columns, target, structure.slips)
         start[at["slip_force"]] = np.log(forces)
         start[at["slip_length"]] = np.log(lengths)
