@@ -22,7 +22,7 @@ from .prior_knowledge import known_inputs, prior_knowledge_of
 from .run_contents import load_logs, sources
 from .steps.identify import CHOICE, IDENTIFIED, identified, training
 
-ALGORITHM = "65"
+ALGORITHM = "66"
 BASELINE_ALGORITHM = "16"
 
 
