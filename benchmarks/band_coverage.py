@@ -233,7 +233,8 @@ def _voltages(well: Well, excitation: str, count: int, h: float, rng: np.random.
             width = well.period * rng.uniform(low, high)
             v[side, int(at / h) : int((at + width) / h)] = LARGEST_VOLTAGE * rng.uniform(0.5, 1.0)
             at, side = at + width + well.period * rng.uniform(2.0, 4.0), side ^ (rng.random() < 0.8)
-    return np.array([np.convolve(each, np.ones(16) / 16.0, "same") for each in v])
+    power = 0.5 if excitation == "levels" else 1.0  # the input has straight edges: the difference of the squares
+    return np.array([np.convolve(each ** (1.0 / power), np.ones(16) / 16.0, "same") ** power for each in v])
 
 
 def well_log(well: Well, excitation: str, rng: np.random.Generator) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -11,7 +11,7 @@ from ..system.machine import import_configured
 from .arrays import FloatArray, IntArray
 from .kernel_cache import certify, kernel_folder
 
-# Level 3 takes 7 % longer to compile kernels that are no faster.
+# Level 3 compiles 7 % longer; of all kernels only the rig's search for rests is faster by it, 8 %.
 os.environ.setdefault("NUMBA_OPT", "2")
 numba: Any = import_configured("numba")
 # numba reads the file again at each compilation, by a name that is relative to the current folder.

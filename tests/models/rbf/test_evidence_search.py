@@ -36,8 +36,13 @@ def double_well(law, *, slip=0.0, stiffness=0.0, rate=3.0):
 
 @pytest.mark.parametrize(
     ("law", "elements"),
-    [("viscous", {}), ("coulomb", {"slip": 1.0}), ("lag", {"stiffness": 8.0})],
-    ids=["plain", "friction", "relaxation"],
+    [
+        ("viscous", {}),
+        ("coulomb", {"slip": 1.0}),
+        ("lag", {"stiffness": 8.0}),
+        ("lag+slip", {"slip": 1.0, "stiffness": 8.0}),
+    ],
+    ids=["plain", "friction", "relaxation", "both"],
 )
 def test_the_elements_that_a_log_shows_are_found_and_no_others(law, elements):
     truth = double_well(law, **elements)
@@ -83,26 +88,22 @@ def test_the_evidence_is_the_marginal_likelihood_of_a_linear_model_of_known_nois
     assert found[0] - found[1] == pytest.approx(exact[0] - exact[1], rel=1e-3)
 
 
-@pytest.mark.parametrize("late", [False, True], ids=["plain", "lag of the input"])
-def test_a_double_well_with_one_linear_input_gets_what_acts_and_no_more(late):
-    """Random levels move it over the barrier: held-out free runs would show friction or delays that are not there."""
+@pytest.mark.parametrize("acting", [{}, {"input_lag": 0.05}, {"drag": 0.4}], ids=["plain", "lag of the input", "drag"])
+def test_a_double_well_with_one_linear_input_gets_what_acts_and_no_more(acting):
+    """Random levels move it over the barrier: held-out free runs would show friction or delays that are not there.
+
+    What stood for the drag before it was offered goes again.
+    """
     structure = JointStructure(
-        8,
-        arc=False,
-        force="polynomial",
-        constant_damping=True,
-        constant_gain=True,
-        input_lag=late,
-        **FRICTION["viscous"],
-    )
+        8, arc=False, force="polynomial", constant_damping=True, constant_gain=True,
+        **dict.fromkeys(acting, True), **FRICTION["viscous"],
+    )  # fmt: skip
     p = ParameterLayout(structure, JointScales(0.0, 0.02, 1.0, 50.0), "linear", (0,))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]][:4] = 0.0, 70.0, 0.0, np.log(230.0)
-    theta[at["damping"]], theta[at["input0"]], theta[at["input_lag"]] = (
-        np.log(DAMPING),
-        60.0,
-        np.log(0.05) if late else (),
-    )
+    theta[at["damping"]], theta[at["input0"]] = np.log(DAMPING), 60.0
+    for name, value in acting.items():
+        theta[at[name]] = np.log(value)
     rng, t = np.random.default_rng(3), 0.01 * np.arange(1200)
     v = np.repeat(rng.uniform(-1.0, 1.0, (60, 1)), 20, axis=0)
     run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, -0.011, 0.0)
@@ -110,7 +111,8 @@ def test_a_double_well_with_one_linear_input_gets_what_acts_and_no_more(late):
     noisy = run.q + 5e-6 * rng.standard_normal(len(t))
     model = identify_rbf([Log(t, noisy, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))], inputs="linear")
     found = model.parameters.structure
-    assert (found.rates, found.slips, found.drag, found.stops) == ((), 0, False, False), model.diagnostics["chosen"]
-    assert (found.input_lag, found.input_delay, found.bent_input, found.dead_zone) == (late, False, False, False)
+    offered = ("input_lag", "input_delay", "bent_input", "dead_zone", "drag", "stops")
+    assert {name for name in offered if getattr(found, name)} == set(acting), model.diagnostics["chosen"]
+    assert (found.rates, found.slips) == ((), 0), model.diagnostics["chosen"]
     q = np.linspace(-0.015, 0.015, 7)
     assert model.curves(q)["d"] == pytest.approx(np.full(7, DAMPING), rel=0.05)
