@@ -53,7 +53,7 @@ from pipeline.signals.log import log_of
 from pipeline.store.tables import read_table
 motions = log_of(read_table(next(run.glob("train/*/kinematics.parquet")))).segments()
 names = ASYMMETRIC_NAMES + FRICTION_NAMES
-print(seconds(lambda: calibrate(motions, NOMINAL, np.random.default_rng(0), names=names), 1))
+print(seconds(lambda: calibrate(motions, NOMINAL, names=names), 1))
 """
 )
 _FREE_RUN = (
@@ -220,7 +220,7 @@ ROWS: list[Row] = [
         "least squares, 4 × 10 RBF, 3750 samples [ms]", lambda b: 1e3 * told(_LEAST_SQUARES, b.folder), 0.0,
         "numpy.linalg.lstsq", lambda b: 1e3 * told(_LEAST_SQUARES, b.folder, "peer"),
     ),
-    ("calibration of P1, one log, three starts [s]", lambda b: told(_CALIBRATION, b.p1[0]), 4.0, "", None),
+    ("calibration of P1, one log [s]", lambda b: told(_CALIBRATION, b.p1[0]), 4.0, "", None),
     ("calibration of the drawn joint, the same [s]", lambda b: told(_CALIBRATION, b.default), 4.0, "", None),
     ("default identification of P1, one log [s]", Bench.identification_of_p1, 4.0, "", None),
     ("default identification of the drawn joint, one log [s]", Bench.identification, 4.0, "", None),

@@ -34,7 +34,6 @@ _NO_FORCE = "name another place, or remove the file"
 _NO_RUN = "leave it out: a sequence is designed for the joint of --parameters"
 _IN_PANDAS = "`debist.open_run(RUN).scores()` in Python, then `.to_csv()` or `.to_latex(escape=True)`"
 _IN_FILES = {
-    "physics calibrate": ("search", {"starts": "starts", "seed": "seed", "jobs": "threads"}),
     "rig": (
         "experiment",
         {
@@ -115,6 +114,7 @@ OPTIONS = {
     "verify --against": "`debist diff RUN RUN`, whose exit code is 0; its --json has a state for each artifact",
     "verify --all": "a loop of the shell over the runs",
     "verify --subset": "leave it out: all files are checked",
+    "physics calibrate --search": "leave it out: a fit has one start; its threads are --jobs",
     "physics calibrate --set": 'a TOML file for --parameters: base = "nominal", then the values',
     "physics calibrate --force": _NO_FORCE,
     "physics calibrate --figure": "the table, or the correlations of --json",

@@ -300,9 +300,7 @@ def calibrate(
     paper: Annotated[
         bool, typer.Option("--paper", help="Only the paper's seven parameters: no asymmetry, no friction.")
     ] = False,
-    search: Annotated[
-        Path | None, typer.Option("--search", metavar="FILE", help="TOML file with starts, seed and threads.")
-    ] = None,
+    jobs: Annotated[int, typer.Option("--jobs", min=1, help="Threads.")] = 2,
     output: Annotated[Path | None, typer.Option("-o", metavar="FILE", help="Write the calibrated set as TOML.")] = None,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -313,14 +311,12 @@ def calibrate(
     """
     from ..device.parameters import QUANTITIES, joint_parameters
     from ..models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
-    from ..settings.file import read_options
     from ..workflow.studies import physics
 
     names = PAPER_NAMES if paper else ASYMMETRIC_NAMES + FRICTION_NAMES
-    how = read_options(search, physics.SearchFile)
     joint = joint_parameters(parameters)
     with StatusLine("calibrating", quiet=quiet) as line:
-        fit = physics.calibrate(kinematics, joint, names=names, search=how, report=line.show)
+        fit = physics.calibrate(kinematics, joint, names=names, jobs=jobs, report=line.show)
     if output is not None:
         physics.write_parameters(fit, output)
     if as_json:

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
-import numpy as np
 from pydantic import Field
 
 from ...device.parameters import QUANTITIES, VECTOR_NAMES, JointParameters
@@ -93,7 +92,7 @@ def calibrate_analytical(data: Sequence[Log], start: JointParameters) -> Analyti
     """
     from .calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
-    fit = calibrate(data, start, np.random.default_rng(0), names=ASYMMETRIC_NAMES + FRICTION_NAMES)
+    fit = calibrate(data, start, names=ASYMMETRIC_NAMES + FRICTION_NAMES)
     return AnalyticalModel(
         parameters=fit.parameters,
         name="analytical-calibrated",

@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import Field
 
 from ...device.parameters import QUANTITIES, JointParameters, parameter_file
 from ...errors import InputError
@@ -14,7 +13,6 @@ from ...models.analytical.calibration import Calibration, calibrate as fit
 from ...models.analytical.reduced_order import Motions, pulse_sequence, simulate_both
 from ...models.analytical.statics import static_path
 from ...numerics.arrays import FloatArray
-from ...settings.logs import SettingsTable, Whole
 from ...signals.log import Log, log_of, voltages
 from ...store.outputs import new_outputs
 from ...store.tables import Table, read_table
@@ -71,23 +69,12 @@ def simulate(parameters: JointParameters, voltage: float, signals: Path | None =
     return simulate_both(parameters, table["t"], voltages(table), q0=float(q[0]) if q.size else None)
 
 
-class SearchFile(SettingsTable):
-    """Search of the calibration: the TOML file of `debist physics calibrate --search`."""
-
-    starts: Whole = Field(default=3, ge=1, le=100)
-    """Starts of the search, the first at the given set."""
-    seed: Whole = Field(default=0, ge=0)
-    """Draws the other starts."""
-    threads: Whole = Field(default=2, ge=1, le=64)
-    """Starts that are followed at a time."""
-
-
 def calibrate(
     kinematics: Sequence[Path],
     parameters: JointParameters,
     *,
     names: Sequence[str],
-    search: SearchFile,
+    jobs: int,
     report: Callable[[str, float], None] | None = None,
 ) -> Calibration:
     """Fit the named parameters to the gap-free segments of `kinematics.parquet` files.
@@ -102,8 +89,8 @@ def calibrate(
         Set to start from.
     names : sequence of str
         Parameters that are fitted.
-    search : SearchFile
-        Starts, seed and threads.
+    jobs : int
+        Threads.
     report : callable, optional
         Receives what is done, and its share.
 
@@ -122,15 +109,7 @@ def calibrate(
     motions = [segment for path in kinematics for segment in motion(path).segments()]
     if not motions:
         raise InputError("there is nothing to calibrate on; name kinematics.parquet files with valid samples")
-    return fit(
-        motions,
-        parameters,
-        np.random.default_rng(search.seed),
-        names=names,
-        starts=search.starts,
-        jobs=search.threads,
-        report=report,
-    )
+    return fit(motions, parameters, names=names, jobs=jobs, report=report)
 
 
 def write_parameters(fit: Calibration, target: Path) -> None:
@@ -152,5 +131,4 @@ def calibration_document(fit: Calibration) -> dict[str, Any]:
         "rmse": fit.rmse,
         "converged": fit.converged,
         "evaluations": fit.evaluations,
-        "start_rmse": fit.start_costs,
     }

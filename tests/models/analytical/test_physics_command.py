@@ -42,16 +42,14 @@ def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     columns = {"t": t, "q": run.q, "v1": v[:, 0], "v2": v[:, 1], "segment": np.zeros(t.size, np.int32)}
     source, target = tmp_path / "kinematics.parquet", tmp_path / "joint.toml"
     write_pieces(source, schema_of(KINEMATICS, JOINT), [columns | {"qdot": run.qdot, "qddot": run.qddot}])
-    once = tmp_path / "once.toml"
-    once.write_text("starts = 1\n")
-    document = answer("calibrate", str(source), "--paper", "--search", str(once), "-o", str(target))
+    document = answer("calibrate", str(source), "--paper", "--jobs", "1", "-o", str(target))
     assert set(document) >= {"parameters", "correlation", "rmse", "at_bound", "converged"}
     assert pytest.approx(1.7e9, rel=0.01) == joint_parameters(str(target)).E
 
 
 def test_a_calibrated_set_replaces_nothing_of_others(tmp_path: Path) -> None:
     one = np.array([1.7e9])
-    fit = Calibration(NOMINAL.with_values({"E": 1.7e9}), ("E",), one, 0.01 * one, one, (), 0.0, True, 1, one)
+    fit = Calibration(NOMINAL.with_values({"E": 1.7e9}), ("E",), one, 0.01 * one, one, (), 0.0, True, 1)
     target = tmp_path / "train.mat"
     target.write_bytes(b"a raw log")
     with pytest.raises(InputError, match="remove it"):
