@@ -7,7 +7,7 @@ import numpy as np
 from ..errors import InputError
 from ..numerics.arrays import FloatArray
 from .elements import elastic, rubber_energy, stretch, tip
-from .midpoint import march
+from .midpoint import Load, State, at_rest, march
 from .parameters import RITZ, RigParameters, coordinates
 
 _SETTLING, _SETTLING_STEP = 6.0, 2e-3  # s
@@ -59,12 +59,37 @@ def simulate(p: RigParameters, v: FloatArray, dt: float, *, stride: int = 15, x0
     Cost: N/stride steps of about 5 µs (see :func:`pipeline.rig.midpoint.march`); samples in between are cubic
     Hermite, O(N).
     """
-    poses, rates, _, _, follows = march(p, rest(p, side=-1) if x0 is None else x0, v**2, dt, stride)
-    if not follows:
-        raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
+    # A step feels the trapezoidal mean of the squares; the last is held.
+    squares = np.pad(v**2, ((0, 1 + -len(v) % stride), (0, 0)), mode="edge")
+    charge = (0.5 * (squares[:-1] + squares[1:])).reshape(-1, stride, 2).mean(axis=1)
+    poses, rates, _ = moved(p, rest(p, side=-1) if x0 is None else x0, charge, stride * dt)
     q, qdot = _hermite(poses[:, 0], rates[:, 0], v.shape[0], stride, stride * dt)
     phi, _ = _hermite(poses[:, 2], rates[:, 2], v.shape[0], stride, stride * dt)
     return Motion(q, qdot, phi)
+
+
+def moved(p: RigParameters, start: FloatArray, charge: FloatArray, h: float) -> tuple[FloatArray, FloatArray, State]:
+    """Steps of `h` [s] from rest at the coordinates `start`, shape (n,), under squared voltages (N, 2) [V²].
+
+    Returns
+    -------
+    poses, rates : FloatArray, shape (N + 1, 3)
+        (q, u_y, φ) of the tip and their rates at the start of each step, and after the last.
+    state : State
+        After the last step.
+
+    Raises
+    ------
+    InputError
+        Newton's method fails.
+    """
+    state, work = at_rest(p, start)
+    poses = np.empty((len(charge) + 1, 3))
+    rates = np.empty_like(poses)
+    none = np.zeros(len(charge))
+    if not march(p, state, work, Load(charge, none, none), h, 0, poses, rates) or not np.isfinite(state.x).all():
+        raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
+    return poses, rates, state
 
 
 def rest(p: RigParameters, *, side: int) -> FloatArray:
@@ -86,10 +111,7 @@ def rest(p: RigParameters, *, side: int) -> FloatArray:
     steps = round(_SETTLING / _SETTLING_STEP)
     charge = np.zeros((steps, 2))
     charge[: steps // 3, (1 - side) // 2] = _TILTING_VOLTAGE**2
-    _, _, final, _, follows = march(still, side * _TILT * shape, charge, _SETTLING_STEP, 1)
-    if not follows or not np.isfinite(final).all():
-        raise InputError("the virtual joint finds no rest: a membrane is stretched beyond its rubber law")
-    return final
+    return moved(still, side * _TILT * shape, charge, _SETTLING_STEP)[2].x
 
 
 def wells(p: RigParameters) -> tuple[float, float]:

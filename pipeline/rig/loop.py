@@ -4,21 +4,20 @@ Once in a period the controller is given the laser's reading and a target and an
 which are held until the next call. A command is limited to what the converters can give, 0 to `highest`, a NaN to 0.
 """
 
-import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from llvmlite import ir
 
 from ..errors import InputError
-from ..numerics.arrays import FloatArray, IntArray
-from ..numerics.compiled import compiled, inner, intrinsic, types
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled
 from .bench import Bench, Converter, Laser, Probe, Readings, bent, charge_left, charged
 from .excitation import MAX_VOLTAGE
-from .joint import barrier, rest, tip_displacement, wells
-from .midpoint import KEEP, advance, at_rest, locate_tip
+from .joint import barrier, rest, wells
+from .midpoint import Load, at_rest, march
 from .parameters import RigParameters
 
 HALVES = 2
@@ -28,8 +27,6 @@ PERIOD = 1e-3
 GONE = 1.0
 FROZEN = 2.0
 """Marks of a laser that gives no value, and of one that gives its last."""
-GIVE = 0.3e-3
-"""Distance [m] by which a wire gives way before it slides."""
 FINE = 10
 """Steps of a converter in a time step of the joint."""
 
@@ -43,8 +40,6 @@ class Surroundings(NamedTuple):
         Of the converters: time constant [s], largest slope [V/s], largest v v̇ while charging [V²/s].
     charge_left : float
         Share of a membrane's missing charge that is still missing after 1/`FINE` of a row (`bench.charge_left`).
-    highest : float
-        Largest voltage [V] that a converter gives.
     noise : FloatArray, shape (N,)
         Error of the laser [m] at each row, without its linearity.
     linearity, linearity_phase, rail, resolution : float
@@ -53,15 +48,12 @@ class Surroundings(NamedTuple):
         `GONE` where the laser gives no value (NaN), `FROZEN` where it gives its last one, else 0.
     force, spring : FloatArray, shape (N,)
         External force [N] on q, and stiffness [N/m] of a repelling spring, from each row to the next.
-    drag : float
-        Force [N] of a wire that slides; before that it gives way by `GIVE`.
     """
 
     lag: FloatArray
     rate_limit: FloatArray
     power_over_capacitance: FloatArray
     charge_left: float
-    highest: float
     noise: FloatArray
     linearity: float
     linearity_phase: float
@@ -70,45 +62,40 @@ class Surroundings(NamedTuple):
     lost: FloatArray
     force: FloatArray
     spring: FloatArray
-    drag: float
 
 
-def _call_step(context, address, q, target, v):  # type: ignore[no-untyped-def]  # numba's own form
-    """Call ``void step(double q, double target, double v[2])`` at an address."""
-
-    def generate(target_context, builder, signature, arguments):  # type: ignore[no-untyped-def]
-        """LLVM code: a call of the address."""
-        kind = ir.FunctionType(ir.VoidType(), [ir.DoubleType(), ir.DoubleType(), ir.IntType(64)])
-        builder.call(builder.inttoptr(arguments[0], kind.as_pointer()), arguments[1:])
-        return target_context.get_dummy_value()
-
-    return types.void(types.intp, types.float64, types.float64, types.intp), generate
-
-
-call_step: Any = intrinsic(_call_step)
-
-
-@inner
+@compiled
 def _charge(
-    v: FloatArray, membranes: FloatArray, command: FloatArray, h: float, around: Surroundings, charge: FloatArray
+    v: FloatArray, membranes: FloatArray, command: FloatArray, around: Surroundings, shown: FloatArray, load: FloatArray
 ) -> None:
-    """Move voltages of converters, `v`, and membranes over a time step of `h` [s]; fill `charge` with means of squares.
+    """Move voltages of converters, `v`, and membranes over the steps of a period, whose number is that of rows.
 
-    The squares are those of the membranes' voltages.
+    Parameters
+    ----------
+    v, membranes : FloatArray, shape (2,)
+        Voltages [V]; moved.
+    command : FloatArray, shape (2,)
+        Commanded voltages [V].
+    around : Surroundings
+        Converters.
+    shown, load : FloatArray, shape (HALVES, 2)
+        Filled: voltages of the converters where steps begin, and means of the squares of those of the membranes.
     """
-    dt = h / FINE
+    dt = PERIOD / HALVES / FINE
     for side in range(2):
         decay = -np.expm1(-dt / around.lag[side])
-        total = 0.0
-        for _ in range(FINE):
-            before = membranes[side]
-            v[side] = charged(
-                v[side], command[side], decay, around.rate_limit[side], around.power_over_capacitance[side], dt
-            )
-            now = v[side] + (before - v[side]) * around.charge_left
-            total += (before * before + before * now + now * now) / 3.0
-            membranes[side] = now
-        charge[side] = total / FINE
+        for step in range(len(shown)):
+            shown[step, side] = v[side]
+            total = 0.0
+            for _ in range(FINE):
+                before = membranes[side]
+                v[side] = charged(
+                    v[side], command[side], decay, around.rate_limit[side], around.power_over_capacitance[side], dt
+                )
+                now = v[side] + (before - v[side]) * around.charge_left
+                total += (before * before + before * now + now * now) / 3.0
+                membranes[side] = now
+            load[step, side] = total / FINE
 
 
 @compiled
@@ -121,125 +108,23 @@ def laser_reading(q: float, row: int, around: Surroundings) -> float:
     return float(np.round(shown / around.resolution) * around.resolution)
 
 
-@compiled
-def close_loop(
-    p: RigParameters,
-    start: FloatArray,
-    around: Surroundings,
-    target: FloatArray,
-    address: int,
-    out: FloatArray,
-    refused: IntArray,
-) -> bool:
-    """Run the loop from rest and fill `out`.
-
-    Parameters
-    ----------
-    p : RigParameters
-        The joint.
-    start : FloatArray, shape (n,)
-        Its coordinates at rest.
-    around : Surroundings
-        Instruments and disturbances, on the rows of `out`.
-    target : FloatArray, shape (N,)
-        Target that the controller gets [m].
-    address : int
-        Of the controller's step function.
-    out : FloatArray, shape (N, 6)
-        Filled: the laser's reading [m], the converters' voltages [V], the commands [V], and q [m] without any
-        instrument. Rows are `PERIOD` / `HALVES` apart.
-    refused : IntArray, shape (2,)
-        Raised by the commands that are no numbers, and by those beyond the converters' range.
-
-    Returns
-    -------
-    bool
-        False if Newton's method failed, as when a membrane is stretched beyond its rubber law.
-
-    Notes
-    -----
-    Cost: 9 ms for a second of motion, and the controller's own time.
-    """
-    h = PERIOD / HALVES
-    state, work = at_rest(p, start)
-    v = np.zeros(2)
-    membranes = np.zeros(2)
-    command = np.zeros(2)
-    reading = 0.0
-    anchor = work.pose[0]
-    for row in range(out.shape[0]):
-        locate_tip(state.x, state.v, p, work)
-        q = work.pose[0]
-        if row == 0 or around.lost[row] != FROZEN:
-            reading = laser_reading(q, row, around)
-        anchor = min(max(anchor, q - GIVE), q + GIVE)
-        if row % HALVES == 0:
-            call_step(address, reading, target[row], command.ctypes.data)
-            for side in range(2):
-                asked = command[side]
-                command[side] = min(max(asked, 0.0), around.highest) if asked == asked else 0.0
-                if asked - asked != 0.0:  # NaN or infinite
-                    refused[0] += 1
-                elif asked != command[side]:
-                    refused[1] += 1
-        out[row, 0], out[row, 5] = reading, q
-        for side in range(2):
-            out[row, 1 + side], out[row, 3 + side] = v[side], command[side]
-        _charge(v, membranes, command, h, around, state.charge)
-        state.hand[0] = around.force[row] - around.drag * (q - anchor) / GIVE
-        state.hand[1] = around.spring[row]
-        if not advance(h, row % KEEP == 0, state, p, work):
-            return False
-    return True
-
-
-_STEP = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
 Step = Callable[[float, float], tuple[float, float]]
-
-
-class Controller:
-    """A controller from a function that gets the first reading [m] and returns the step function.
-
-    Attributes
-    ----------
-    address : int
-        Of its step for compiled code, while this object is alive.
-    failure : list of Exception
-        Errors of its Python; the voltages are zero from there on.
-    """
-
-    def __init__(self, beginning: Callable[[float], Step]) -> None:
-        self._beginning = beginning
-        self._called = _STEP(self._answer)
-        self.address = ctypes.cast(self._called, ctypes.c_void_p).value or 0
-        self.failure: list[Exception] = []
-
-    def begin(self, q: float) -> None:
-        """Make the step function for the first reading [m]."""
-        self._step = self._beginning(q)
-
-    def _answer(self, q: float, target: float, v: Any) -> None:
-        """Write the voltages [V] for a reading and a target [m] into `v`; zero from the first failure on."""
-        left = right = 0.0
-        try:
-            if not self.failure:
-                left, right = self._step(q, target)
-        except Exception as error:  # it cannot pass through the compiled loop
-            self.failure.append(error)
-        v[0], v[1] = left, right
+"""Commands [V] for a reading and a target [m]."""
+Controller = Callable[[float], Step]
+"""Makes the step function of a run for the first reading [m]."""
 
 
 def played(t: FloatArray, u: FloatArray) -> Controller:
     """An open-loop controller that gives `u`, shape (N, 2) [V], each row from its time `t` [s] on."""
     rows = np.clip(np.searchsorted(t, np.arange(0.0, t[-1] + PERIOD, PERIOD) + 1e-9, side="right") - 1, 0, t.size - 1)
-    commands = iter(u[rows].tolist())
+    commands = u[rows].tolist()
 
-    def step(_q: float, _target: float) -> tuple[float, float]:
-        """The next row; zero volts after the last."""
-        left, right = next(commands, (0.0, 0.0))
-        return left, right
+    def begin(_q: float) -> Step:
+        """From the first row on; zero volts after the last."""
+        left = iter(commands)
+        return lambda _q, _target: next(left, (0.0, 0.0))
 
-    return Controller(lambda _q: step)
+    return begin
 
 
 @dataclass(frozen=True)
@@ -344,7 +229,7 @@ def run_loop(
 
     Notes
     -----
-    Cost: 9 ms for a second of motion, 10 ms for the rest at the start, and the controller's own time.
+    Cost: 35 ms for a second of motion, 10 ms for the rest at the start, and the controller's own time.
     """
     rng = np.random.default_rng(scenario.seed)
     changed = p._replace(
@@ -359,28 +244,52 @@ def run_loop(
     t = np.arange(rows) / (HALVES / PERIOD)
     around = _surroundings(p, bench, scenario, t, rng)
     target = scenario.target[np.searchsorted(scenario.t, t + 1e-9, side="right") - 1]
-    controller.begin(laser_reading(tip_displacement(p, start), 0, around))
-    out = np.zeros((rows, 6))
-    refused = np.zeros(2, dtype=np.int64)
-    follows = close_loop(changed, start, around, target, controller.address, out, refused)
-    if controller.failure:
-        error = controller.failure[0]
-        raise InputError(f"the controller failed: {type(error).__name__}: {error}") from error
-    if not follows:
-        raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
-    left, right = (bench.probes[side].read(t, out[:, 1 + side], rng) for side in (0, 1))
+    state, work = at_rest(changed, start, scenario.drag)
+    load = Load(np.zeros((rows, 2)), around.force, around.spring)
+    v, membranes = np.zeros((2, 2))
+    poses, rates = np.empty((2, HALVES + 1, 3))
+    q, readings = np.empty((2, rows))
+    volts, commands = np.empty((2, rows, 2))
+    answers = np.empty((rows // HALVES, 2))
+    q[0] = work.pose[0]
+    reading = laser_reading(q[0], 0, around)
+    with _controlling():
+        step = controller(reading)
+    for row in range(rows):
+        reading = reading if around.lost[row] == FROZEN else laser_reading(q[row], row, around)
+        readings[row] = reading
+        if row % HALVES:
+            continue
+        period = slice(row, row + HALVES)
+        with _controlling():
+            answers[row // HALVES] = step(reading, target[row])
+        commands[period] = [min(max(0.0, asked), scenario.highest) for asked in answers[row // HALVES]]  # NaN: 0 V
+        _charge(v, membranes, commands[row], around, volts[period], load.charge[period])
+        if not march(changed, state, work, Load(*(x[period] for x in load)), PERIOD / HALVES, row, poses, rates):
+            raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
+        q[row : row + HALVES + 1] = poses[: rows - row, 0]
+    left, right = (bench.probes[side].read(t, volts[:, side], rng) for side in (0, 1))
     return ClosedLoop(
         t=t,
-        q=out[:, 0],
+        q=readings,
         v1=left,
         v2=right,
         target=target,
-        command1=out[:, 3],
-        command2=out[:, 4],
-        true_q=out[:, 5],
-        commands_not_finite=int(refused[0]),
-        commands_clipped=int(refused[1]),
+        command1=commands[:, 0],
+        command2=commands[:, 1],
+        true_q=q,
+        commands_not_finite=int(np.count_nonzero(~np.isfinite(answers))),
+        commands_clipped=int(np.count_nonzero(np.isfinite(answers) & (answers != commands[::HALVES]))),
     )
+
+
+@contextmanager
+def _controlling() -> Iterator[None]:
+    """Context for calls of a controller: what it raises becomes an InputError."""
+    try:
+        yield
+    except Exception as error:
+        raise InputError(f"the controller failed: {type(error).__name__}: {error}") from error
 
 
 def _surroundings(
@@ -405,7 +314,6 @@ def _surroundings(
         rate_limit=np.array([c.rate_limit for c in converters]),
         power_over_capacitance=np.array([c.power_limit / c.capacitance for c in converters]),
         charge_left=charge_left(bench.charging, PERIOD / HALVES / FINE),
-        highest=scenario.highest,
         noise=noise,
         linearity=laser.linearity,
         linearity_phase=float(phase[0]),
@@ -414,7 +322,6 @@ def _surroundings(
         lost=lost,
         force=_tip_force(scenario, t),
         spring=spring,
-        drag=scenario.drag,
     )
 
 

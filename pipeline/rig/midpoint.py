@@ -34,9 +34,26 @@ _TOLERANCE = 1e-8  # of the Newton step on the midpoint velocity, relative to 1 
 _MAX_NEWTON = 30
 KEEP = 12  # steps for which a Jacobian is kept; within a step it is renewed after eight iterations
 _NUDGE = 1e-5  # change of a coordinate in the finite differences
+GIVE = 0.3e-3  # [m] by which a wire gives way before it slides
 
 
-class _State(NamedTuple):
+class Load(NamedTuple):
+    """What acts on a joint in N steps.
+
+    Attributes
+    ----------
+    charge : FloatArray, shape (N, 2)
+        Squared voltages, mean over the step [V²].
+    force, spring : FloatArray, shape (N,)
+        Force on q [N], and stiffness of a repelling spring [N/m].
+    """
+
+    charge: FloatArray
+    force: FloatArray
+    spring: FloatArray
+
+
+class State(NamedTuple):
     """The joint at the start of a step."""
 
     x: FloatArray  # (n,)
@@ -45,14 +62,15 @@ class _State(NamedTuple):
     strain: FloatArray  # (2,) what the branches saw
     z: FloatArray  # (elements,) friction [N]
     sliding: FloatArray  # (1,) [m]
-    charge: FloatArray  # (2,) squared voltages, mean over the step [V²]
+    charge: FloatArray  # (2,) of the step
     layers: FloatArray  # (layers, n) elastic angles of yielding layers [rad]
     bends: FloatArray  # (n,) angles of the hinges [rad]
     age: FloatArray  # (1,) [s]
-    hand: FloatArray  # (2,) what else acts on q: a force [N] and the stiffness of a repelling spring [N/m]
+    hand: FloatArray  # (2,) force and spring of the step
+    wire: FloatArray  # (2,) its anchor [m], and the force with which it slides [N]
 
 
-class _Work(NamedTuple):
+class Work(NamedTuple):
     """Arrays that are filled over and over."""
 
     x: FloatArray  # (n,) at the midpoint
@@ -72,7 +90,7 @@ class _Work(NamedTuple):
 
 
 @compiled(inline="always")
-def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: _Work, out: FloatArray) -> None:
+def _imbalance(vm: FloatArray, h: float, state: State, p: RigParameters, work: Work, out: FloatArray) -> None:
     """Fill `out`, shape (n,), with the residual of the midpoint rule at the midpoint velocity `vm`."""
     n = vm.size
     x = work.x
@@ -103,7 +121,7 @@ def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: 
 
 
 @compiled(inline="always")
-def _membrane_load(dt: float, state: _State, p: RigParameters, work: _Work) -> None:
+def _membrane_load(dt: float, state: State, p: RigParameters, work: Work) -> None:
     """Fill `work.load` with the membranes' forces along (q, u_y, φ), `dt` after the state; and `work.branches`."""
     work.load[0] = work.load[1] = work.load[2] = 0.0
     soft = 1.0 - p.softening * (1.0 - np.exp(-state.age[0] / p.softening_time))
@@ -152,7 +170,7 @@ def _invert(a: FloatArray, inverse: FloatArray) -> None:
 
 
 @compiled(inline="always")
-def _newton(h: float, renew: bool, state: _State, p: RigParameters, work: _Work) -> bool:
+def _newton(h: float, renew: bool, state: State, p: RigParameters, work: Work) -> bool:
     """Solve the step for `work.middle`, from what it holds; False if that fails. The Jacobian is renewed on demand."""
     vm = work.middle
     n = vm.size
@@ -187,24 +205,20 @@ def _newton(h: float, renew: bool, state: _State, p: RigParameters, work: _Work)
     return False
 
 
-@compiled(inline="always")
-def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
-    """Trapezoidal mean of `e` over the step of `stride` samples that begins at `first`; the last value is held."""
-    total = 0.0
-    last = e.shape[0] - 1
-    for i in range(stride):
-        total += 0.5 * (e[min(first + i, last), side] + e[min(first + i + 1, last), side])
-    return total / stride
+def at_rest(p: RigParameters, start: FloatArray, drag: float = 0.0) -> tuple[State, Work]:
+    """The joint at rest, its viscous branches and friction relaxed, and arrays for its steps.
 
-
-@inner
-def at_rest(p: RigParameters, start: FloatArray) -> tuple[_State, _Work]:
-    """The joint at rest at the coordinates `start`, shape (n,), and arrays for its steps.
-
-    Its viscous branches and friction are relaxed.
+    Parameters
+    ----------
+    p : RigParameters
+        The joint.
+    start : FloatArray, shape (n,)
+        Its coordinates.
+    drag : float
+        Force [N] of a wire that slides; before that it gives way by `GIVE`.
     """
     n = start.size
-    state = _State(
+    state = State(
         x=start.copy(),
         v=np.zeros(n),
         branches=np.zeros(p.branch_modulus.shape),
@@ -213,11 +227,12 @@ def at_rest(p: RigParameters, start: FloatArray) -> tuple[_State, _Work]:
         sliding=np.zeros(1),
         charge=np.zeros(2),
         layers=np.zeros((p.plastic_share.size, n)),
-        bends=np.zeros(n),
+        bends=np.array([hinge_angle(start, i) for i in range(n)]),
         age=np.zeros(1),
         hand=np.zeros(2),
+        wire=np.array([0.0, drag]),
     )
-    work = _Work(
+    work = Work(
         x=np.zeros(n),
         pose=np.zeros(3),
         jacobian=np.zeros((3, n)),
@@ -233,15 +248,14 @@ def at_rest(p: RigParameters, start: FloatArray) -> tuple[_State, _Work]:
         middle=np.zeros(n),
         inverse=np.zeros((n, n)),
     )
-    locate_tip(state.x, state.v, p, work)
+    tip(state.x, p, work.pose, work.jacobian)
     state.sliding[0] = work.pose[0] + p.friction_arm * work.pose[2]
-    for i in range(n):
-        state.bends[i] = hinge_angle(state.x, i)
+    state.wire[0] = work.pose[0]
     return state, work
 
 
 @inner
-def locate_tip(x: FloatArray, v: FloatArray, p: RigParameters, work: _Work) -> None:
+def locate_tip(x: FloatArray, v: FloatArray, p: RigParameters, work: Work) -> None:
     """Fill pose, Jacobian and speed of the tip in `work`.
 
     Parameters
@@ -250,7 +264,7 @@ def locate_tip(x: FloatArray, v: FloatArray, p: RigParameters, work: _Work) -> N
         Coordinates and their rates.
     p : RigParameters
         The joint.
-    work : _Work
+    work : Work
         Arrays of the integrator.
     """
     tip(x, p, work.pose, work.jacobian)
@@ -261,7 +275,7 @@ def locate_tip(x: FloatArray, v: FloatArray, p: RigParameters, work: _Work) -> N
 
 
 @inner
-def advance(h: float, renew: bool, state: _State, p: RigParameters, work: _Work) -> bool:
+def advance(h: float, renew: bool, state: State, p: RigParameters, work: Work) -> bool:
     """One step of `h` [s] under `state.charge` and `state.hand`; False if the joint cannot follow.
 
     `work.pose` must be that of the state (see `locate_tip`).
@@ -272,11 +286,11 @@ def advance(h: float, renew: bool, state: _State, p: RigParameters, work: _Work)
         Length of the step [s].
     renew : bool
         True if the inverse is made anew.
-    state : _State
+    state : State
         State of the joint, which is moved.
     p : RigParameters
         The joint.
-    work : _Work
+    work : Work
         Arrays of the integrator.
     """
     n = state.x.size
@@ -308,48 +322,53 @@ def advance(h: float, renew: bool, state: _State, p: RigParameters, work: _Work)
 
 @compiled
 def march(
-    p: RigParameters, start: FloatArray, e: FloatArray, dt: float, stride: int
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, bool]:
-    """March from rest under sampled voltages.
+    p: RigParameters,
+    state: State,
+    work: Work,
+    load: Load,
+    h: float,
+    first: int,
+    poses: FloatArray,
+    rates: FloatArray,
+) -> bool:
+    """Move a joint by N steps.
 
     Parameters
     ----------
     p : RigParameters
         The joint.
-    start : FloatArray, shape (n,)
-        Coordinates at rest.
-    e : FloatArray, shape (N, 2)
-        Squared voltages [V²].
-    dt : float
-        Their interval [s].
-    stride : int
-        Samples per time step h; a step feels the trapezoidal mean of its squared voltages.
+    state, work : State, Work
+        From `at_rest`; moved.
+    load : Load
+        What acts.
+    h : float
+        Length of a step [s].
+    first : int
+        Number of the first step, of which every `KEEP`-th renews the Jacobian.
+    poses, rates : FloatArray, shape (N + 1, 3)
+        (q, u_y, φ) and their rates at the start of each step, and after the last (output).
 
     Returns
     -------
-    poses, rates : FloatArray, shape (steps + 1, 3)
-        (q, u_y, φ) and their rates at the start of each step, and after the last.
-    x, v : FloatArray, shape (n,)
-        Coordinates and their rates after the last step.
-    follows : bool
-        False if Newton's method failed.
+    bool
+        False if Newton's method failed, as when a membrane is stretched beyond its rubber law.
 
     Notes
     -----
-    Cost: about 2.5 residuals of 1.5 µs a step, and n more every twelve steps.
+    Cost: about 2.5 residuals of 1.5 µs a step, and n more every twelve steps; 10 µs for each call.
     """
-    steps = (e.shape[0] - 1) // stride + 1
-    poses = np.empty((steps + 1, 3))
-    rates = np.empty((steps + 1, 3))
-    state, work = at_rest(p, start)
+    steps = len(load.force)
     for step in range(steps + 1):
         locate_tip(state.x, state.v, p, work)
         copy_into(poses[step], work.pose)
         copy_into(rates[step], work.speed)
         if step == steps:
             break
-        for side in range(2):
-            state.charge[side] = _mean(e, side, step * stride, stride)
-        if not advance(stride * dt, step % KEEP == 0, state, p, work):
-            return poses, rates, state.x, state.v, False
-    return poses, rates, state.x, state.v, True
+        copy_into(state.charge, load.charge[step])
+        q = work.pose[0]
+        state.wire[0] = min(max(state.wire[0], q - GIVE), q + GIVE)
+        state.hand[0] = load.force[step] - state.wire[1] * (q - state.wire[0]) / GIVE
+        state.hand[1] = load.spring[step]
+        if not advance(h, (first + step) % KEEP == 0, state, p, work):
+            return False
+    return True

@@ -12,7 +12,7 @@ from cli import app
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.rig.bench import Bench
 from pipeline.rig.joint import potential, rest, saddle, simulate, tip_displacement, wells
-from pipeline.rig.loop import Controller, Scenario, bench_from_json, played, run_loop
+from pipeline.rig.loop import Scenario, bench_from_json, played, run_loop
 from pipeline.rig.parameters import as_json, from_json, nominal
 from pipeline.rig.random_joint import random_joint
 from pipeline.rig_logs import read_recording
@@ -49,7 +49,7 @@ def test_a_controller_is_told_readings_and_targets_once_a_period_and_its_answer_
         return step
 
     scenario = Scenario(np.array([0.0, 0.2]), np.array([1e-3, 2e-3]), 0.4, highest=2000.0, lost=((0.3, 0.05),))
-    run = run_loop(nominal(), Bench(), scenario, Controller(made))
+    run = run_loop(nominal(), Bench(), scenario, made)
     assert len(heard) == 401
     np.testing.assert_array_equal([q for q, _ in heard[1:]], run.q[::2])
     np.testing.assert_array_equal([target for _, target in heard[1:]], run.target[::2])
@@ -61,7 +61,7 @@ def test_a_controller_is_told_readings_and_targets_once_a_period_and_its_answer_
 
 
 def test_a_hand_a_shaking_table_and_a_wire_act() -> None:
-    idle = Controller(lambda _q: lambda _q, _target: (0.0, 0.0))
+    idle = played(np.zeros(1), np.zeros((1, 2)))
     scenario = replace(STILL, hands=((0.05, 20e-3, 0.3),))
     hand, dragged = (run_loop(nominal(), Bench(), replace(scenario, drag=drag), idle).true_q for drag in (0.0, 5e-3))
     assert np.ptp(hand[:100]) < 1e-6

@@ -120,7 +120,7 @@ def designed(law: Law) -> Controller:
 
         return step
 
-    return Controller(made)
+    return made
 
 
 def _controller(run: Path | None, play: Path | None) -> Controller:
