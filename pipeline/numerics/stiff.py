@@ -229,7 +229,7 @@ def factorise_stages(shift: float, work: Work) -> bool:
     return bool(factorise(factors, work.pivots))
 
 
-@inner
+@compiled(inline="always")
 def solve_stages(shift: float, work: Work, out: FloatArray) -> None:
     """Solve ``(shift·I − J) out = right``, with M⁻¹ `forces` for the velocities beside, in all columns at once.
 

@@ -274,7 +274,7 @@ def locate_tip(x: FloatArray, v: FloatArray, p: RigParameters, work: Work) -> No
             work.speed[c] += work.jacobian[c, j] * v[j]
 
 
-@inner
+@compiled(inline="always")
 def advance(h: float, renew: bool, state: State, p: RigParameters, work: Work) -> bool:
     """One step of `h` [s] under `state.charge` and `state.hand`; False if the joint cannot follow.
 

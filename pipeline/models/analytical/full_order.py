@@ -302,7 +302,7 @@ def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: Float
     return True
 
 
-@inner
+@compiled(inline="always")
 def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
     """∂f/∂t by the inputs' rates where the step starts, whose mass matrix has just been factorised."""
     n = s.sample[0]
@@ -331,7 +331,7 @@ def _rises(t: FloatArray, v: FloatArray, force: FloatArray, sample: int, rise: F
     return float(interval)
 
 
-@inner
+@compiled(inline="always")
 def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
     """ẋ at a stage, with its share of h ∂f/∂t; rates and Jacobian of the first are those of the step's start."""
     if stage == 0:
@@ -344,7 +344,7 @@ def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
     return fine
 
 
-@inner
+@compiled(inline="always")
 def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
     """Stiffly accurate: the last stage completes the solution and is the error estimate; its RMS over the scale."""
     norm = 0.0

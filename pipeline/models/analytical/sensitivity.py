@@ -143,7 +143,7 @@ def _tabulate(
                         masses[k, i, m] = mass[i, m, 0]
 
 
-@inner
+@compiled(inline="always")
 def _between(run: _Run, k: int, x: FloatArray, a: FloatArray, squares: FloatArray) -> None:
     """State (11,), accelerations (4,) and squared voltages (2,) at sample k / 2, or halfway to the next one."""
     t, v, states, rates = run
@@ -172,7 +172,7 @@ class _Variation(NamedTuple):
     source: FloatArray
 
 
-@inner
+@compiled(inline="always")
 def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
     """Matrices at a stage, and its right-hand side ``at / (γ h)`` plus ∂f/∂p."""
     row = system.at[0]
