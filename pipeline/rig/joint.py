@@ -69,7 +69,18 @@ def simulate(p: RigParameters, v: FloatArray, dt: float, *, stride: int = 15, x0
 
 
 def moved(p: RigParameters, start: FloatArray, charge: FloatArray, h: float) -> tuple[FloatArray, FloatArray, State]:
-    """Steps of `h` [s] from rest at the coordinates `start`, shape (n,), under squared voltages (N, 2) [V²].
+    """Move a joint from rest.
+
+    Parameters
+    ----------
+    p : RigParameters
+        The joint.
+    start : FloatArray, shape (n,)
+        Coordinates at rest.
+    charge : FloatArray, shape (N, 2)
+        Squared voltages, mean over each step [V²].
+    h : float
+        Length of a step [s].
 
     Returns
     -------

@@ -70,7 +70,7 @@ class State(NamedTuple):
     wire: FloatArray  # (2,) its anchor [m], and the force with which it slides [N]
 
 
-class Work(NamedTuple):
+class _Work(NamedTuple):
     """Arrays that are filled over and over."""
 
     x: FloatArray  # (n,) at the midpoint
@@ -90,7 +90,7 @@ class Work(NamedTuple):
 
 
 @compiled(inline="always")
-def _imbalance(vm: FloatArray, h: float, state: State, p: RigParameters, work: Work, out: FloatArray) -> None:
+def _imbalance(vm: FloatArray, h: float, state: State, p: RigParameters, work: _Work, out: FloatArray) -> None:
     """Fill `out`, shape (n,), with the residual of the midpoint rule at the midpoint velocity `vm`."""
     n = vm.size
     x = work.x
@@ -121,7 +121,7 @@ def _imbalance(vm: FloatArray, h: float, state: State, p: RigParameters, work: W
 
 
 @compiled(inline="always")
-def _membrane_load(dt: float, state: State, p: RigParameters, work: Work) -> None:
+def _membrane_load(dt: float, state: State, p: RigParameters, work: _Work) -> None:
     """Fill `work.load` with the membranes' forces along (q, u_y, φ), `dt` after the state; and `work.branches`."""
     work.load[0] = work.load[1] = work.load[2] = 0.0
     soft = 1.0 - p.softening * (1.0 - np.exp(-state.age[0] / p.softening_time))
@@ -170,7 +170,7 @@ def _invert(a: FloatArray, inverse: FloatArray) -> None:
 
 
 @compiled(inline="always")
-def _newton(h: float, renew: bool, state: State, p: RigParameters, work: Work) -> bool:
+def _newton(h: float, renew: bool, state: State, p: RigParameters, work: _Work) -> bool:
     """Solve the step for `work.middle`, from what it holds; False if that fails. The Jacobian is renewed on demand."""
     vm = work.middle
     n = vm.size
@@ -205,7 +205,7 @@ def _newton(h: float, renew: bool, state: State, p: RigParameters, work: Work) -
     return False
 
 
-def at_rest(p: RigParameters, start: FloatArray, drag: float = 0.0) -> tuple[State, Work]:
+def at_rest(p: RigParameters, start: FloatArray, drag: float = 0.0) -> tuple[State, _Work]:
     """The joint at rest, its viscous branches and friction relaxed, and arrays for its steps.
 
     Parameters
@@ -232,7 +232,7 @@ def at_rest(p: RigParameters, start: FloatArray, drag: float = 0.0) -> tuple[Sta
         hand=np.zeros(2),
         wire=np.array([0.0, drag]),
     )
-    work = Work(
+    work = _Work(
         x=np.zeros(n),
         pose=np.zeros(3),
         jacobian=np.zeros((3, n)),
@@ -255,7 +255,7 @@ def at_rest(p: RigParameters, start: FloatArray, drag: float = 0.0) -> tuple[Sta
 
 
 @inner
-def locate_tip(x: FloatArray, v: FloatArray, p: RigParameters, work: Work) -> None:
+def locate_tip(x: FloatArray, v: FloatArray, p: RigParameters, work: _Work) -> None:
     """Fill pose, Jacobian and speed of the tip in `work`.
 
     Parameters
@@ -264,7 +264,7 @@ def locate_tip(x: FloatArray, v: FloatArray, p: RigParameters, work: Work) -> No
         Coordinates and their rates.
     p : RigParameters
         The joint.
-    work : Work
+    work : _Work
         Arrays of the integrator.
     """
     tip(x, p, work.pose, work.jacobian)
@@ -275,7 +275,7 @@ def locate_tip(x: FloatArray, v: FloatArray, p: RigParameters, work: Work) -> No
 
 
 @compiled(inline="always")
-def advance(h: float, renew: bool, state: State, p: RigParameters, work: Work) -> bool:
+def advance(h: float, renew: bool, state: State, p: RigParameters, work: _Work) -> bool:
     """One step of `h` [s] under `state.charge` and `state.hand`; False if the joint cannot follow.
 
     `work.pose` must be that of the state (see `locate_tip`).
@@ -290,7 +290,7 @@ def advance(h: float, renew: bool, state: State, p: RigParameters, work: Work) -
         State of the joint, which is moved.
     p : RigParameters
         The joint.
-    work : Work
+    work : _Work
         Arrays of the integrator.
     """
     n = state.x.size
@@ -324,7 +324,7 @@ def advance(h: float, renew: bool, state: State, p: RigParameters, work: Work) -
 def march(
     p: RigParameters,
     state: State,
-    work: Work,
+    work: _Work,
     load: Load,
     h: float,
     first: int,
@@ -337,7 +337,7 @@ def march(
     ----------
     p : RigParameters
         The joint.
-    state, work : State, Work
+    state, work : State, _Work
         From `at_rest`; moved.
     load : Load
         What acts.

@@ -22,7 +22,7 @@ from .prior_knowledge import known_inputs, prior_knowledge_of
 from .run_contents import load_logs, sources
 from .steps.identify import CHOICE, IDENTIFIED, identified, training
 
-ALGORITHM = "66"
+ALGORITHM = "67"
 BASELINE_ALGORITHM = "16"
 
 
