@@ -65,6 +65,9 @@ ITERATIONS = 15
 LAST_ITERATIONS = 300
 """Steps at the last level of a fit; most converge within 60."""
 
+RESOLVED = 0.3
+"""Standard errors by which the integration steps of a fit may move an estimate: a tenth of its mean square error."""
+
 ODDS = 20.0
 """Odds that the logs must give a candidate against the one before it: an element is shown at the level of 5 %."""
 
@@ -296,13 +299,30 @@ def _fit_to_all(
         complete = within(records, fit.theta, LAST_JACOBIANS)
         last = descend(complete, fit.theta, gains[-1:], 1.0)
         fit, problem = (last, complete) if last.levels else (fit, problem)
+    while fit.levels and _step_error(fit, finer := problem.refined()) > RESOLVED:
+        if setting.effort.spent + LAST_JACOBIANS * finer.jacobian_effort(fit.theta) > setting.effort.limit:
+            break
+        last = descend(finer, fit.theta, [fit.levels[-1].gain], 1.0)
+        if not last.levels:
+            break
+        passed = (*fit.levels, *last.levels)
+        fit, problem = replace(last, levels=passed, reached_last=fit.reached_last, chaotic=fit.chaotic), finer
     return _Fitted(
         candidate=option,
-        begun=begun,
+        begun=(problem.parameters, start, prior),
         fit=fit,
         errors=fit.residual[problem.of_displacement] if fit.levels else fit.residual,
         problem=problem,
     )
+
+
+def _step_error(fit: HomotopyFit, finer: JointProblem) -> float:
+    """How far twice as many steps move the residual, which bounds how far they move any estimate [standard errors]."""
+    ahead = finer.residual(fit.theta, fit.levels[-1].gain)
+    if ahead is None:
+        return 0.0
+    independent = len(ahead) / whiteness(fit.residual).integrated_correlation_time
+    return rms(ahead - fit.residual) / rms(fit.residual) * float(np.sqrt(independent))
 
 
 def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float]) -> dict[str, object]:

@@ -55,6 +55,8 @@ class ParameterLayout:
         BeforeValidator(listed), Field(min_length=1, max_length=MOST_INPUTS), Unit("1"),
     ]  # fmt: skip
     """Sign of each input's force; 0 if it may change."""
+    refinement: Annotated[int, Field(ge=1, le=1 << 10), Unit("1")] = 1
+    """Times as many integration steps as the pace needs."""
 
     @cached_property
     def centres(self) -> FloatArray:

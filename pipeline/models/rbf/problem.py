@@ -7,6 +7,7 @@ estimate, fits of a DE joint 0.9 to 1.1 times.
 """
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -103,7 +104,7 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
         raise InputError(
             f"the model moves {interval * rate:.3g} steps in a sample interval of {interval:g} s; resample"
         )
-    return max(1, int(np.ceil(interval * rate)))
+    return max(1, int(np.ceil(interval * rate))) * p.refinement
 
 
 _NUDGE = 1e-9
@@ -273,6 +274,12 @@ class JointProblem:
             if np.isfinite(apart).all() and np.any(apart > _PARTED):
                 return True
         return False
+
+    def refined(self) -> "JointProblem":
+        """The same, simulated in twice as many steps."""
+        other = copy(self)
+        other.parameters = replace(self.parameters, refinement=2 * self.parameters.refinement)
+        return other
 
     @property
     def of_displacement(self) -> BoolArray:

@@ -88,17 +88,13 @@ def test_the_evidence_is_the_marginal_likelihood_of_a_linear_model_of_known_nois
     assert found[0] - found[1] == pytest.approx(exact[0] - exact[1], rel=1e-3)
 
 
-@pytest.mark.parametrize("acting", [{}, {"input_lag": 0.05}, {"drag": 0.4}], ids=["plain", "lag of the input", "drag"])
-def test_a_double_well_with_one_linear_input_gets_what_acts_and_no_more(acting):
-    """Random levels move it over the barrier: held-out free runs would show friction or delays that are not there.
-
-    What stood for the drag before it was offered goes again.
-    """
+def driven_well(acting, **how):
+    """A double well of one linear input, and a motion of 12 s over its barrier under random levels."""
     structure = JointStructure(
         8, arc=False, force="polynomial", constant_damping=True, constant_gain=True,
         **dict.fromkeys(acting, True), **FRICTION["viscous"],
     )  # fmt: skip
-    p = ParameterLayout(structure, JointScales(0.0, 0.02, 1.0, 50.0), "linear", (0,))
+    p = ParameterLayout(structure, JointScales(0.0, 0.02, 1.0, 50.0), "linear", (0,), **how)
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]][:4] = 0.0, 70.0, 0.0, np.log(230.0)
     theta[at["damping"]], theta[at["input0"]] = np.log(DAMPING), 60.0
@@ -108,11 +104,34 @@ def test_a_double_well_with_one_linear_input_gets_what_acts_and_no_more(acting):
     v = np.repeat(rng.uniform(-1.0, 1.0, (60, 1)), 20, axis=0)
     run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, -0.011, 0.0)
     assert np.count_nonzero(np.diff(np.sign(run.q))) > 5
-    noisy = run.q + 5e-6 * rng.standard_normal(len(t))
-    model = identify_rbf([Log(t, noisy, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))], inputs="linear")
+
+    def noisy(noise):
+        q = run.q + noise * rng.standard_normal(len(t))
+        return Log(t, q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
+
+    return noisy
+
+
+@pytest.mark.parametrize("acting", [{}, {"input_lag": 0.05}, {"drag": 0.4}], ids=["plain", "lag of the input", "drag"])
+def test_a_double_well_with_one_linear_input_gets_what_acts_and_no_more(acting):
+    """Random levels move it over the barrier: held-out free runs would show friction or delays that are not there.
+
+    What stood for the drag before it was offered goes again.
+    """
+    model = identify_rbf([driven_well(acting)(5e-6)], inputs="linear")
     found = model.parameters.structure
     offered = ("input_lag", "input_delay", "bent_input", "dead_zone", "drag", "stops")
     assert {name for name in offered if getattr(found, name)} == set(acting), model.diagnostics["chosen"]
     assert (found.rates, found.slips) == ((), 0), model.diagnostics["chosen"]
     q = np.linspace(-0.015, 0.015, 7)
     assert model.curves(q)["d"] == pytest.approx(np.full(7, DAMPING), rel=0.05)
+
+
+def test_integration_steps_follow_from_the_noise():
+    """A log of little noise is followed to its noise, in more steps than the pace of the device needs."""
+    refined = []
+    for noise in (1e-4, 1e-7):
+        model = identify_rbf([driven_well({}, refinement=16)(noise)], inputs="linear")
+        refined.append(model.parameters.refinement)
+        assert model.diagnostics["training_rms_m"] == pytest.approx(noise, rel=0.1)
+    assert refined[0] == 1 < refined[1]
