@@ -199,7 +199,7 @@ WINDOW = 1.0
 lose the well can be held to the whole ring-down."""
 FIRST_EVALUATIONS = 6
 """Limit of simulations of every third window, with which a search begins. Without it one of 35 simulated joints is lost
-and a fit takes a third longer; more starts, from elsewhere, ended in the same place on 30 of them, four times lower."""
+and a fit takes a third to a half longer. More starts, from elsewhere, ended in the same place on 30 of them."""
 MOST_EVALUATIONS = 60
 """Limit of simulations in each refinement."""
 
