@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from ...errors import DataRefusedError
+from ...fitting.descent import FLOOR
 from ...fitting.homotopy import (
     COUPLED,
     GAINS,
@@ -37,6 +38,7 @@ from ..free_runs import scale_on
 from ..model_type import KnownCurves, ModelType, Training
 from .candidates import Candidate, Offer, decided_fields, first_candidate, joint_offers, offers
 from .model import RbfModel
+from .parameter_layout import MOST_REFINED
 from .prior import population
 from .problem import Effort, JointProblem
 from .start import bistable_signs, looks_overdamped
@@ -299,8 +301,10 @@ def _fit_to_all(
         complete = within(records, fit.theta, LAST_JACOBIANS)
         last = descend(complete, fit.theta, gains[-1:], 1.0)
         fit, problem = (last, complete) if last.levels else (fit, problem)
-    while fit.levels and _step_error(fit, finer := problem.refined()) > RESOLVED:
-        if setting.effort.spent + LAST_JACOBIANS * finer.jacobian_effort(fit.theta) > setting.effort.limit:
+    while fit.levels and problem.parameters.refinement < MOST_REFINED:
+        finer = problem.refined()
+        needed = LAST_JACOBIANS * finer.jacobian_effort(fit.theta)
+        if _step_error(fit, finer) <= RESOLVED or setting.effort.spent + needed > setting.effort.limit:
             break
         last = descend(finer, fit.theta, [fit.levels[-1].gain], 1.0)
         if not last.levels:
@@ -322,7 +326,7 @@ def _step_error(fit: HomotopyFit, finer: JointProblem) -> float:
     if ahead is None:
         return 0.0
     independent = len(ahead) / whiteness(fit.residual).integrated_correlation_time
-    return rms(ahead - fit.residual) / rms(fit.residual) * float(np.sqrt(independent))
+    return rms(ahead - fit.residual) / max(rms(fit.residual), FLOOR) * float(np.sqrt(independent))
 
 
 def _diagnostics(records: Sequence[Log], fitted: _Fitted, tried: dict[str, float]) -> dict[str, object]:

@@ -42,6 +42,10 @@ SLIP_FLOOR = 2e-3
 """Shortest Dahl length, as a share of half the range: shorter ones are a spring too stiff for the integration step."""
 
 
+MOST_REFINED = 1024
+"""Times as many integration steps that a model may take; what needs more is no smooth motion."""
+
+
 @stored.dataclass(frozen=True, config=STORED)
 class ParameterLayout:
     """The parameter vector of one structure."""
@@ -55,7 +59,7 @@ class ParameterLayout:
         BeforeValidator(listed), Field(min_length=1, max_length=MOST_INPUTS), Unit("1"),
     ]  # fmt: skip
     """Sign of each input's force; 0 if it may change."""
-    refinement: Annotated[int, Field(ge=1, le=1 << 10), Unit("1")] = 1
+    refinement: Annotated[int, Field(ge=1, le=MOST_REFINED), Unit("1")] = 1
     """Times as many integration steps as the pace needs."""
 
     @cached_property
