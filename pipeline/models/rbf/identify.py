@@ -252,7 +252,10 @@ def _trial(records: Sequence[Log], setting: Setting, option: Candidate, near: _F
             tolerance=LEVEL_TOLERANCE,
             noise_inflation=option.noise_inflation,
         ),
-        callbacks=Callbacks(on_progress=setting.progress(option.label, p.scales.half)),
+        callbacks=Callbacks(
+            enough=lambda: setting.effort.exhausted(SEARCH_SHARE),
+            on_progress=setting.progress(option.label, p.scales.half),
+        ),
     )
     evidence = log_evidence(fit, prior, Candidate.noise_inflation**2) if fit.levels else -np.inf
     return _Fitted(option, (p, fit.theta, prior), fit, fit.residual, problem, evidence)

@@ -5,14 +5,17 @@ import pytest
 from scipy.stats import multivariate_normal
 
 from pipeline.fitting.descent import Prior
-from pipeline.fitting.homotopy import HomotopyFit
+from pipeline.fitting.homotopy import LEAST_STEPS, HomotopyFit
 from pipeline.fitting.posterior import log_evidence
-from pipeline.models.rbf.candidates import FRICTION
-from pipeline.models.rbf.identify import identify_rbf
+from pipeline.models.rbf.candidates import FRICTION, first_candidate
+from pipeline.models.rbf.identify import _trial, identify_rbf
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.problem import Effort
 from pipeline.models.rbf.structure import JointScales, JointStructure
+from pipeline.models.rbf.structure_search import Setting
 from pipeline.signals.log import Log
+from pipeline.system.worker_pool import silent
 from tests.models.rbf.test_rbf import log
 
 DAMPING = 4.0
@@ -58,6 +61,15 @@ def test_the_elements_that_a_log_shows_are_found_and_no_others(law, elements):
     curves, planted = found.curves(q), truth.curves(q)
     assert curves["d"] == pytest.approx(planted["d"], rel=0.2)
     assert curves["F"] == pytest.approx(planted["F"], abs=0.02 * np.abs(planted["F"]).max())
+
+
+def test_no_candidate_outlasts_the_search():
+    """A prior of other devices can take a hundred times as long as the fit of the device itself."""
+    first = first_candidate({}, pair=True, angle=False, fine=False)
+    records = [log(double_well("viscous"), 3, n=900)]
+    trials = [_trial(records, Setting("squared", None, Effort(limit), silent), first, None) for limit in (1e-3, 20.0)]
+    least, whole = (trial.fit.levels[-1].iterations for trial in trials)
+    assert least == LEAST_STEPS < whole
 
 
 def test_the_evidence_is_the_marginal_likelihood_of_a_linear_model_of_known_noise():
