@@ -241,7 +241,7 @@ def undriven_starts(t: FloatArray, q: FloatArray, v: FloatArray) -> tuple[float,
     still = np.ptp(whole[:, :rest], axis=1) < _STILL * reach
     moved = np.abs(whole[:, -1] - whole[:, rest - 1]) > 3.0 * _STILL * reach
     spans = np.ptp(np.lib.stride_tricks.sliding_window_view(v, rows, axis=0), axis=2)
-    begins = np.flatnonzero(still & moved & np.all(spans < _STILL * np.ptp(v, axis=0), axis=1))
+    begins = np.flatnonzero(still & moved & np.all(spans <= _STILL * np.ptp(v, axis=0), axis=1))
     return tuple(t[begins[np.diff(begins, prepend=-rows) > _ANSWER] + rest].tolist())
 
 
@@ -250,7 +250,7 @@ def rest_drift(
 ) -> float | None:
     """The common slope of the rests in both wells over time, by least squares; None where it is not sure or small.
 
-    A rest in which q still swings counts the less.
+    A rest in which q still swings counts the less. What the small inputs of a rest shift it by is estimated too.
 
     Parameters
     ----------
@@ -273,11 +273,11 @@ def rest_drift(
     ends = [end_of_rest(rest, interval) for rest in places_of_rest(q, v, interval, plant=plant)]
     ends = [rows for rows in ends if np.isfinite(q[rows]).all()]
     reach = float(np.nanmax(q) - np.nanmin(q))
-    times = np.array([np.mean(t[rows]) for rows in ends])
+    means = np.array([[*np.mean(plant.acting(v[rows]), axis=0), np.mean(t[rows])] for rows in ends])
     places = np.array([np.median(q[rows]) for rows in ends])
     right = places > wells.barrier if isinstance(wells, Wells) else np.zeros(places.size, dtype=np.bool_)
     sides = [side for side in (~right, right) if side.any()]
-    design = np.column_stack([*sides, times]) if sides else np.empty((0, 1))
+    design = np.column_stack([*sides, means]) if sides else np.empty((0, 1))
     if len(design) <= 2 * design.shape[1] or reach == 0.0:
         return None
     sizes = np.array([np.hypot(np.ptp(q[rows]), DRIFT * reach) for rows in ends])

@@ -133,6 +133,27 @@ def test_an_input_that_is_not_named_shows_by_starts_from_rest(pair: list[LogSign
         assert any(each.numbers["starts"].value >= 2 for each in found)
 
 
+@pytest.mark.parametrize("resting", [0, 1, 2])
+def test_an_input_that_never_changes_hides_no_starts_from_rest(pair: list[LogSignals], resting: int) -> None:
+    """One of the two columns, or both, hold a constant in place of the voltages that moved the joint."""
+    v = pair[0].v.copy()
+    v[:, resting:] = 0.0
+    found = [each for each in check_logs([replace(pair[0], v=v)], JOINT, 0.01) if each.code == "undriven_starts"]
+    assert bool(found) == (resting < 2)
+
+
+@pytest.mark.parametrize("drift", [0.0, 5e-5])
+def test_small_inputs_of_a_rest_are_no_drift(drift: float) -> None:
+    """A spring whose linear input rests at 7 % of its largest value to one side, and later to the other."""
+    t = np.arange(0.0, 40.0, 1e-3)
+    v = np.where(t % 2.0 < 1.0, np.where(t % 4.0 < 2.0, 1.0, -1.0), 0.07 * np.sign(t - 20.0))[:, None]
+    q = 0.01 * v[:, 0] + drift * t + np.random.default_rng(3).normal(0.0, 1e-5, t.size)
+    device = Device(None, JOINT.displacement, JOINT.inputs[:1], "linear", None)
+    rows = check_logs([LogSignals("training log", t, q, v, 1e-3)], device, 0.01)
+    found = [each.numbers["drift"].value for each in rows if each.code == "drift"]
+    assert found == ([pytest.approx(drift, rel=0.05)] if drift else [])
+
+
 def test_a_command_has_no_noise_and_a_measurement_has_its_own(pair: list[LogSignals]) -> None:
     measured = replace(pair[0], v=pair[0].v + np.random.default_rng(1).normal(0.0, 4.0, pair[0].v.shape))
     for log, noise in ((pair[0], None), (measured, 4.0)):
