@@ -119,7 +119,7 @@ class LogPart(SettingsTable):
     @classmethod
     def _has_a_unit(cls, value: Any) -> Any:
         if isinstance(value, int | float):
-            raise ValueError(f'needs its unit in quotes, as "{value:g} s" or "{value:g} mm"')
+            raise ValueError(f'needs its unit in quotes, as "{value:g} s" of a time or "{value:g} mm" of a zero')
         return value
 
     @model_validator(mode="after")
