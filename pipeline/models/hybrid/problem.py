@@ -302,7 +302,6 @@ class _Log:
         self._seen, self._seen_for = _visibility(record.valid, self.dt)
         self.held = self.settling.copy()
         self._followed: dict[int, FloatArray] = {}
-        self._squares: dict[tuple[int, float, float, float, float, float], FloatArray] = {}
 
     def hold_lost(self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int) -> None:
         """See `CondensedProblem.hold_lost`."""
@@ -326,7 +325,7 @@ class _Log:
         runs = simulate(
             joint,
             thetas,
-            lambda seen: self._inputs(seen, steps, joint.largest_voltage),
+            lambda seen: self.v.squared(steps, seen, joint.largest_voltage),
             self._start,
             Followed(path, pole),
             joint.stepping(self.dt, steps),
@@ -340,10 +339,9 @@ class _Log:
         pole, path = self._observer(gain, steps)
         seen = joint.instruments(theta)
         constants, instruments, widths = joint.derivatives(theta)
-        largest = joint.largest_voltage
-        u = self._inputs(seen, steps, largest)
+        u = self.v.squared(steps, seen, joint.largest_voltage)
         moved = theta + PARAMETER_STEP * np.eye(len(theta))[condensed_parameters.OF_INSTRUMENTS[1:]]
-        later = np.array([self.v.squared(steps, joint.instruments(each), largest) for each in moved])
+        later = np.array([self.v.squared(steps, joint.instruments(each), joint.largest_voltage) for each in moved])
         driven = Driven(
             squares=u,
             by_instruments=(later - u) / PARAMETER_STEP,
@@ -374,15 +372,6 @@ class _Log:
         if steps not in self._followed:
             self._followed[steps] = self._path(np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1))
         return pole, self._followed[steps]
-
-    def _inputs(self, seen: Instruments, steps: int, largest: float) -> FloatArray:
-        # Joints that run side by side, and steps that are tried one after the other, often share their instruments.
-        key = (steps, seen.delay, seen.charging, float(seen.probe[0]), float(seen.probe[1]), largest)
-        if key not in self._squares:
-            if len(self._squares) >= 4:
-                self._squares.clear()
-            self._squares[key] = self.v.squared(steps, seen, largest)
-        return self._squares[key]
 
 
 def age_at(t: FloatArray) -> float:
