@@ -261,17 +261,20 @@ def main_table(scores: Sequence[ScoreRow]) -> MainTable:
     extras = tuple(column for column in _columns("errors") if any(row.get(column.key) is not None for row in judged))
     signals = tuple(signal for signal in HEADINGS if any(row["signal"] == signal for row in judged))
     rows = []
+    errors_of_q: dict[str, float] = {}
     for model in dict.fromkeys(str(row["model"]) for row in judged):
         own = [row for row in judged if row["model"] == model]
-        errors = [_worst([row["nrmse"] for row in own if row["signal"] == signal]) for signal in signals]
+        worst = [_worst([row["nrmse"] for row in own if row["signal"] == signal]) for signal in signals]
+        cells = [prefixed(error, "%", 2) for error in worst]
         of_q = [row for row in own if row["signal"] == "q"]
         if any(row["status"] != "ok" for row in of_q):
-            errors[0] = "diverged"
-        rows.append((model, *errors, *(_least(of_q, column) for column in extras)))
+            cells[0] = "diverged"
+        elif worst[0] is not None:
+            errors_of_q[model] = worst[0]
+        rows.append((model, *cells, *(_least(of_q, column) for column in extras)))
     logs = list(dict.fromkeys(str(row["log"]) for row in judged))
     named = f"log {logs[0]}" if len(logs) == 1 else f"logs {', '.join(logs)}"
     word = "validation" if role == "validation" else "training"
-    errors_of_q = {row[0]: float(row[1]) for row in rows if row[1].replace(".", "", 1).isdigit()}
     meaning = "NRMSE in % of the measured range, free run from the first sample, worst log."
     notes = " ".join([*notes_of(extras), *notes_on(row[0] for row in rows)])
     return MainTable(
@@ -279,13 +282,14 @@ def main_table(scores: Sequence[ScoreRow]) -> MainTable:
         heading=("model", *(f"{HEADINGS[signal]} [%]" for signal in signals), *(column.title for column in extras)),
         rows=tuple(rows),
         explanation=f"{meaning}\n{notes}" if notes else meaning,
-        best=min(errors_of_q, key=lambda model: errors_of_q[model], default=""),
+        best=min(errors_of_q, key=errors_of_q.__getitem__, default=""),
     )
 
 
-def _worst(errors: Sequence[float | None]) -> str:
+def _worst(errors: Sequence[float | None]) -> float | None:
+    """The largest of the errors; None where one is not defined, or where there is none."""
     defined = [error for error in errors if error is not None]
-    return prefixed(max(defined), "%", 2) if defined and len(defined) == len(errors) else "–"
+    return max(defined) if defined and len(defined) == len(errors) else None
 
 
 def _least(rows: Sequence[ScoreRow], column: Column) -> str:

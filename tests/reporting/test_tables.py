@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pipeline.reporting.tables import NrmseTable, leaders, lines, nrmse_table
+from pipeline.reporting.tables import NrmseTable, leaders, lines, main_table, nrmse_table
 
 
 def record(model: str, nrmse: float | None, above: float | None = None, **changes: Any) -> dict[str, Any]:
@@ -53,3 +53,10 @@ def test_divergence_and_undefined_are_words_and_never_nan() -> None:
     text = "\n".join(" ".join(line) for line in lines(nrmse_table([DIVERGED, record("rbf", None)])))
     assert "diverged at t = 5.49 s" in text and "undefined" in text
     assert "nan" not in text.lower() and "None" not in text
+
+
+def test_the_lowest_error_is_best_where_two_print_alike() -> None:
+    rows = [record("rbf", 0.00652), record("narx", 0.00651), DIVERGED, record("arx", None)]
+    table = main_table(rows)
+    assert [row[:2] for row in table.rows] == [("rbf", "0.65"), ("narx", "0.65"), ("sindy", "diverged"), ("arx", "–")]
+    assert table.best == "narx"
