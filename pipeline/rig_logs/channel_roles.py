@@ -116,7 +116,7 @@ def suggest(
     described : mapping of str to str, optional
         Text of the log beside a channel, which counts where no name suffices.
     """
-    words = {name: f"{(described or {}).get(name, '')}" for name, _ in channels}
+    words = {name: (described or {}).get(name, "") for name, _ in channels}
     sizes = dict.fromkeys((name for name, _ in channels), 0) | dict(counts or {})
     units = {name: suggested_unit(name, unit) for name, unit in channels}
     names = list(units)

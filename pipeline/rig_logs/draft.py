@@ -285,33 +285,46 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
         more = f" Other channels: {', '.join(others)}" if others else ""
         return [f"# v2 is left out: a device with one input?{more}"]
     if suggestion.only is not None:
-        channel = by_name[suggestion.only]
-        unit, origin = _unit(channel, role)
-        entry = _entry(role, channel.name, unit)
-        if channel.codes:
-            entry = _with(entry, f"missing = [{', '.join(f'{code:.9g}' for code in channel.codes)}]")
-        if suggestion.clock:
-            time = by_name[suggestion.clock]
-            entry = _with(entry, f"time = {_entry('', time.name, _unit(time, 'time')[0]).removeprefix(' = ')}")
-        ratio = monitor_ratio(channel.description, channel.name, log.heading) if role in ("v1", "v2") else 1.0
-        monitor = ""
-        if ratio > 1.0 and unit == "V":
-            entry = _with(entry, f"scale = {ratio:g}")
-            monitor = f"; a monitor of 1:{ratio:g} by the log"
-        elif ratio > 1.0 and unit == FILL_IN:
-            monitor = f"; the log names 1:{ratio:g}: V of a monitor take scale = {ratio:g}"
-        elif role in ("v1", "v2") and unit == "V" and _may_be_a_monitor(channel.quality):
-            monitor = "; of a 1:1000 monitor? then also scale = 1000"
-        if role in ("v1", "v2") and _seldom(channel, log):
-            return [
-                f"{_with(entry, 'on_change = true')}  # suggested; unit {origin}; few samples, far apart: recorded "
-                "when it changed?"
-            ]
-        return [f"{entry}  # suggested; unit {origin}{monitor}", *_signed_monitor(entry, channel, log)]
+        return _suggested_lines(suggestion, by_name[suggestion.only], by_name, log)
     if role == "time" and any(each.clock for each in log.suggestions):
         return [f"# time is left out: each channel has its own, of {', '.join(map(quoted, names))}"]
     wanted = f"one of {', '.join(map(quoted, names))}" if names else f"none stands out{_WAYS_OUT.get(role, '')}"
     return [f"{_entry(role, FILL_IN, FILL_IN)}  # {wanted}"]
+
+
+def _suggested_lines(
+    suggestion: Suggestion, channel: InspectedChannel, by_name: dict[str, InspectedChannel], log: Inspection
+) -> list[str]:
+    """The lines of a role that one channel suits, with the time of its own if it has one."""
+    role = suggestion.role
+    unit, origin = _unit(channel, role)
+    entry = _entry(role, channel.name, unit)
+    monitor = ""
+    if channel.codes:
+        entry = _with(entry, f"missing = [{', '.join(f'{code:.9g}' for code in channel.codes)}]")
+    if suggestion.clock:
+        clock = by_name[suggestion.clock]
+        entry = _with(entry, f"time = {_entry('', clock.name, _unit(clock, 'time')[0]).removeprefix(' = ')}")
+    if role in ("v1", "v2"):
+        entry, monitor = _of_monitor(entry, unit, channel, log)
+        if _seldom(channel, log):
+            return [
+                f"{_with(entry, 'on_change = true')}  # suggested; unit {origin}; few samples, far apart: recorded "
+                "when it changed?"
+            ]
+    return [f"{entry}  # suggested; unit {origin}{monitor}", *_signed_monitor(entry, channel, log)]
+
+
+def _of_monitor(entry: str, unit: str, channel: InspectedChannel, log: Inspection) -> tuple[str, str]:
+    """The entry of a voltage with the scale of its monitor where the log states that, and a remark on the monitor."""
+    ratio = monitor_ratio(channel.description, channel.name, log.heading)
+    if ratio > 1.0 and unit == "V":
+        return _with(entry, f"scale = {ratio:g}"), f"; a monitor of 1:{ratio:g} by the log"
+    if ratio > 1.0 and unit == FILL_IN:
+        return entry, f"; the log names 1:{ratio:g}: V of a monitor take scale = {ratio:g}"
+    if unit == "V" and _may_be_a_monitor(channel.quality):
+        return entry, "; of a 1:1000 monitor? then also scale = 1000"
+    return entry, ""
 
 
 def _may_be_a_monitor(quality: SignalQuality) -> bool:
