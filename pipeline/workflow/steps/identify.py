@@ -1,7 +1,7 @@
 """Identify: models of the training logs, the main one first."""
 
 import time
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -137,7 +137,7 @@ def identified(
     """
     findings = _findings(data, prototype)
     remarks = judge("training logs", findings, prototype.quality, *_stands_in(_wanted(prototype)))
-    # What even a network needs not is no fault of the data.
+    # What even a network does not need is no fault of the data.
     needless = set(_stands_in({"rbf"})[0]) - set(prototype.quality.accept)
     accepted = [text for finding, text in zip(findings, remarks, strict=True) if finding.gate not in needless]
     notes: dict[str, Any] = {"warnings": list(remarks), "accepted": accepted}
@@ -153,7 +153,8 @@ def identified(
                 began = time.process_time()
                 choice = _choose(whole, data, prototype)
                 seconds: float | None = time.process_time() - began
-                model, notes[CHOICE] = choice.model, choice.to_json()
+                model = choice.model
+                notes[CHOICE] = choice.to_json()
                 if not choice.held_out and whole.device.displacement.symbol == "rad" and prototype.may_be_a_joint:
                     notes["warnings"].append(choice.reason)
                 if choice.other is not None:
@@ -169,11 +170,9 @@ def identified(
                         raise
                     notes["warnings"].append(f"rbf is not among the models: {refused}")
                     continue
-            models[model.name], facts = model, model.describe()
-            if facts.get("converged") is False:
-                notes["warnings"].append("; ".join(sentences(Finding("converged", "fair", subject=model.name))))
-            if facts.get("search_complete") is False:
-                notes["warnings"].append(SEARCH_CUT.format(model=model.name, tried=len(facts["candidates"])))
+            facts = model.describe()
+            models[model.name] = model
+            notes["warnings"] += _unfinished(model.name, facts)
             notes[model.name] = {**facts, TIMES: {"fit_s": seconds}}
             notes.setdefault(IDENTIFIED, []).append(model.name)
     if prototype.identify.models[0] == AUTO:
@@ -182,6 +181,14 @@ def identified(
         notes[EQUATIONS] = "hybrid"
         models.setdefault("hybrid", beside["hybrid"])
     return models, notes
+
+
+def _unfinished(model: str, facts: Mapping[str, Any]) -> Iterator[str]:
+    """Warnings on a fit that did not converge, or a search for a structure that was cut."""
+    if facts.get("converged") is False:
+        yield "; ".join(sentences(Finding("converged", "fair", subject=model)))
+    if facts.get("search_complete") is False:
+        yield SEARCH_CUT.format(model=model, tried=len(facts["candidates"]))
 
 
 def _put_first(models: Mapping[str, StoredModel], whole: Training, notes: dict[str, Any]) -> None:
@@ -227,7 +234,7 @@ def _choose(given: Training, data: list[Log], prototype: Prototype) -> Choice:
 
 
 def _network(given: Training, data: list[Log], prototype: Prototype) -> StoredModel:
-    """The data-driven model; what the joint's equations would know the data must show."""
+    """The data-driven model; the data must show what the joint's equations would know."""
     judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in({"rbf"}))
     return model_type("rbf").fit(given)
 
