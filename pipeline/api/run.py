@@ -271,7 +271,7 @@ class Run:
         model, log : str, optional
             Their names.
         tube : bool
-            With the 90 % tubes of q, for a model that has them (`hybrid`).
+            With the 90 % tubes of q, for a model that has them (`hybrid`, `rbf`).
 
         Returns
         -------

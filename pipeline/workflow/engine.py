@@ -302,7 +302,7 @@ class _InOrder:
 
 @dataclass
 class _Step:
-    """A task under way: its raw files before they are read, the sources of its outputs, its beginning [s]."""
+    """A task under way: its raw files before they are read, the recipe of its outputs, its beginning [s]."""
 
     task: Task
     sources: dict[Path, Seen]

@@ -254,7 +254,7 @@ def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:
 
 
 def _bring_up_to_date(
-    run: RunFolder, tasks: Plan, stages: Sequence[str], observer: Observer, jobs: int = 1
+    run: RunFolder, tasks: Plan, stages: Sequence[str], observer: Observer, jobs: int
 ) -> list[TaskStatus]:
     """Do what is to be done, and then state the content of these stages and of all that have tasks."""
     done = bring_up_to_date(run, tasks, observer, jobs=jobs)

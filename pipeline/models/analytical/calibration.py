@@ -326,11 +326,7 @@ def _result(simulated: SimulatedProblem, final: OptimizeResult) -> Calibration:
         standard_errors=np.abs(problem.slopes(final.x)) * deviations,
         correlation=covariance / np.outer(deviations, deviations),
         at_bound=tuple(name for name, bound in zip(problem.names, at_bound, strict=True) if bound),
-        rmse=_rmse(windows, residuals),
+        rmse=RESOLUTION * rms(residuals[: windows.samples]),
         converged=final.status > 0,
         evaluations=problem.evaluations,
     )
-
-
-def _rmse(windows: Windows, residuals: FloatArray) -> float:
-    return RESOLUTION * rms(residuals[: windows.samples])
