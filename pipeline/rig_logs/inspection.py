@@ -302,7 +302,7 @@ def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuali
         if seen is time:
             return position
     clock = uniform_clock(time)
-    if clock is not None and clock.described:
+    if clock is not None:
         notes.append(f"time stamps are {clock.described}")
     try:
         quality = examine(time if clock is None else clock.time)

@@ -17,7 +17,7 @@ from ..numerics.arrays import BoolArray, FloatArray, IntArray
 from ..units.quantity import quantity
 from .columns import ROUNDING, chunks, column, finite, select
 from .noise import CHANCE
-from .timebase import ONE_LOST, UNIFORM, default_gap_limit, nominal_step, segments
+from .timebase import ONE_LOST, default_gap_limit, nominal_step, segments
 
 _BLOCK = 256
 """Stamps over which the lattice is taken as constant."""
@@ -43,9 +43,7 @@ class UniformClock:
 
     @property
     def described(self) -> str:
-        """Rate of the clock, and rounding of its stamps; empty where the rounding leaves them uniform."""
-        if self.resolution <= UNIFORM * self.step:
-            return ""
+        """Rate of the clock, and rounding of its stamps."""
         return (
             f"those of a clock of {1.0 / self.step:.6g} Hz, rounded to {quantity(self.resolution, 's')}: taken as "
             "uniform"

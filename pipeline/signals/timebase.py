@@ -18,14 +18,14 @@ ONE_LOST = 1.5
 LOCATED = 20
 """Most gaps, repetitions or reversals that are located; all are counted."""
 NO_CUTS: FloatArray = np.empty(0)
-UNIFORM = 1e-3
+_UNIFORM = 1e-3
 """Share of a step by which the steps of a uniform time base may differ, and rounding."""
 
 
 def is_uniform(t: FloatArray) -> bool:
     """True if time stamps, shape (N,), rise in equal steps."""
     steps = np.diff(t)
-    return bool(steps.min() > 0.0 and np.ptp(steps) <= UNIFORM * steps.mean() + 4 * np.spacing(np.abs(t).max()))
+    return bool(steps.min() > 0.0 and np.ptp(steps) <= _UNIFORM * steps.mean() + 4 * np.spacing(np.abs(t).max()))
 
 
 @dataclass(frozen=True)
@@ -167,7 +167,7 @@ def examine(time: FloatArray) -> TimeQuality:
         shortest=float(shortest),
         longest=longest,
         jitter=float(np.sqrt(square / max(regular, 1))),
-        uniform=bool(max(longest - step, step - shortest) <= UNIFORM * step) and not repeated and not backward,
+        uniform=bool(max(longest - step, step - shortest) <= _UNIFORM * step) and not repeated and not backward,
         not_finite=int(time.size - stamps.size),
         repeated=repeated,
         backward=backward,

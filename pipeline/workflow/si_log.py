@@ -133,7 +133,7 @@ def on_uniform_clocks(log: RawLog) -> RawLog:
     clocks = {key: uniform_clock(time) for key, time in stamps.items()}
     notes = list(log.notes)
     for key, clock in clocks.items():
-        if clock is not None and clock.described:
+        if clock is not None:
             names = ", ".join(name for name, (time, _) in signals.items() if id(time) == key)
             of = "" if len(clocks) == 1 else f" of {names}"
             notes.append(Remark(f"the time stamps{of} are {clock.described}", dealt_with=True))

@@ -294,13 +294,14 @@ def test_times_of_a_workbook_keep_all_their_digits_also_past_midnight(tmp_path, 
 
 
 @pytest.mark.parametrize(("form", "begin"), [("hh:mm:ss.000", 0.4), ("dd.mm.yyyy hh:mm:ss.000", 46_000.4)])
-def test_the_digits_of_a_date_are_no_remark(tmp_path, form, begin):
+def test_the_digits_of_a_date_are_a_remark_and_its_clock_is_uniform(tmp_path, form, begin):
     """At 300 Hz they are nanoseconds of a time of day, and 0.6 µs of a date."""
     times = np.arange(400) / 300.0
     _sheets(tmp_path / "log.xlsx", begin + times / 86_400.0, form, cut=400)
-    assert not [note for note in inspect_log(tmp_path / "log.xlsx").notes if "rounded" in note]
+    remarks = [note for note in inspect_log(tmp_path / "log.xlsx").notes if "rounded" in note]
     clock = uniform_clock(load(open_here(tmp_path / "log.xlsx"), "t"))
-    assert clock is not None and np.ptp(clock.time - times) < 1e-7 and not clock.described
+    assert clock is not None and np.ptp(clock.time - times) < 1e-7
+    assert remarks == [f"time stamps are {clock.described}"]
     assert "rounded to 1.00 ms" in uniform_clock(np.round(times, 3)).described
 
 
